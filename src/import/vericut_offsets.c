@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/same_double.h"
 #include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
@@ -244,29 +245,82 @@ static bool read_row(const struct reading *r, const xmlNode *table, const xmlNod
 	return take_row(r, table, row, values);
 }
 
+static bool is_table(const xmlNode *table, const char *name)
+{
+	return foreign_attribute_is(table, "Name", name);
+}
+
 /* Tables that say where the program's zero is. */
 static bool is_offset_table(const xmlNode *table)
 {
-	static const char *const names[] = {"Work Offsets", "Program Zero", "Input Program Zero", "Base Work Offset"};
+	static const char *const names[] = {"Work Offsets", "Program Zero", "Input Program Zero"};
 
 	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
-		if (foreign_attribute_is(table, "Name", names[i]))
+		if (is_table(table, names[i]))
 			return true;
 	return false;
+}
+
+/*
+ * All work offsets count from the base work offset. How From and To of the others are meant then is not known, so a row
+ * of it that is not all 0 makes them uncertain.
+ */
+static const xmlNode *find_base(const struct reading *r, const xmlNode *first)
+{
+	struct arena *arena = &r->setup->bodies.description.arena;
+
+	for (const xmlNode *table = first; table; table = foreign_next(table, "Table")) {
+		if (!is_table(table, "Base Work Offset"))
+			continue;
+		for (const xmlNode *row = foreign_child(table, "Row"); row; row = foreign_next(row, "Row")) {
+			const xmlNode *value = foreign_child(row, "Value");
+			bool zero = value != NULL && !has_values(foreign_child(row, "AddOffset")) &&
+				    !has_values(foreign_child(row, "RelPosition"));
+
+			for (; value; value = foreign_next(value, "Value")) {
+				char *end;
+
+				zero &= same_double(strtod(foreign_text(arena, value), &end), 0) && !*end;
+			}
+			if (!zero)
+				return row;
+		}
+	}
+	return NULL;
+}
+
+/* Tables of the control that have rows, and that nothing is taken over from: lengths of tools, shifts, pivots. */
+static void note_other(const struct reading *r, const xmlNode *table)
+{
+	struct strbuf text = {0};
+
+	if (is_table(table, "Base Work Offset") || !foreign_child(table, "Row"))
+		return;
+	strbuf_addf(&text, "The table %s of the setup is not taken over: compare what it has with the control.",
+		    xml_quote(foreign_attribute(table, "Name") ? foreign_attribute(table, "Name") : "").text);
+	note(r, table, strbuf_text(&text));
+	strbuf_release(&text);
 }
 
 bool vericut_offsets_read(struct import_setup *setup, const struct import_machine *machine,
 			  const struct vericut_components *components, struct xml_reader *xml, const xmlNode *node)
 {
 	const struct reading r = {setup, machine, components, xml, node};
-	const xmlNode *first = foreign_child(foreign_child(node, "GCode"), "Table");
+	const xmlNode *first = foreign_child(foreign_child(node, "GCode"), "Table"), *base = find_base(&r, first);
 
 	/* As many as there can be names. */
 	setup->offsets = arena_alloc(&setup->bodies.description.arena, 6 * sizeof(*setup->offsets));
-	for (const xmlNode *table = first; table; table = foreign_next(table, "Table"))
-		for (const xmlNode *row = is_offset_table(table) ? foreign_child(table, "Row") : NULL; row;
-		     row = foreign_next(row, "Row"))
+	if (base)
+		note(&r, base, "The setup has a base work offset, from which all others count: no work offset is taken "
+			       "over. Add them as the control has them.");
+	for (const xmlNode *table = first; table; table = foreign_next(table, "Table")) {
+		if (!is_offset_table(table)) {
+			note_other(&r, table);
+			continue;
+		}
+		for (const xmlNode *row = base ? NULL : foreign_child(table, "Row"); row; row = foreign_next(row, "Row"))
 			if (!read_row(&r, table, row))
 				return false;
+	}
 	return true;
 }

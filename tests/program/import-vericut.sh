@@ -122,6 +122,14 @@ fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'ar
 project '-220 -195 -474 0 45' >job/job.VcProject
 fivecheck import --meshes . --output job/turned job/job.VcProject 2>&1 | grep 'alone'
 grep -c '<work_offset' job/turned/setup.xml
+echo "a base work offset makes the others uncertain, and other tables are named:"
+base() { # VALUE
+	project '' | sed "s|</GCode>|<Table Name=\"Base Work Offset\"><Row Index=\"1\"><From>Tool</From><To>Vise</To><Value>0</Value><Value>$1</Value></Row></Table><Table Name=\"Shift Offsets\"><Row Index=\"1\"/></Table><Table Name=\"RTCP Pivot Offset\"/>&|" >job/job.VcProject
+	fivecheck import --meshes . --output "job/base$1" job/job.VcProject 2>&1 | grep 'base work\|table Shift'
+	grep -c '<work_offset' "job/base$1/setup.xml"
+}
+base 0
+base 10
 echo "several models of the stock, where they lie apart:"
 project '' | sed "/Name=.Stock./,/<.Component>/s|</Component>|$(file 'D:\\\\jobs\\\\blank.stl' '300 0 5' '0 0 90')&|" >job/several.VcProject
 fivecheck import --meshes . --output job/several job/several.VcProject 2>/dev/null
