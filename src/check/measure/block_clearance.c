@@ -110,19 +110,46 @@ static double distance_seen(const struct block_clearance *block, const axis_valu
 	return tri_distance(&a, &b, &on_a, &on_b);
 }
 
+/* mm: the distance of which `proved` is just enough. */
+static double distance_for(const struct block_clearance *block, double proved)
+{
+	switch (block->accuracy) {
+	case CLEARANCE_SHARP:
+		break;
+	case CLEARANCE_COARSE:
+		return fmax(proved / 0.65, fmin(proved + 0.25, proved / 0.3));
+	case CLEARANCE_ROUGH:
+		return proved / 0.12;
+	}
+	return proved / 0.9;
+}
+
+/* mm: what is wanted of planes for a step that ends at q, as far as it is known how near the bodies are. */
+static double wanted_at(const struct block_clearance *block, const axis_values *q, double path)
+{
+	return fmin(block->bound, enough(block, distance_seen(block, q) - path));
+}
+
 /*
  * Do travelling planes prove as much for the step as the block has, or nearly all that there is? They give the bound.
+ * The triangles that were nearest have moved apart as a rule, so that more seems to be possible than is. Nearer ones
+ * are looked for until the kept planes are good enough for what they show.
  */
-static bool by_planes(struct block_clearance *block, const struct motion_step *step,
+static bool by_planes(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
 		      const struct position_errors *errors)
 {
 	const axis_values *q = &step->span.q1;
 	const struct plane_motion motion = {.straight = !step_is_box(step), .q0 = step->span.q0, .q1 = *q,
 					    .chord_error = errors->chord};
 	double path = plane_motion_path(&motion, &block->bodies, errors);
-	double wanted = fmin(block->bound, enough(block, distance_seen(block, q) - path));
+	double kept = plane_cells_rest(&block->planes, &motion) - path;
+	double wanted = wanted_at(block, q, path);
 
-	if (!(wanted > 0) || !planes_cover(block, &motion, q, wanted + path, false))
+	if (kept > 0 && kept < wanted) {
+		sweep_distance(sweep, &block->bodies, q, SHARP_SHARE, distance_for(block, kept) + path, 0);
+		wanted = wanted_at(block, q, path);
+	}
+	if (!(wanted > 0) || (!(kept > wanted) && !planes_cover(block, &motion, q, wanted + path, false)))
 		return false;
 	block->bound = fmin(block->bound, block->accuracy == CLEARANCE_SHARP
 					      ? plane_cells_rest(&block->planes, &motion) - path
@@ -232,9 +259,9 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 	step_box(step, &low, &high);
 	if (spend(block, &low, &high, &errors, &rest))
 		return;
-	if (by_planes(block, step, &errors))
-		return;
 	before = sweep->visits;
+	if (by_planes(block, sweep, step, &errors))
+		return;
 	renew(block, sweep, &step->span.q1, DISTANCE_SHARE);
 	held = spend(block, &low, &high, &errors, &rest);
 	if (!held && block->accuracy == CLEARANCE_SHARP && SHARP_SHARE * block->found < block->bound) {
