@@ -161,6 +161,7 @@ struct controller {
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	enum length_under_g68 length_under_g68;
+	int polar_axis;	/* the rotary slot that G12.1 takes together with X; 0: not known */
 	enum g53_with_g91 g53_with_g91;
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
 	double arc_radius_tolerance;	/* mm: arcs whose radii differ by no more are spirals; 0: not known */

@@ -22,7 +22,9 @@ enum {
 	G9 = 90,
 	G10 = 100,
 	G12 = 120,	/* circular pocket milling of Haas */
+	G12_1 = 121,
 	G13 = 130,
+	G13_1 = 131,
 	G15 = 150,
 	G16 = 160,
 	G17 = 170,

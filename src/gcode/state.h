@@ -81,6 +81,20 @@ struct cylinder {
 	double radius;	/* mm */
 };
 
+/* G12.1: execute/polar_interpolation.h. */
+struct polar_interpolation {
+	bool on;
+	int rotary;	/* slot of the axis that turns to the point's angle; X goes to its distance */
+	double zero[2];	/* mm: where the centre of the plane lies in positions of X and Y */
+	double side;	/* -1: X stands on its negative side */
+	double at[2];	/* mm, about the centre: the end of the last move that was told, and */
+	axis_values told;	/* where the axes stand there */
+	double angle;	/* radians: of the rotary axis there */
+	double y;	/* what is back in force with G13.1: the position of Y, */
+	int plane;	/* the plane */
+	unsigned unknown_plane;	/* and whether it is known */
+};
+
 /* G16: execute/polar_coordinates.h. */
 struct polar_coordinates {
 	bool on, has_radius, has_angle;
@@ -125,6 +139,7 @@ struct state {
 	struct rotated_frame frame;
 	struct plane_parts plane_parts;
 	struct polar_coordinates polar;
+	struct polar_interpolation polar_interpolation;
 	struct cylinder cylinder;
 	struct dynamic_work_offset dynamic;
 	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */

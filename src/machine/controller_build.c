@@ -129,6 +129,7 @@ static void check_lexis(struct description_file *file, const struct controller_d
 		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
 		{described->m6_with_t, "m6_with_t", "loads the T beside M6"},
 		{described->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
+		{described->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
 		{described->semicolon, "semicolon", "has comments behind ';'"},
 		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
 		{described->cycle_repeats, "cycle_repeats", "has no such parameter"},
@@ -260,6 +261,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->m6_with_move = from->m6_with_move;
 	to->m6_with_t = from->m6_with_t;
 	to->length_under_g68 = from->length_under_g68;
+	to->polar_axis = from->polar_axis;
 	to->semicolon = from->semicolon;
 	to->colon = from->colon;
 	to->comp_d = from->comp_d;

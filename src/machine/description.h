@@ -101,6 +101,7 @@ struct controller_description {
 	enum m6_with_move m6_with_move;
 	enum m6_with_t m6_with_t;
 	enum length_under_g68 length_under_g68;
+	int polar_axis;	/* a slot; 0: not given */
 	enum semicolon semicolon;
 	enum colon colon;
 	const char *preset;	/* or NULL */

@@ -20,7 +20,7 @@ static const char trunnion[] =
 	"  </pairs>\n"
 	"  <controller dialect='haas' rapid='dogleg' tcp_zero='offset' path_tolerance='0.02' "
 	"least_input='0.001' length_offset_moves='yes' length_after_reference='cancels' g53_with_g91='incremental' power_on_units='inch' "
-	"power_on_distance='incremental' power_on_plane='yz' m6_with_move='before' m6_with_t='before' length_under_g68='straight' semicolon='comment' colon='block' power_on_motion='feed' cycle_repeats='L' arc_radius_tolerance='0.5'>\n"
+	"power_on_distance='incremental' power_on_plane='yz' m6_with_move='before' m6_with_t='before' length_under_g68='straight' polar_axes='XB' semicolon='comment' colon='block' power_on_motion='feed' cycle_repeats='L' arc_radius_tolerance='0.5'>\n"
 	"    <tool_change Y='-10' C='90' X='3' order='Y XC'/><reference number='1' Y='11'/>\n"
 	"    <reference number='3' X='1' Y='-2' order='YX'/>\n"
 	"    <mcode number='428' action='tcp-on'/><mcode number='429' action='tcp-off'/><mcode number='10' "

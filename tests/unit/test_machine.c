@@ -97,6 +97,7 @@ static void check_places(const struct controller *controller)
 	ck_assert_int_eq(controller->m6_with_move, M6_BEFORE_MOVE);
 	ck_assert_int_eq(controller->m6_with_t, M6_LOADS_T_BEFORE);
 	ck_assert_int_eq(controller->length_under_g68, LENGTH_UNDER_G68_STRAIGHT);
+	ck_assert_int_eq(controller->polar_axis, SLOT_B);
 	ck_assert_int_eq(controller->semicolon, SEMICOLON_STARTS_COMMENT);
 	ck_assert_int_eq(controller->colon, COLON_BLOCK);
 	ck_assert_int_eq(controller->power_on_motion, POWER_ON_FEED);

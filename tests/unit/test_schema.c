@@ -55,7 +55,7 @@ static const char questions_text[] =
 
 static const char readings_text[] =
 	"<machine version='1'>\n"
-	"<controller dialect='haas' m6_with_move='before' m6_with_t='own' length_under_g68='turned' semicolon='comment'\n"
+	"<controller dialect='haas' m6_with_move='before' m6_with_t='own' length_under_g68='turned' polar_axes='XC' semicolon='comment'\n"
 	" colon='block'/>\n"
 	"<base><axis name='X' type='linear' direction='1 0 0' rate_max='6000'/></base>\n"
 	"</machine>";

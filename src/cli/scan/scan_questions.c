@@ -158,6 +158,7 @@ static const struct question {
      CHOICE(length_after_reference, LENGTH_AFTER_REFERENCE_KEPT)},
     {"length_under_g68=\"", "length_under_g68=\"turned\" or \"straight\"",
      CHOICE(length_under_g68, LENGTH_UNDER_G68_TURNED)},
+    {"polar_axes=\"", "polar_axes=\"XA\", \"XB\" or \"XC\"", CHOICE(polar_axis, SLOT_C)},
     {"g53_with_g91=\"", "g53_with_g91=\"absolute\" or \"incremental\"", CHOICE(g53_with_g91, G53_WITH_G91_ABSOLUTE)},
     {"unidirectional_overrun=\"", "unidirectional_overrun=\"\"", NUMBER(overrun, 1)},
     {"arc_radius_tolerance=\"", "arc_radius_tolerance=\"\" (parameter 3410)",

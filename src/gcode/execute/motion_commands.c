@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/polar_pieces.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
@@ -52,7 +53,7 @@ bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 	if (interp->comp.queue.count > 0)
 		return motion_commands_enqueue(interp,
 					       &(struct comp_item){.kind = COMP_PAUSE, .move = event.of.move});
-	return interp->sink->event(interp->sink->context, &event);
+	return polar_pieces_tell(interp, &event.of.move);
 }
 
 static bool go_to(struct interp *interp, const slot_values *position, struct canon_move *move)

@@ -7,6 +7,9 @@ bool program_position_check(struct interp *interp, int slot, int column)
 {
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
+	if (interp->state.polar_interpolation.on)
+		return fault(&interp->at, column,
+			     "the position under polar coordinate interpolation cannot be read; G13.1 first");
 	if (!interp->state.frame.on)
 		return dynamic_work_offset_check_read(interp, slot, column) &&
 		       probed_axes_is_known(interp, slot, column);

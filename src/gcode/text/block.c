@@ -41,10 +41,16 @@ static bool gives_way(int group, int before, int number)
 	return group != G_CONTOUR && (group != G_MOTION || (before <= G3 && number <= G3));
 }
 
-/* Rigid taps are taps: what they do to the spindle moves no other axis. G107 is another name of G7.1. */
+/* Rigid taps are taps: what they do to the spindle moves no other axis. G107, G112 and G113 are other names. */
 static int as_executed(int number)
 {
-	return number == 842 ? G84 : number == 843 ? G74 : number == 1070 ? G7_1 : number;
+	static const int names[][2] = {{842, G84}, {843, G74}, {1070, G7_1}, {1120, G12_1}, {1130, G13_1}};
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+		if (names[i][0] == number)
+			return names[i][1];
+	}
+	return number;
 }
 
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,

@@ -129,6 +129,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const zeros[] = {"machine", "offset", NULL};
 	static const char *const answers[] = {"yes", "no", NULL};
 	static const char *const length_ways[] = {"turned", "straight", NULL};
+	static const char *const polar_axes[] = {"XA", "XB", "XC", NULL};
 	static const enum answer meanings[] = {ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO};
 	static const char *const lengths[] = {
 		[LENGTH_AFTER_REFERENCE_KEPT - 1] = "keeps", [LENGTH_AFTER_REFERENCE_GONE - 1] = "cancels", NULL,
@@ -152,6 +153,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 						    {"swivel_retract", read_swivel_retract, false, false},
 						    {.name = NULL}};
 	const char *preset;
+	int polar;
 	struct machine_description *described = context;
 	struct controller_description *controller = &described->controller;
 	const size_t places =
@@ -181,6 +183,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->m6_with_t = (enum m6_with_t)(xml_choice(xml, node, "m6_with_t", tools, -1) + 1);
 	controller->length_under_g68 =
 	    (enum length_under_g68)(xml_choice(xml, node, "length_under_g68", length_ways, -1) + 1);
+	polar = xml_choice(xml, node, "polar_axes", polar_axes, -1);
+	controller->polar_axis = polar < 0 ? 0 : SLOT_A + polar;
 	controller->semicolon = (enum semicolon)(xml_choice(xml, node, "semicolon", semicolons, -1) + 1);
 	controller->colon = (enum colon)(xml_choice(xml, node, "colon", colons, -1) + 1);
 	preset = xml_attribute(xml, node, "preset");

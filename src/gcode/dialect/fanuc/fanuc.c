@@ -24,8 +24,8 @@ static const struct code g_codes[] = {
 	{G8, G_CONTOUR, CODE_READ, "AI advanced preview control"},
 	{106, GROUP_NONE, CODE_REFUSED, "tool retract and recover"},
 	{110, GROUP_NONE, CODE_IGNORED, "end of data setting"},
-	{121, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
-	{131, GROUP_NONE, CODE_IGNORED, "end of polar coordinate interpolation"},
+	{G12_1, G_NONMODAL, CODE_BOUNDED, "polar coordinate interpolation"},
+	{G13_1, G_NONMODAL, CODE_READ, "end of polar coordinate interpolation"},
 	{G15, G_POLAR, CODE_READ, "end of polar coordinates"},
 	{G16, G_POLAR, CODE_READ, "polar coordinate command"},
 	{220, GROUP_NONE, CODE_REFUSED, "stored stroke check with a zone of the program"},
@@ -80,8 +80,8 @@ static const struct code g_codes[] = {
 	/* The mode that is always in force here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 	{1070, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
-	{1120, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
-	{1130, GROUP_NONE, CODE_IGNORED, "end of polar coordinate interpolation"},
+	{1120, G_NONMODAL, CODE_BOUNDED, "polar coordinate interpolation"},
+	{1130, G_NONMODAL, CODE_READ, "end of polar coordinate interpolation"},
 };
 
 static const struct code m_codes[] = {

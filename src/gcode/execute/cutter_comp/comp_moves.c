@@ -3,6 +3,7 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/polar_pieces.h"
 #include "gcode/execute/rotated_frame.h"
 
 /*
@@ -68,10 +69,10 @@ static bool tell_item(struct interp *interp, const struct comp_item *item)
 	if (item->kind == COMP_LINE || item->kind == COMP_ARC) {
 		turned = *move;
 		turn_move(&interp->state, &turned);
-		return canon_tell_move(interp->sink, &turned);
+		return polar_pieces_tell(interp, &turned);
 	}
 	if (item->kind == COMP_PAUSE)
-		return canon_tell_move(interp->sink, move);
+		return polar_pieces_tell(interp, move);
 	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number,
 								    &item->callers});
 }

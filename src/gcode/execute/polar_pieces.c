@@ -1,0 +1,162 @@
+#include "gcode/execute/polar_pieces.h"
+
+#include <math.h>
+
+#include "base/math/math_functions.h"
+
+/* mm: how far an axis may be beside its piece. Smaller pieces prove more closely, and there are more of them. */
+#define BESIDE 0.002
+
+/* A move in the plane, about its centre: at t from 0 to 1. */
+struct curve {
+	bool arc;
+	double start[2], end[2];
+	double centre[2], radius[2], angle, sweep;	/* of an arc: at its start and its end */
+	double length;	/* mm, of the way of X, Y and Z */
+	double rate, bend;	/* what its first and second derivatives do not exceed, mm */
+};
+
+static void find_arc(const struct polar_interpolation *polar, const struct canon_move *move, struct curve *curve)
+{
+	double change;
+
+	curve->arc = true;
+	curve->centre[0] = move->arc.centre.x - polar->zero[0];
+	curve->centre[1] = move->arc.centre.y - polar->zero[1];
+	for (int i = 0; i < 2; i++) {
+		const double *point = i ? curve->end : curve->start;
+
+		curve->radius[i] = math_hypot(point[0] - curve->centre[0], point[1] - curve->centre[1]);
+	}
+	curve->angle = math_atan2(curve->start[1] - curve->centre[1], curve->start[0] - curve->centre[0]);
+	curve->sweep = move->arc.normal.z < 0 ? -move->arc.sweep : move->arc.sweep;
+	change = fabs(curve->radius[1] - curve->radius[0]);
+	curve->rate = fmax(curve->radius[0], curve->radius[1]) * fabs(curve->sweep) + change;
+	curve->bend = fmax(curve->radius[0], curve->radius[1]) * curve->sweep * curve->sweep +
+		      2 * change * fabs(curve->sweep);
+}
+
+static struct curve find_curve(const struct polar_interpolation *polar, const struct canon_move *move)
+{
+	const double rise = move->end.v[SLOT_Z] - polar->told.v[SLOT_Z];
+	struct curve curve = {.arc = false};
+
+	for (int i = 0; i < 2; i++) {
+		curve.start[i] = polar->at[i];
+		curve.end[i] = move->end.v[SLOT_X + i] - polar->zero[i];
+	}
+	if (move->kind == CANON_ARC)
+		find_arc(polar, move, &curve);
+	else
+		curve.rate = math_hypot(curve.end[0] - curve.start[0], curve.end[1] - curve.start[1]);
+	curve.length = math_hypot(curve.rate, rise);
+	return curve;
+}
+
+static void point_of(const struct curve *curve, double t, double point[2])
+{
+	if (t >= 1) {
+		point[0] = curve->end[0];
+		point[1] = curve->end[1];
+	} else if (curve->arc) {
+		const double angle = curve->angle + t * curve->sweep;
+		const double radius = curve->radius[0] + t * (curve->radius[1] - curve->radius[0]);
+
+		point[0] = curve->centre[0] + radius * math_cos(angle);
+		point[1] = curve->centre[1] + radius * math_sin(angle);
+	} else {
+		point[0] = curve->start[0] + t * (curve->end[0] - curve->start[0]);
+		point[1] = curve->start[1] + t * (curve->end[1] - curve->start[1]);
+	}
+}
+
+/* The feed is that in the plane: each piece takes its part of the time. */
+static struct canon_feed feed_of(const struct canon_feed *feed, const struct curve *curve, double part)
+{
+	struct canon_feed piece = *feed;
+
+	if (feed->inverse_time)
+		piece.seconds = feed->seconds * part;
+	else if (curve->length > 0)
+		piece = (struct canon_feed){.inverse_time = true, .seconds = curve->length * part / feed->linear};
+	return piece;
+}
+
+/*
+ * With a point p(t) of the plane, whose derivatives are at most v and b, and at least r from the centre, the distance
+ * from the centre has a second derivative of at most v^2 / r + b, and the angle one of at most v^2 / r^2 + b / r. A
+ * chord over dt is beside a function by at most dt^2 / 8 of that.
+ */
+static void spread_of(const struct curve *curve, double nearest, double dt, double *beside, double *turn)
+{
+	const double part = dt * dt / 8;
+
+	*beside = part * (curve->rate * curve->rate / nearest + curve->bend);
+	*turn = *beside / nearest;
+}
+
+static bool tell_piece(struct interp *interp, const struct canon_move *move, const struct curve *curve, double t,
+		       double next)
+{
+	struct polar_interpolation *polar = &interp->state.polar_interpolation;
+	const double part = (next - t) / (1 - t), before = math_hypot(polar->at[0], polar->at[1]);
+	struct canon_move piece = *move;
+	double point[2], radius, beside, turn;
+
+	point_of(curve, next, point);
+	radius = math_hypot(point[0], point[1]);
+	polar->angle += math_atan2(polar->at[0] * point[1] - polar->at[1] * point[0],
+				   polar->at[0] * point[0] + polar->at[1] * point[1]);
+	spread_of(curve, fmin(before, radius) - curve->rate * (next - t) / 2, next - t, &beside, &turn);
+	piece.kind = CANON_FEED;
+	piece.feed = feed_of(&move->feed, curve, next - t);
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		piece.end.v[slot] = polar->told.v[slot] + part * (move->end.v[slot] - polar->told.v[slot]);
+	piece.end.v[SLOT_X] = polar->zero[0] + polar->side * radius;
+	piece.end.v[SLOT_Y] = polar->told.v[SLOT_Y];
+	piece.end.v[polar->rotary] = polar->angle;
+	piece.spread[SLOT_X] += beside;
+	piece.turn_spread[polar->rotary - SLOT_A] += turn;
+	polar->told = piece.end;
+	polar->at[0] = point[0];
+	polar->at[1] = point[1];
+	return canon_tell_move(interp->sink, &piece);
+}
+
+/* How far to go on from t, at this distance from the centre: at most half of it. */
+static double step_of(const struct curve *curve, double radius)
+{
+	const double curved = 2 * curve->rate * curve->rate / radius + curve->bend;
+
+	return curved > 0 ? fmin(radius / (2 * curve->rate), sqrt(8 * BESIDE / curved)) : 1;
+}
+
+bool polar_pieces_tell(struct interp *interp, const struct canon_move *move)
+{
+	const struct polar_interpolation *polar = &interp->state.polar_interpolation;
+	struct curve curve;
+	double t = 0;
+
+	if (!polar->on || (move->kind != CANON_FEED && move->kind != CANON_ARC))
+		return canon_tell_move(interp->sink, move);
+	if (move->spread[SLOT_X] > 0 || move->spread[SLOT_Y] > 0)
+		return fault(&interp->at, 1,
+			     "polar coordinate interpolation (G12.1) needs to know how cutter compensation starts and goes "
+			     "round corners: cutter_comp_start and cutter_comp_corner of the machine's <controller> say "
+			     "it");
+	curve = find_curve(polar, move);
+	while (t < 1) {
+		const double radius = math_hypot(polar->at[0], polar->at[1]);
+		const double next = fmin(t + step_of(&curve, radius), 1);
+
+		if (radius < POLAR_CENTRE)
+			return fault(&interp->at, 1,
+				     "line %ld leads to the centre of the rotary axis: which way round the axis turns there "
+				     "is not known",
+				     move->line);
+		if (!tell_piece(interp, move, &curve, t, next))
+			return false;
+		t = next;
+	}
+	return true;
+}
