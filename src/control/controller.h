@@ -125,10 +125,11 @@ enum macro_action { MACRO_NONE, MACRO_MOVE, MACRO_AROUND };
 #define MACRO_OF_CODE (-1)
 
 struct builder_macro {
-	int program;	/* MACRO_OF_CODE: its number is not known, only the code that calls it */
+	int program;	/* MACRO_OF_CODE: its number is not known, only its name or the code that calls it */
 	double code;	/* the G-code that calls it, too; 0: none does */
 	enum macro_action action;
 	double around[3];	/* mm along X, Y and Z, to both sides: MACRO_AROUND */
+	const char *name;	/* upper case, where programs have names; NULL: it has none */
 };
 
 /* A place in machine coordinates where the control sends axes by itself. */

@@ -39,12 +39,39 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 #define PROGRAM_MAX 99999999
 #define G_CODE_MAX 999.9
 #define SAME_CODE 1e-9
+/* 840D sl: names of programs. */
+#define MACRO_NAME_MAX 32
 
-static void build_macro(struct description_file *file, const struct macro_description *described,
-			struct builder_macro *macros, size_t *count)
+/* In upper case, as controls keep names. NULL: it is no name. */
+static const char *macro_name(struct arena *arena, const char *given)
 {
-	struct builder_macro macro = {described->has_program ? (int)described->program : MACRO_OF_CODE,
-				      described->code.value, described->action, {0}};
+	char *name = arena_strdup(arena, given);
+	size_t length = 0;
+
+	for (; name[length]; length++) {
+		const char byte = name[length];
+
+		if (byte >= 'a' && byte <= 'z')
+			name[length] = (char)(byte - 'a' + 'A');
+		else if (!(byte >= 'A' && byte <= 'Z') && !(byte >= '0' && byte <= '9') && byte != '_')
+			return NULL;
+	}
+	return length <= MACRO_NAME_MAX ? name : NULL;
+}
+
+static bool is_same_name(const struct builder_macro *one, const struct builder_macro *other)
+{
+	return one->name && other->name && !strcmp(one->name, other->name);
+}
+
+static void build_macro(struct description_file *file, const struct macro_description *described, struct arena *arena,
+			bool names, struct builder_macro *macros, size_t *count)
+{
+	struct builder_macro macro = {.program = described->has_program && !described->name ? (int)described->program
+											   : MACRO_OF_CODE,
+				      .code = described->code.value,
+				      .action = described->action,
+				      .name = described->name ? macro_name(arena, described->name) : NULL};
 	bool around = described->action == MACRO_AROUND, any = false;
 
 	if (!described->has_program && !described->code.given) {
@@ -52,7 +79,20 @@ static void build_macro(struct description_file *file, const struct macro_descri
 				  "<macro> has neither program nor code: which of the builder's is meant?");
 		return;
 	}
-	if (described->has_program && (described->program < 1 || described->program > PROGRAM_MAX)) {
+	if (described->name && !names) {
+		description_fault(file, described->at, "program",
+				  "program=\"%s\" of <macro>: this control calls the builder's programs by numbers",
+				  description_quote(file, described->at, "program").text);
+		return;
+	}
+	if (described->name && !macro.name) {
+		description_fault(file, described->at, "program",
+				  "program=\"%s\" of <macro> is no name: letters, digits and _, at most %d",
+				  description_quote(file, described->at, "program").text, MACRO_NAME_MAX);
+		return;
+	}
+	if (described->has_program && !described->name &&
+	    (described->program < 1 || described->program > PROGRAM_MAX)) {
 		description_fault(file, described->at, "program", "program=\"%s\" of <macro> is not between 1 and %d",
 				  description_quote(file, described->at, "program").text, PROGRAM_MAX);
 		return;
@@ -79,7 +119,11 @@ static void build_macro(struct description_file *file, const struct macro_descri
 	if (around && !any)
 		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
 	for (size_t i = 0; i < *count; i++) {
-		if (described->has_program && macros[i].program == macro.program) {
+		if (is_same_name(&macros[i], &macro)) {
+			description_fault(file, described->at, "program", "%s is given twice", macro.name);
+			return;
+		}
+		if (described->has_program && !described->name && macros[i].program == macro.program) {
 			description_fault(file, described->at, "program", "O%d is given twice", macro.program);
 			return;
 		}
@@ -307,7 +351,8 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->mcodes = mcodes;
 	macros = arena_alloc(&machine->arena, from->macro_count * sizeof(*macros));
 	for (size_t i = 0; i < from->macro_count; i++)
-		build_macro(file, &from->macros[i], macros, &to->macro_count);
+		build_macro(file, &from->macros[i], &machine->arena, dialect_rows[from->dialect].has_frames, macros,
+			    &to->macro_count);
 	to->macros = macros;
 }
 

@@ -66,6 +66,7 @@ struct macro_description {
 	const void *at;
 	bool has_program;	/* or the code alone says which it is */
 	long program;
+	const char *name;	/* given in place of a number; NULL: it is not */
 	struct optional_number code;
 	enum macro_action action;
 	struct optional_number around[SLOT_COUNT];

@@ -39,9 +39,14 @@ status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
 for macro in 'action="none"' 'program="0" action="none"' 'program="9" action="none" X="1"' 'program="9" action="around"' \
 	'program="9" action="around" A="1"' 'program="9" code="-1" action="none"' 'program="9" action="run"' \
 	'program="9" action="none"/><macro program="9" action="none"' \
-	'code="130" action="none"/><macro code="130" action="around" X="5"'; do
+	'code="130" action="none"/><macro code="130" action="around" X="5"' 'program="PROBE" action="none"'; do
 	sed "s|<!-- -->|<macro $macro/>|" bare.xml >a.xml
 	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
 done
 sed 's|<!-- -->|<macro program="9" action="none"/>|; s/dialect="fanuc"/dialect="linuxcnc"/; s/least_input="1" power_on_plane="xy"//' bare.xml >a.xml
 status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
+# On a control that calls programs by names.
+for macro in 'program="A-B" action="none"' 'program="PROBE" action="none"/><macro program="probe" action="none"'; do
+	sed "s|<!-- -->|<macro $macro/>|; s/dialect=\"fanuc\"/dialect=\"sinumerik\"/; s/least_input=\"1\"//" bare.xml >a.xml
+	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
+done

@@ -180,7 +180,7 @@ END_TEST
 
 START_TEST(equal_table)
 {
-	static const struct builder_macro macro = {392, 0, MACRO_NONE, {0}};
+	static const struct builder_macro macro = {392, 0, MACRO_NONE, {0}, NULL};
 	struct gcode_case c[2];
 
 	for (int i = 0; i < 2; i++) {

@@ -242,7 +242,9 @@ END_TEST
 START_TEST(probe_cycle)
 {
 	static const struct builder_macro macros[] = {
-		{413, 0, MACRO_AROUND, {5, 20, 10}}, {483, 0, MACRO_NONE, {0}}, {420, 0, MACRO_MOVE, {0}}};
+		{413, 0, MACRO_AROUND, {5, 20, 10}, NULL},
+		{483, 0, MACRO_NONE, {0}, NULL},
+		{420, 0, MACRO_MOVE, {0}, NULL}};
 	struct gcode_case c;
 
 	klartext_case(&c);

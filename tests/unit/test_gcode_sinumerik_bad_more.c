@@ -24,20 +24,20 @@ static const struct refused_program programs[] = {
 	 "a value is needed here"},
 	{"CALL \"../.SPF\"\n", 1, 6,
 	 ".SPF is neither a word that is known nor a subprogram: no file .SPF.SPF (or .spf, .MPF, .mpf, in "
-	 "upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
-	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
+	 "upper or lower case) lies beside the program or in a folder of --include; if .SPF is the builder's "
+	 "and moves no axis, <macro program=\".SPF\" action=\"none\"/> in the machine's <controller> says so"},
 	{"EXTCALL \"NOSUCH\"\n", 1, 9,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
-	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
+	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
 	{"NOSUCH\n", 1, 1,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
-	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
+	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
 	{"NOSUCH(1,2)\n", 1, 1,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
-	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
+	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
 	{"L100 P2\n", 1, 1,
 	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in "
 	 "a folder of --include; if L100 is the builder's and moves no axis, <macro program=\"100\" "
@@ -90,7 +90,10 @@ static const struct refused_program programs[] = {
 	{"CYCLE62(\"KONTUR\")\n", 1, 1,
 	 "CYCLE62: milling of a contour is not supported yet"},
 	{"CYCLE977(1)\n", 1, 1,
-	 "CYCLE977: turning or measuring is not supported yet"},
+	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, <macro "
+	 "program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},
+	{"CYCLE951(1)\n", 1, 1,
+	 "CYCLE951: turning or measuring is not supported yet"},
 	{"CYCLE899(1)\n", 1, 1,
 	 "CYCLE899: milling of an open slot, from how far outside is not published, is not supported yet"},
 	{"G500 CYCLE81(10,0,2)\n", 1, 6,

@@ -13,6 +13,8 @@
 #define TOOLS 999
 #define OFFSETS 108
 #define OFFSET_NAME 16
+/* What a question names: a number, or the name of a program. */
+#define MACRO_NAME 64
 
 struct asked {
 	char *text;	/* what the machine file is to say */
@@ -25,6 +27,7 @@ struct scan_questions {
 	size_t count;
 	struct mcode mcodes[QUESTIONS_MAX];
 	struct builder_macro macros[QUESTIONS_MAX];
+	char macro_names[QUESTIONS_MAX][MACRO_NAME];
 	struct tool tools[TOOLS];
 	struct length_offset lengths[TOOLS];
 	struct radius_offset radii[TOOLS];
@@ -88,22 +91,23 @@ void scan_questions_free(struct scan_questions *questions)
 	free(questions);
 }
 
-/* The answers that need more than a field of the controller; `number` stands in the message behind `key`. */
-static void answer_half_turn(struct scan_questions *q, int number)
+/* The answers that need more than a field of the controller; `asked` stands in the message behind `key`. */
+static void answer_half_turn(struct scan_questions *q, const char *asked)
 {
-	(void)number;
+	(void)asked;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		q->config.half_turn[slot] = 1;
 }
 
-static void answer_tool_change(struct scan_questions *q, int number)
+static void answer_tool_change(struct scan_questions *q, const char *asked)
 {
-	(void)number;
+	(void)asked;
 	q->config.controller.tool_change.given = true;
 }
 
-static void answer_reference(struct scan_questions *q, int number)
+static void answer_reference(struct scan_questions *q, const char *asked)
 {
+	const long number = strtol(asked, NULL, 10);
 	struct control_place *place;
 
 	if (number < 1 || number > REFERENCES_MAX)
@@ -114,14 +118,23 @@ static void answer_reference(struct scan_questions *q, int number)
 		place->has[slot] = true;
 }
 
-static void answer_mcode(struct scan_questions *q, int number)
+static void answer_mcode(struct scan_questions *q, const char *asked)
 {
+	const int number = (int)strtol(asked, NULL, 10);
+
 	q->mcodes[q->config.controller.mcode_count++] = (struct mcode){number, MCODE_IGNORE};
 }
 
-static void answer_macro(struct scan_questions *q, int number)
+/* By its number or by its name. */
+static void answer_macro(struct scan_questions *q, const char *asked)
 {
-	q->macros[q->config.controller.macro_count++] = (struct builder_macro){.program = number, .action = MACRO_NONE};
+	const size_t i = q->config.controller.macro_count++;
+	const int number = (int)strtol(asked, NULL, 10);
+
+	snprintf(q->macro_names[i], MACRO_NAME, "%s", asked);
+	q->macros[i] = (struct builder_macro){.program = number > 0 ? number : MACRO_OF_CODE,
+					      .action = MACRO_NONE,
+					      .name = number > 0 ? NULL : q->macro_names[i]};
 }
 
 /* A field of the controller that is one of the enumerations, or a number. */
@@ -130,17 +143,17 @@ static void answer_macro(struct scan_questions *q, int number)
 
 /* The text that marks the question in a message, the line for the machine file to print, and any valid answer. */
 static const struct question {
-	const char *key;	/* in the message; a number may follow */
-	const char *line;	/* with %d: the number */
+	const char *key;	/* in the message; a number or a name may follow */
+	const char *line;	/* with %s: what follows the key, up to a quotation mark */
 	/* NULL: the field gets the choice or the number */
-	void (*take)(struct scan_questions *questions, int number);
+	void (*take)(struct scan_questions *questions, const char *asked);
 	size_t field;
 	int choice;
 	double number;
 } questions_table[] = {
-    {"<mcode number=\"", "<mcode number=\"%d\" action=\"\"/>", .take = answer_mcode},
-    {"<macro program=\"", "<macro program=\"%d\" action=\"\"/>", .take = answer_macro},
-    {"<reference number=\"", "<reference number=\"%d\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
+    {"<mcode number=\"", "<mcode number=\"%s\" action=\"\"/>", .take = answer_mcode},
+    {"<macro program=\"", "<macro program=\"%s\" action=\"\"/>", .take = answer_macro},
+    {"<reference number=\"", "<reference number=\"%s\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
     {"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
     {"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
     {"least_input=\"", "least_input=\"1\" (whole units) or \"0.001\"", NUMBER(least_input, 1)},
@@ -186,12 +199,12 @@ static const struct question {
     {"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };
 
-static void take(struct scan_questions *questions, const struct question *question, int number)
+static void take(struct scan_questions *questions, const struct question *question, const char *asked)
 {
 	char *field = (char *)&questions->config.controller + question->field;
 
 	if (question->take)
-		question->take(questions, number);
+		question->take(questions, asked);
 	else if (question->number > 0)
 		memcpy(field, &question->number, sizeof(question->number));
 	else
@@ -227,13 +240,13 @@ static bool is_asked(const struct scan_questions *questions, const char *text)
 	return false;
 }
 
-/* The line with the number in place of its %d. */
-static void add_line(struct strbuf *out, const char *line, int number)
+/* The line with what is asked for in place of its %s. */
+static void add_line(struct strbuf *out, const char *line, const char *asked)
 {
-	const char *mark = strstr(line, "%d");
+	const char *mark = strstr(line, "%s");
 
 	if (mark)
-		strbuf_addf(out, "%.*s%d%s", (int)(mark - line), line, number, mark + 2);
+		strbuf_addf(out, "%.*s%s%s", (int)(mark - line), line, asked, mark + 2);
 	else
 		strbuf_addf(out, "%s", line);
 }
@@ -244,21 +257,22 @@ static bool take_answer(struct scan_questions *questions, const struct first_err
 	for (size_t i = 0; i < sizeof(questions_table) / sizeof(questions_table[0]); i++) {
 		const struct question *question = &questions_table[i];
 		const char *found = strstr(strbuf_text(&error->text), question->key);
-		bool numbered = strchr(question->line, '%') != NULL;
-		int number = found && numbered ? (int)strtol(found + strlen(question->key), NULL, 10) : 0;
 		struct strbuf line = {0}, place = {0};
+		char asked[MACRO_NAME];
 		bool fresh;
 
 		if (!found)
 			continue;
-		add_line(&line, question->line, number);
+		found += strlen(question->key);
+		snprintf(asked, sizeof(asked), "%.*s", (int)strcspn(found, "\""), found);
+		add_line(&line, question->line, asked);
 		fresh = questions->count < QUESTIONS_MAX && !is_asked(questions, strbuf_text(&line));
 		if (fresh) {
 			strbuf_addf(&place, "%s:%ld", strbuf_text(&error->file), error->line);
 			questions->asked[questions->count++] =
 				(struct asked){mem_strndup(strbuf_text(&line), line.length),
 					       mem_strndup(strbuf_text(&place), place.length)};
-			take(questions, question, number);
+			take(questions, question, asked);
 		}
 		strbuf_release(&line);
 		strbuf_release(&place);

@@ -32,6 +32,12 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, void *contex
 	xml_read_nothing(xml, node);
 }
 
+/* What the name of a program begins with. */
+static bool is_letter(char byte)
+{
+	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
+}
+
 static void read_macro(struct xml_reader *xml, const xmlNode *node, void *context)
 {
 	static const char *const actions[] = {
@@ -39,11 +45,15 @@ static void read_macro(struct xml_reader *xml, const xmlNode *node, void *contex
 	};
 	struct machine_description *described = context;
 	struct macro_description *macro = &described->controller.macros[described->controller.macro_count++];
+	const char *program = xml_attribute(xml, node, "program");
 
 	xml_require(xml, node, "action", NULL);
 	macro->at = node;
-	macro->has_program = xml_attribute(xml, node, "program") != NULL;
-	macro->program = xml_whole(xml, node, "program", 0);
+	macro->has_program = program != NULL;
+	if (program && is_letter(program[0]))
+		macro->name = arena_strdup(&described->arena, program);
+	else
+		macro->program = xml_whole(xml, node, "program", 0);
 	macro->code = xml_optional_number(xml, node, "code");
 	macro->action = (enum macro_action)xml_choice(xml, node, "action", actions, MACRO_NONE);
 	xml_axis_values(xml, node, macro->around);

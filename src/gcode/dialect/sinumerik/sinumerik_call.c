@@ -7,6 +7,7 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
+#include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_save.h"
@@ -108,24 +109,6 @@ bool sinumerik_call_name(struct interp *interp, const char *path, int column, ch
 	return true;
 }
 
-/* L9810: subprograms of the machine's builder have such names. */
-static bool is_numbered(const char *name)
-{
-	return name[0] == 'L' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
-}
-
-/* Of a subprogram of the builder the machine file may say what it does; NULL: it says nothing. */
-static const struct builder_macro *find_macro(const struct interp *interp, const char *name)
-{
-	const struct controller *controller = &interp->config->controller;
-
-	for (size_t i = 0; i < controller->macro_count && is_numbered(name); i++) {
-		if (controller->macros[i].program == strtol(name + 1, NULL, 10))
-			return &controller->macros[i];
-	}
-	return NULL;
-}
-
 /* Controls keep names in upper case; files on other computers have them in either. */
 static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
 {
@@ -147,19 +130,19 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 
 static bool fault_missing(struct interp *interp, const char *name, int column)
 {
-	if (is_numbered(name))
+	if (sinumerik_builder_number(name) > 0)
 		return fault(
 		    &interp->at, column,
 		    "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
-		    "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%s\" "
+		    "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%ld\" "
 		    "action=\"none\"/> in the machine's <controller> says so",
-		    name, name, name + 1);
+		    name, name, sinumerik_builder_number(name));
 	return fault(
 	    &interp->at, column,
 	    "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
-	    "lower case) lies beside the program or in a folder of --include; of a cycle of the machine's maker that "
-	    "moves no axis, a file with nothing but PROC and RET says so",
-	    name, name);
+	    "lower case) lies beside the program or in a folder of --include; if %s is the builder's and moves no axis, "
+	    "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+	    name, name, name, name);
 }
 
 /* A file of its own, or another program in the file in hand. */
@@ -197,15 +180,10 @@ static bool enter(struct interp *interp, const struct position *entry, long last
 bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct builder_macro *macro = find_macro(interp, name);
 	struct position entry;
 
-	if (macro && macro->action == MACRO_NONE)
-		return true;
-	if (macro)
-		return fault(
-		    &interp->at, column,
-		    "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
+	if (sinumerik_builder_is_known(interp, name))
+		return sinumerik_builder_run(interp, name, column);
 	for (size_t i = 0; i < sinumerik->argument_count && repeats > 1; i++) {
 		if (sinumerik->argument_is_text[i])
 			return fault(&interp->at, column, "%s with P and a text among its arguments is not supported",

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
@@ -98,8 +99,8 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 		return sinumerik_swivel_run(interp, column);
 	if (!strcmp(name, "CYCLE832"))
 		return sinumerik_path_smooth(interp, column);
-	if (sinumerik_cycle_refused(name))
-		return fault(&interp->at, column, "%s: %s is not supported yet", name, sinumerik_cycle_refused(name));
+	if (sinumerik_cycle_refused(name) && !sinumerik_builder_is_known(interp, name))
+		return sinumerik_builder_refuse(interp, name, sinumerik_cycle_refused(name), column);
 	if (sinumerik_block_has(block, 'P')) {
 		if (!(block->value[index] >= 1 && block->value[index] <= 9999) ||
 		    floor(block->value[index]) < block->value[index])

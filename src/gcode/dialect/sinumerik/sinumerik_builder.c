@@ -1,0 +1,105 @@
+#include "gcode/dialect/sinumerik/sinumerik_builder.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/minmax.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/execute/moves_around.h"
+#include "gcode/execute/rotated_frame.h"
+
+long sinumerik_builder_number(const char *name)
+{
+	const bool numbered = name[0] == 'L' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
+
+	return numbered ? strtol(name + 1, NULL, 10) : 0;
+}
+
+/* "Measuring cycles": CYCLE961 to CYCLE998. */
+static bool measures(const char *name)
+{
+	const size_t digits = !strncmp(name, "CYCLE", 5) ? strspn(name + 5, "0123456789") : 0;
+
+	return digits == 3 && !name[8] && strcmp(name, "CYCLE960") > 0;
+}
+
+/*
+ * Siemens' own milling cycles end over what they have milled and not where they are called, which action="around"
+ * cannot say.
+ */
+static bool ends_elsewhere(const char *name)
+{
+	return !strncmp(name, "CYCLE", 5) && strspn(name + 5, "0123456789") > 0 && !measures(name);
+}
+
+/* NULL: the machine file says nothing. */
+static const struct builder_macro *find(const struct interp *interp, const char *name)
+{
+	const struct controller *controller = &interp->config->controller;
+	const long number = sinumerik_builder_number(name);
+
+	for (size_t i = 0; i < controller->macro_count && !ends_elsewhere(name); i++) {
+		const struct builder_macro *macro = &controller->macros[i];
+
+		if (macro->name ? !strcmp(macro->name, name) : number > 0 && macro->program == number)
+			return macro;
+	}
+	return NULL;
+}
+
+bool sinumerik_builder_is_known(const struct interp *interp, const char *name)
+{
+	return find(interp, name) != NULL;
+}
+
+/* Where coordinates are turned, the program may go along their axes or along the machine's: both boxes are covered. */
+static bool go_around(struct interp *interp, const double around[3], int column)
+{
+	const vec3 x = rotated_frame_direction(&interp->state, (vec3){around[0], 0, 0});
+	const vec3 y = rotated_frame_direction(&interp->state, (vec3){0, around[1], 0});
+	const vec3 z = rotated_frame_direction(&interp->state, (vec3){0, 0, around[2]});
+	const double both[3] = {larger(around[0], fabs(x.x) + fabs(y.x) + fabs(z.x)),
+				larger(around[1], fabs(x.y) + fabs(y.y) + fabs(z.y)),
+				larger(around[2], fabs(x.z) + fabs(y.z) + fabs(z.z))};
+
+	return moves_around_go(interp, both, column);
+}
+
+bool sinumerik_builder_refuse(struct interp *interp, const char *name, const char *what, int column)
+{
+	if (measures(name))
+		return fault(&interp->at, column,
+			     "%s: where a probe stops is not known before the program runs; if it stays near its place, "
+			     "<macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> "
+			     "says how far it moves",
+			     name, name);
+	return fault(&interp->at, column, "%s: %s is not supported yet", name, what);
+}
+
+bool sinumerik_builder_run(struct interp *interp, const char *name, int column)
+{
+	const struct builder_macro *macro = find(interp, name);
+
+	/* They write offsets and tool data. */
+	if (measures(name))
+		caution(&interp->at, column, "%s: work offsets and tools count as the setup has them, whatever it measures",
+			name);
+	if (macro->action == MACRO_NONE)
+		return true;
+	if (macro->action == MACRO_MOVE)
+		return fault(&interp->at, column,
+			     "%s: <macro action=\"move\"/> is not supported in this dialect, only \"none\" and \"around\"",
+			     name);
+	if (interp->state.tcp != TCP_OFF || interp->comp.side != 0 || !sinumerik_of(interp)->frame_is_even ||
+	    (interp->state.frame.on && interp->state.frame.distorts))
+		return fault(&interp->at, column,
+			     "%s moves around its place while TRAORI or CYCLE800 is in force, coordinates are scaled or "
+			     "the radius is compensated: that is not followed",
+			     name);
+	if (!sinumerik_open_place_check(interp, column, name) || !go_around(interp, macro->around, column))
+		return false;
+	sinumerik_frame_moved(interp);
+	return true;
+}
