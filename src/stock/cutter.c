@@ -116,57 +116,86 @@ static bool is_cube_inside(const struct revolved *piece, const struct cutter_way
 	return true;
 }
 
-/* Where the centre is deepest, as along a convex function (golden section). */
-static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point)
-{
-	const double share = 0.6180339887498949;
-	double low = 0, high = 1, a = 1 - share, b = share;
-	struct cutter_place pa = place_at(way, a), pb = place_at(way, b);
-	double fa = point_distance(piece, &pa, point), fb = point_distance(piece, &pb, point);
+/* The golden section: each step of a search leaves this share of the interval. */
+static const double golden = 0.6180339887498949;
 
-	for (int i = 0; i < SEARCH_STEPS; i++) {
-		if (fa <= fb) {
-			high = b;
-			b = a;
-			fb = fa;
-			a = high - share * (high - low);
-			pa = place_at(way, a);
-			fa = point_distance(piece, &pa, point);
-		} else {
-			low = a;
-			a = b;
-			fa = fb;
-			b = low + share * (high - low);
-			pb = place_at(way, b);
-			fb = point_distance(piece, &pb, point);
-		}
-	}
-	return fa <= fb ? a : b;
+/*
+ * Two times inside an interval, at low + (1 - golden) * length and low + golden * length, and the distances there.
+ * Distances change by no more than `change` mm over the whole way.
+ */
+struct section {
+	double low, high, a, b, fa, fb;
+	double change;
+};
+
+/* Is the distance more than `target` in the whole interval? */
+static bool stays_above(const struct section *section, double target)
+{
+	const double reach = (1 - golden) * (section->high - section->low) * section->change;
+
+	return smaller(section->fa, section->fb) - reach > target;
 }
 
-/* The same for the whole cube, whose corners need not be deepest when its centre is. */
-static double deepest_cube_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube)
+/* A time at which a convex function is least, or nearly; INFINITY: it is more than `target` everywhere. */
+static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point, double change,
+			   double target)
 {
-	const double share = 0.6180339887498949;
-	double low = 0, high = 1, a = 1 - share, b = share;
-	double fa = cube_distance(piece, way, cube, a), fb = cube_distance(piece, way, cube, b);
+	struct section at = {.high = 1, .a = 1 - golden, .b = golden, .change = change};
+	struct cutter_place pa = place_at(way, at.a), pb = place_at(way, at.b);
 
+	at.fa = point_distance(piece, &pa, point);
+	at.fb = point_distance(piece, &pb, point);
 	for (int i = 0; i < SEARCH_STEPS; i++) {
-		if (fa <= fb) {
-			high = b;
-			b = a;
-			fb = fa;
-			a = high - share * (high - low);
-			fa = cube_distance(piece, way, cube, a);
+		if (stays_above(&at, target))
+			return INFINITY;
+		if (at.fa <= at.fb) {
+			at.high = at.b;
+			at.b = at.a;
+			at.fb = at.fa;
+			at.a = at.high - golden * (at.high - at.low);
+			pa = place_at(way, at.a);
+			at.fa = point_distance(piece, &pa, point);
 		} else {
-			low = a;
-			a = b;
-			fa = fb;
-			b = low + share * (high - low);
-			fb = cube_distance(piece, way, cube, b);
+			at.low = at.a;
+			at.a = at.b;
+			at.fa = at.fb;
+			at.b = at.low + golden * (at.high - at.low);
+			pb = place_at(way, at.b);
+			at.fb = point_distance(piece, &pb, point);
 		}
 	}
-	return fa <= fb ? a : b;
+	return at.fa <= at.fb ? at.a : at.b;
+}
+
+/*
+ * The same for the whole cube, whose corners need not be deepest when its centre is: the first time found at which its
+ * distance is `target` or less.
+ */
+static double deep_cube_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			     double change, double target)
+{
+	struct section at = {.high = 1, .a = 1 - golden, .b = golden, .change = change};
+
+	at.fa = cube_distance(piece, way, cube, at.a);
+	at.fb = cube_distance(piece, way, cube, at.b);
+	for (int i = 0; i < SEARCH_STEPS && smaller(at.fa, at.fb) > target; i++) {
+		if (stays_above(&at, target))
+			return INFINITY;
+		if (at.fa <= at.fb) {
+			at.high = at.b;
+			at.b = at.a;
+			at.fb = at.fa;
+			at.a = at.high - golden * (at.high - at.low);
+			at.fa = cube_distance(piece, way, cube, at.a);
+		} else {
+			at.low = at.a;
+			at.a = at.b;
+			at.fa = at.fb;
+			at.b = at.low + golden * (at.high - at.low);
+			at.fb = cube_distance(piece, way, cube, at.b);
+		}
+	}
+	return at.fa <= at.fb ? at.a : at.b;
 }
 
 /* The cube is inside at `inside`: the first time before it from which it is. */
@@ -188,27 +217,6 @@ static double entry_time(const struct revolved *piece, const struct cutter_way *
 	return inside;
 }
 
-static double piece_removes(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
-			    double depth)
-{
-	/* The ball inside the cube must be inside the piece before the corners can be. */
-	const double needed = -(cube->half + depth);
-	struct cutter_place place;
-	double s;
-
-	if (cube->half + depth > piece->radius)
-		return INFINITY;
-	if (is_cube_inside(piece, way, cube, depth, 1))
-		return entry_time(piece, way, cube, depth, 1);
-	s = deepest_time(piece, way, cube->centre);
-	place = place_at(way, s);
-	if (point_distance(piece, &place, cube->centre) > needed)
-		return INFINITY;
-	if (!is_cube_inside(piece, way, cube, depth, s))
-		s = deepest_cube_time(piece, way, cube);
-	return is_cube_inside(piece, way, cube, depth, s) ? entry_time(piece, way, cube, depth, s) : INFINITY;
-}
-
 /* The time at which the cutter's axis comes nearest to the point, as if the cutter did not turn. */
 static double nearest_time(const struct cutter_way *way, vec3 point)
 {
@@ -220,26 +228,94 @@ static double nearest_time(const struct cutter_way *way, vec3 point)
 	return length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
 }
 
+/* mm: how much the distance of any point from the cutter changes at most over the way. */
+static double change_of(const struct cutter *cutter, const struct cutter_way *way)
+{
+	const struct revolved *whole = &cutter->whole;
+	const double length = larger(fabs(whole->bands[0].top), fabs(whole->bands[whole->count - 1].bottom));
+	/* A point moves with the origin and turns about it: fastest in the middle, where the direction is shortest. */
+	const double shortest = larger(0.5 * vec3_norm(vec3_add(way->to.up, way->from.up)), DBL_MIN);
+	const double turn = vec3_norm(vec3_sub(way->to.up, way->from.up)) / shortest;
+
+	return vec3_norm(vec3_sub(way->to.origin, way->from.origin)) + turn * (length + whole->radius);
+}
+
+/* The turn of a piece of the log is small; so little does not matter. */
+static bool turns(const struct cutter_way *way)
+{
+	return vec3_dot(way->from.up, way->to.up) < 1 - 1e-12;
+}
+
+/* The time at which a point is nearest to the cutter's axis (nearest_time). */
+struct near_time {
+	double s;
+	double gain;	/* mm: at no other time of the way is the point so much deeper inside a piece */
+	double change;	/* mm: change_of */
+};
+
+/*
+ * A solid of revolution is nowhere deeper at a larger radius. So where the cutter does not turn, only its motion along
+ * the axis can bring the point deeper than it is at the smallest radius.
+ */
+static struct near_time near_time_of(const struct cutter *cutter, const struct cutter_way *way, vec3 point)
+{
+	const double s = nearest_time(way, point);
+	const vec3 moved = vec3_sub(way->to.origin, way->from.origin);
+	const double change = change_of(cutter, way);
+	const double along = turns(way) ? change : fabs(vec3_dot(moved, way->from.up));
+
+	return (struct near_time){s, larger(s, 1 - s) * along, change};
+}
+
+static double piece_removes(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			    double depth, struct near_time near)
+{
+	/* The ball inside the cube must be inside the piece before the corners can be. */
+	const double needed = -(cube->half + depth);
+	struct cutter_place place = place_at(way, near.s);
+	double s;
+
+	if (cube->half + depth > piece->radius)
+		return INFINITY;
+	/* Most cuts end here. */
+	if (point_distance(piece, &place, cube->centre) - near.gain > needed)
+		return INFINITY;
+	if (is_cube_inside(piece, way, cube, depth, 1))
+		return entry_time(piece, way, cube, depth, 1);
+	if (is_cube_inside(piece, way, cube, depth, near.s))
+		return entry_time(piece, way, cube, depth, near.s);
+	s = deepest_time(piece, way, cube->centre, near.change, needed);
+	if (isinf(s))
+		return INFINITY;
+	if (!is_cube_inside(piece, way, cube, depth, s))
+		s = deep_cube_time(piece, way, cube, near.change, -depth);
+	return isfinite(s) && is_cube_inside(piece, way, cube, depth, s) ? entry_time(piece, way, cube, depth, s)
+									  : INFINITY;
+}
+
 /* The same for the ball around the cube and a cutter of several pieces. */
 static double whole_removes(const struct revolved *whole, const struct cutter_way *way, const struct cube *cube,
-			    double depth)
+			    double depth, struct near_time near)
 {
 	const double needed = -(1.7320508075688773 * cube->half * (1 + DBL_EPSILON) + depth);
 	double outside = 0, inside = 1;
-	struct cutter_place place = place_at(way, inside);
+	struct cutter_place place = place_at(way, near.s);
 
-	if (-needed > whole->radius)
+	if (-needed > whole->radius || point_distance(whole, &place, cube->centre) - near.gain > needed)
 		return INFINITY;
+	place = place_at(way, inside);
 	/*
 	 * Along a solid that is not convex the search may miss the deepest place: where a wide cutter has a narrow neck,
 	 * all places below the wide part's top are equally deep. But the end is where cuts meet.
 	 */
 	if (point_distance(whole, &place, cube->centre) > needed) {
-		inside = nearest_time(way, cube->centre);
+		inside = near.s;
 		place = place_at(way, inside);
 	}
 	if (point_distance(whole, &place, cube->centre) > needed) {
-		inside = deepest_time(whole, way, cube->centre);
+		inside = deepest_time(whole, way, cube->centre, near.change, needed);
+		if (isinf(inside))
+			return INFINITY;
 		place = place_at(way, inside);
 		if (point_distance(whole, &place, cube->centre) > needed)
 			return INFINITY;
@@ -270,8 +346,8 @@ static bool is_beside(const struct cutter *cutter, const struct cutter_way *way,
 	const double length2 = vec3_norm2(along), room = whole->radius - cube->half;
 	const double s = length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
 
-	/* This quick look is exact for a cutter that does not turn; the turn of a piece of the log is small. */
-	if (vec3_dot(way->from.up, way->to.up) < 1 - 1e-12)
+	/* This quick look is exact for a cutter that does not turn. */
+	if (turns(way))
 		return false;
 	if (larger(z0, z1) < whole->bands[whole->count - 1].bottom + cube->half ||
 	    smaller(z0, z1) > whole->bands[0].top - cube->half)
@@ -281,13 +357,15 @@ static bool is_beside(const struct cutter *cutter, const struct cutter_way *way,
 
 double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth)
 {
+	struct near_time near;
 	double first = INFINITY;
 
 	if (is_beside(cutter, way, cube))
 		return INFINITY;
+	near = near_time_of(cutter, way, cube->centre);
 	for (size_t i = 0; i < cutter->piece_count; i++)
-		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth));
-	return cutter->piece_count > 1 ? smaller(first, whole_removes(&cutter->whole, way, cube, depth)) : first;
+		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth, near));
+	return cutter->piece_count > 1 ? smaller(first, whole_removes(&cutter->whole, way, cube, depth, near)) : first;
 }
 
 /* A part of a way, and by how much the distance of a point from the cutter changes at most over the whole way, mm. */
@@ -312,19 +390,9 @@ static bool comes_within(const struct approach *approach, double low, double hig
 	return comes_within(approach, low, middle) || comes_within(approach, middle, high);
 }
 
-/*
- * A point of the cutter moves with the origin and turns about it: fastest in the middle, where the direction is
- * shortest.
- */
 bool cutter_comes_within(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double distance)
 {
-	const struct revolved *whole = &cutter->whole;
-	const double length = larger(fabs(whole->bands[0].top), fabs(whole->bands[whole->count - 1].bottom));
-	const double shortest = larger(0.5 * vec3_norm(vec3_add(way->to.up, way->from.up)), DBL_MIN);
-	const double turn = vec3_norm(vec3_sub(way->to.up, way->from.up)) / shortest;
-	const struct approach approach = {cutter, way, point, distance,
-					  vec3_norm(vec3_sub(way->to.origin, way->from.origin)) +
-					      turn * (length + whole->radius)};
+	const struct approach approach = {cutter, way, point, distance, change_of(cutter, way)};
 
 	return comes_within(&approach, 0, 1);
 }
