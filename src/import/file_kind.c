@@ -113,11 +113,12 @@ static const char *advice(const char *path, const struct file_bytes *file)
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
 	if (!strncmp(text, "PK\003\004", 4))
-		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can "
-		       "be imported";
+		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, and a GTC "
+		       "package .p21 files, which can be imported";
 	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file, a "
-	       "machine of FreeCAD (.fcm), MTConnect or URDF; a tool library of VERICUT or Fusion 360 (JSON), a table "
-	       "of tools (CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
+	       "machine of FreeCAD (.fcm), MTConnect or URDF; a tool library of VERICUT or Fusion 360 (JSON), a "
+	       "catalogue (DIN 4000, ISO 13399), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or a "
+	       "mesh (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

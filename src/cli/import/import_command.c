@@ -78,8 +78,8 @@ static const struct subcommand subcommand = {
 		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
 		 "of a control, a machine of FreeCAD (.fcm), a device of MTConnect or URDF; these,\n"
 		 "setups and a job file from a project of VERICUT 7 (.VcProject); a setup from a tool\n"
-		 "library of VERICUT (.tls) or Fusion 360 (.json), a table of tools (CSV, tool.tbl) or\n"
-		 "a listing of offsets (G10); or STL from another mesh.\n"
+		 "library of VERICUT (.tls) or Fusion 360 (.json), a catalogue (DIN 4000, ISO 13399), a\n"
+		 "table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from another mesh.\n"
 		 "Says what could not be taken over, and what has to be looked at.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",

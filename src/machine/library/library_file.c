@@ -3,8 +3,11 @@
 #include <string.h>
 
 #include "base/file_bytes.h"
+#include "machine/library/catalog_tool.h"
 #include "machine/library/csv_tools.h"
+#include "machine/library/din4000_tools.h"
 #include "machine/library/fusion_tools.h"
+#include "machine/library/iso13399_tools.h"
 #include "machine/library/offset_listing.h"
 #include "machine/library/tool_table_file.h"
 #include "machine/library/vericut_text.h"
@@ -13,12 +16,15 @@
 /* What stands between the start of an XML file and its root element is short. */
 #define HEAD_MAX 4096
 
-static bool is_vericut_root(const char *text)
+/* Is the root element of the XML file the one of this name? */
+static bool is_root(const char *text, const char *name)
 {
-	static const char root[] = "<CGTechToolLibrary";
-	const char *at = strstr(text, root);
+	const size_t length = strlen(name);
 
-	return at && at - text < HEAD_MAX && at[sizeof(root) - 1] && strchr(" \t\r\n/>", at[sizeof(root) - 1]);
+	for (const char *at = strchr(text, '<'); at && at - text < HEAD_MAX; at = strchr(at + 1, '<'))
+		if (!strncmp(at + 1, name, length) && at[1 + length] && strchr(" \t\r\n/>", at[1 + length]))
+			return true;
+	return false;
 }
 
 enum library_kind library_kind_of(const char *text)
@@ -27,9 +33,15 @@ enum library_kind library_kind_of(const char *text)
 	const char *at = text + strspn(text, " \t\r\n\xef\xbb\xbf");
 
 	if (*at == '<')
-		return is_vericut_root(at) ? LIBRARY_VERICUT : LIBRARY_NONE;
+		return is_root(at, "CGTechToolLibrary") ? LIBRARY_VERICUT :
+		       is_root(at, "Tool-Data")		? LIBRARY_DIN_XML :
+							  LIBRARY_NONE;
 	if (*at == '{' || *at == '[')
 		return LIBRARY_FUSION;
+	if (iso13399_tools_is(text))
+		return LIBRARY_ISO13399;
+	if (din4000_table_is(text))
+		return LIBRARY_DIN_TABLE;
 	if (csv_tools_is(text))
 		return LIBRARY_CSV;
 	if (tool_table_file_is(text))
@@ -47,6 +59,14 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 		return fusion_tools_read(tools, path, diag);
 	case LIBRARY_CSV:
 		return csv_tools_read(tools, text, path, options->unit, diag);
+	case LIBRARY_DIN_XML:
+		return catalog_tools_are_numbered(options->number_all, path, diag) && din4000_xml_read(tools, path, diag);
+	case LIBRARY_DIN_TABLE:
+		return catalog_tools_are_numbered(options->number_all, path, diag) &&
+		       din4000_table_read(tools, text, path, diag);
+	case LIBRARY_ISO13399:
+		return catalog_tools_are_numbered(options->number_all, path, diag) &&
+		       iso13399_tools_read(tools, text, path, diag);
 	case LIBRARY_TOOL_TABLE:
 		return tool_table_file_read(tools, text, path, options->unit, diag);
 	case LIBRARY_LISTING:

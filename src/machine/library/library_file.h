@@ -12,6 +12,8 @@ enum library_kind {
 	LIBRARY_VERICUT,	/* vericut_tools.h */
 	LIBRARY_FUSION,	/* fusion_tools.h */
 	LIBRARY_CSV,	/* csv_tools.h */
+	LIBRARY_DIN_XML, LIBRARY_DIN_TABLE,	/* din4000_tools.h */
+	LIBRARY_ISO13399,	/* iso13399_tools.h */
 	LIBRARY_TOOL_TABLE,	/* tool_table_file.h */
 	LIBRARY_LISTING	/* offset_listing.h */
 };

@@ -209,7 +209,7 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 static bool open_file(struct xml_reader *xml, const char *path, const char *const *elements, bool own,
 		      struct diag *diag)
 {
-	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .elements = elements};
+	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .foreign = !own, .elements = elements};
 	if (xml_file_parse(xml)) {
 		/* The numbers of tags and elements must be equal; otherwise the places are not reliable. */
 		if (number_elements(xmlDocGetRootElement(xml->doc), 0) != xml->tag_count)

@@ -133,20 +133,39 @@ static char *read_file(struct xml_reader *xml, size_t *length)
 	return bytes;
 }
 
-/* Called at the declaration, before any entity of it is defined. */
-static void refuse_doctype(void *context, const xmlChar *name, const xmlChar *public_id, const xmlChar *system_id)
+/* Reports the fault where the parser is, and ends it. */
+static void stop_parser(xmlParserCtxt *parser, const char *fault)
+{
+	struct capture *capture = parser->_private;
+
+	if (!capture->reported)
+		xml_error_at(capture->xml, parser->input ? parser->input->line : 0, "%s", fault);
+	capture->reported = true;
+	xmlStopParser(parser);
+}
+
+/*
+ * Called at the declaration, before any entity of it is defined. A definition elsewhere is never read, so that files of
+ * other programs may name one.
+ */
+static void judge_doctype(void *context, const xmlChar *name, const xmlChar *public_id, const xmlChar *system_id)
 {
 	xmlParserCtxt *parser = context;
-	struct capture *capture = parser->_private;
+	const struct capture *capture = parser->_private;
 
 	(void)name;
 	(void)public_id;
 	(void)system_id;
-	if (!capture->reported)
-		xml_error_at(capture->xml, parser->input ? parser->input->line : 0,
-			     "document type declarations (<!DOCTYPE ...>) are not allowed; remove it");
-	capture->reported = true;
-	xmlStopParser(parser);
+	if (!capture->xml->foreign || !parser->input || *parser->input->cur != '>')
+		stop_parser(parser, "document type declarations (<!DOCTYPE ...>) are not allowed; remove it");
+}
+
+/* Called for entities that XML does not define itself. */
+static xmlEntity *refuse_entity(void *context, const xmlChar *name)
+{
+	(void)name;
+	stop_parser(context, "entities other than those of XML itself (&lt; &amp; ...) are not known; write the text");
+	return NULL;
 }
 
 static void *library_realloc(void *block, size_t size)
@@ -178,7 +197,9 @@ bool xml_file_parse(struct xml_reader *xml)
 	parser = xmlNewParserCtxt();
 	if (parser) {
 		parser->_private = &capture;
-		parser->sax->internalSubset = refuse_doctype;
+		parser->sax->internalSubset = judge_doctype;
+		if (xml->foreign)
+			parser->sax->getEntity = refuse_entity;
 		xml->doc = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL, options);
 		xmlFreeParserCtxt(parser);
 	}

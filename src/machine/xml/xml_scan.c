@@ -120,7 +120,7 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 			skip_past(&scan, "?>");
 		} else {
 			/* Text may stand here, behind a comment. */
-			if (*scan.at == '<' && !looking_at(&scan, "</"))
+			if (*scan.at == '<' && !looking_at(&scan, "</") && !looking_at(&scan, "<!"))
 				note_tag(xml, &scan, bytes);
 			if (count_equals(&scan) > EQUALS_MAX) {
 				xml_error_at(xml, line, "this tag has more than %d attributes", EQUALS_MAX);

@@ -1,0 +1,166 @@
+#include "machine/library/catalog_tool.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "machine/tool_solid.h"
+
+/* mm: catalogues round to this. */
+#define ROUNDED 0.011
+
+struct catalog_tool catalog_tool_empty(struct srcloc at)
+{
+	return (struct catalog_tool){
+		.at = at,
+		.diameter = NAN,
+		.overall_length = NAN,
+		.corner_radius = NAN,
+		.chamfer_width = NAN,
+		.chamfer_angle = NAN,
+		.point_angle = NAN,
+		.cutting_length = NAN,
+		.neck_diameter = NAN,
+		.neck_end = NAN,
+		.shank_diameter = NAN,
+		.shank_length = NAN,
+	};
+}
+
+bool catalog_tools_are_numbered(bool number_all, const char *path, struct diag *diag)
+{
+	if (!number_all)
+		diag_error(diag, (struct srcloc){.file = path},
+			   "this is a catalogue, whose tools have no numbers: 'fivecheck import --number-tools' gives them "
+			   "numbers and writes a setup, to which the holders are added");
+	return number_all;
+}
+
+void catalog_tool_leave_out(struct tool_library *tools, const struct catalog_tool *tool, const char *why,
+			    struct diag *diag)
+{
+	tools->left_out++;
+	if (!tools->counts_left_out)
+		diag_warning(diag, tool->at, "the tool '%.60s' is left out: %s", tool->name ? tool->name : "", why);
+}
+
+/* Catalogues write 0 where something is not there. */
+static double given(double value)
+{
+	return value > 0 ? value : 0;
+}
+
+/* Why the sizes are not those of a tool; NULL: they are. */
+static const char *judge(const struct catalog_tool *t)
+{
+	const double radius = t->diameter / 2;
+
+	if (!(t->diameter > 0 && t->diameter <= TOOL_SIZE_MAX))
+		return "its cutting diameter is missing";
+	if (!(t->overall_length > 0 && t->overall_length <= TOOL_SIZE_MAX))
+		return "its overall length is missing";
+	if (!(t->cutting_length >= TOOL_SECTION_MIN && t->cutting_length <= t->overall_length))
+		return "the length of its cutting edges is missing, or longer than the tool";
+	if (!(t->shank_diameter > 0 && t->shank_diameter <= TOOL_SIZE_MAX))
+		return "the diameter of its shank is missing";
+	if (given(t->corner_radius) > radius + ROUNDED || given(t->chamfer_width) >= radius)
+		return "its corner is larger than half of its diameter";
+	if (given(t->corner_radius) > 0 && given(t->chamfer_width) > 0)
+		return "its corner has both a radius and a chamfer";
+	/* At other angles it matters along which side the width is measured, and catalogues do not say that. */
+	if (given(t->chamfer_width) > 0 && !(fabs(t->chamfer_angle - 45) <= ROUNDED))
+		return "the chamfer of its corner is not said to be one of 45 degrees";
+	if (given(t->chamfer_width) > t->cutting_length)
+		return "the chamfer of its corner is higher than its cutting edges";
+	if (t->shape == CATALOG_DRILL && !(t->point_angle >= 1 && t->point_angle <= 179))
+		return "its point angle is missing, or not between 1 and 179 degrees";
+	if (t->shape == CATALOG_BALL_MILL && given(t->corner_radius) > 0 && fabs(t->corner_radius - radius) > ROUNDED)
+		return "it is a ball nose mill, but its radius is not half of its diameter";
+	if (given(t->neck_diameter) > fmax(t->diameter, t->shank_diameter) + ROUNDED)
+		return "its neck is thicker than cutter and shank";
+	if (t->shape == CATALOG_BALL_MILL && t->cutting_length < radius - ROUNDED)
+		return "its cutting edges end within its ball";
+	return NULL;
+}
+
+/* The corner of a mill, and the cutter up to the end of the edges. */
+static void add_cutter(struct tool_outline *tool, const struct catalog_tool *t)
+{
+	const double radius = t->diameter / 2, width = given(t->chamfer_width);
+
+	if (t->shape == CATALOG_MILL && width > 0) {
+		tool_profile_add(&tool->cutter, 0, radius - width, width, radius);
+		tool_profile_add(&tool->cutter, width, radius, t->cutting_length, radius);
+		return;
+	}
+	tool->has_tip = true;
+	tool->tip = TIP_FLAT;
+	if (t->shape == CATALOG_DRILL) {
+		tool->tip = TIP_CONE;
+		tool->angle = radians(t->point_angle);
+	} else if (t->shape == CATALOG_BALL_MILL || (given(t->corner_radius) > 0 &&
+						     fabs(t->corner_radius - radius) <= ROUNDED)) {
+		tool->tip = TIP_BALL;
+	} else if (given(t->corner_radius) > 0) {
+		tool->tip = TIP_BULL;
+		tool->corner = t->corner_radius;
+	}
+	tool_profile_add(&tool->cutter, 0, radius, t->cutting_length, radius);
+}
+
+/*
+ * Between the edges and the shank the tool is a neck or runs out to the shank: its neck counts only as far as it is
+ * known to go. What lies between is taken as thick as the thicker of cutter and shank.
+ */
+static void add_shank(struct tool_outline *tool, const struct catalog_tool *t)
+{
+	const double neck = given(t->neck_diameter), neck_end = neck > 0 ? given(t->neck_end) : 0;
+	const double known = given(t->shank_length), radius = t->shank_diameter / 2;
+	const double most = fmax(t->diameter, t->shank_diameter) / 2;
+	double from = t->cutting_length, shank = fmax(t->overall_length - known, from);
+
+	if (neck_end > from) {
+		tool_profile_add(&tool->shank, from, neck / 2, fmin(neck_end, t->overall_length), neck / 2);
+		from = fmin(neck_end, t->overall_length);
+		shank = fmax(shank, from);
+	}
+	if (most > radius)
+		tool_profile_add(&tool->shank, from, most, shank, most);
+	else
+		shank = from;
+	tool_profile_add(&tool->shank, shank, radius, t->overall_length, radius);
+}
+
+static void warn(const struct tool_outline *tool, const struct catalog_tool *t, struct diag *diag)
+{
+	const bool sharp = t->shape == CATALOG_MILL && !(given(t->corner_radius) > 0) && !(given(t->chamfer_width) > 0);
+
+	diag_warning(diag, t->at,
+		     "tool %ld: nothing is known of its holder, and its length of %g mm ends with its shank: add the holder "
+		     "and correct the length%s",
+		     tool->number, tool->length,
+		     sharp ? "; its corner is taken as sharp, as the catalogue gives neither a radius nor a chamfer" : "");
+}
+
+bool catalog_tool_add(struct tool_library *tools, const struct catalog_tool *t, struct diag *diag)
+{
+	const char *why = judge(t);
+	struct tool_outline tool = {
+		.number = (long)tools->setup.tool_count + 1,
+		.name = t->name,
+		.length = t->overall_length,
+		.diameter = t->diameter,
+	};
+	bool good;
+
+	if (why) {
+		catalog_tool_leave_out(tools, t, why, diag);
+		return true;
+	}
+	add_cutter(&tool, t);
+	add_shank(&tool, t);
+	good = tool_library_add(tools, &tool, t->at, diag);
+	if (good)
+		warn(&tool, t, diag);
+	tool_outline_release(&tool);
+	return good;
+}
