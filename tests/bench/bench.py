@@ -13,12 +13,13 @@ import peers
 import readme
 import real
 import series
+import stock
 import targets
 import trunnion
 from measure import Tools, say, timed
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-PARTS = ['accuracy', 'targets', 'series', 'ablation', 'real']
+PARTS = ['accuracy', 'targets', 'series', 'ablation', 'real', 'stock']
 LIBRARIES = ['fcl', 'ode', 'coal']
 
 
@@ -104,6 +105,9 @@ def run_parts(tools, arguments):
              timed('ablation', lambda: ablation.rows(tools, arguments.source, chosen_scenes)))
     if 'real' in chosen and tools.real:
         keep(tools, 'real.csv', real.COLUMNS, timed('real', lambda: real.rows(tools, scenes)))
+    if 'stock' in chosen:
+        keep(tools, 'stock.csv', stock.COLUMNS,
+             timed('stock', lambda: stock.rows(tools, scenes, arguments.blocks)))
     figures.draw(tools.out, read(tools, 'accuracy.csv'), read(tools, 'cost.csv'), read(tools, 'steps.csv'))
     print(readme.write_table(tools.out))
     return results.get('wrong', [])
