@@ -198,6 +198,7 @@ struct cutter_comp {
 	int idle_blocks;	/* behind it, without a move in the plane */
 	bool moved;	/* this block has moved in the plane */
 	double loose[3];	/* mm, X Y Z: after G40 without a move, how far aside an axis may still be */
+	bool keeps_loose;	/* the dialect itself takes `loose` back, not the words of each block */
 };
 
 /* ",C" and ",R": execute/corner_insert.h. */

@@ -7,6 +7,7 @@
 #include "gcode/execute/box_cover.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/probed_axes.h"
+#include "gcode/execute/rotated_frame.h"
 
 /* mm: how far moves may reach out of what the tool can reach: less than the clearances that programs set. */
 #define BESIDE 0.7
@@ -40,7 +41,7 @@ static void add_spread(struct canon_move *move, const vec3 half[3])
 
 static bool is_plain(const struct interp *interp, const slot_values *target)
 {
-	bool same = !interp->state.frame.on && !probed_axes_any(&interp->state);
+	bool same = !probed_axes_any(&interp->state);
 
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
 		same = same && same_double(target->v[slot], interp->state.position.v[slot]);
@@ -52,13 +53,15 @@ static vec3 place(const slot_values *position)
 	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
 }
 
+/* To a point of the controller. */
 static bool go_to(struct moves *moves, vec3 point, const struct canon_move *move)
 {
+	const vec3 straight = rotated_frame_straight_point(&moves->interp->state, point);
 	struct canon_move part = *move;
 
-	moves->at.v[SLOT_X] = point.x;
-	moves->at.v[SLOT_Y] = point.y;
-	moves->at.v[SLOT_Z] = point.z;
+	moves->at.v[SLOT_X] = straight.x;
+	moves->at.v[SLOT_Y] = straight.y;
+	moves->at.v[SLOT_Z] = straight.z;
 	return motion_commands_go(moves->interp, &moves->at, &part);
 }
 
@@ -79,6 +82,7 @@ static bool go_along(void *context, const struct cover_line *line)
 bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		       const struct parallel_box *box)
 {
+	const slot_values end = rotated_frame_position(&interp->state, target);
 	struct moves moves = {.interp = interp, .at = *target, .narrow = *move, .counts = true};
 	struct box_way way = {.start = place(&interp->state.position), .half = {box->half[0], box->half[1], box->half[2]}};
 	struct canon_move whole = *move;
@@ -88,13 +92,16 @@ bool parallel_moves_go(struct interp *interp, const slot_values *target, const s
 		add_spread(&whole, box->half);
 		return motion_commands_go(interp, target, &whole);
 	}
-	way.way = vec3_sub(place(target), way.start);
+	way.way = vec3_sub(place(&end), way.start);
 	box_cover(&way, BESIDE, go_along, &moves);
 	/* The time of all of them is about that of the one way: how long the control takes is not known. */
 	moves.narrow.feed.linear *= (double)moves.count;
 	moves.counts = false;
 	moves.narrow.spread[SLOT_X] = moves.narrow.spread[SLOT_Y] = NARROW;
-	return box_cover(&way, BESIDE, go_along, &moves) && go_to(&moves, place(target), &moves.narrow);
+	if (!box_cover(&way, BESIDE, go_along, &moves))
+		return false;
+	whole = moves.narrow;
+	return motion_commands_go(interp, target, &whole);
 }
 
 bool parallel_moves_go_from_open(struct interp *interp, const slot_values *target, struct canon_move *move,

@@ -5,7 +5,7 @@
 #include "gcode/state.h"
 #include "geom/vec3.h"
 
-/* From the middle of a box to the middles of three of its faces: X, Y and Z, mm. */
+/* From the middle of a box to the middles of three of its faces: the controller's X, Y and Z, mm. */
 struct parallel_box {
 	vec3 half[3];
 };
@@ -16,8 +16,7 @@ struct parallel_box parallel_moves_box(const double spread[3]);
 /*
  * As motion_commands_go, but the tool is anywhere in the box about its place on the way. The check of bodies takes a
  * spread as a ball, so a wide move is divided into parallel moves that together cover the same places and whose spread
- * reaches little beyond them (box_cover.h). Where rotary axes turn it stays one move, and in turned coordinates
- * (state.frame).
+ * reaches little beyond them (box_cover.h). Where rotary axes turn it stays one move.
  */
 bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		       const struct parallel_box *box);

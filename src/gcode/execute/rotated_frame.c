@@ -62,15 +62,26 @@ static vec3 turn_back(const struct rotated_frame *frame, vec3 from_origin)
 			       : mat3_apply_transposed(&frame->turn, from_origin);
 }
 
+vec3 rotated_frame_straight_point(const struct state *state, vec3 position)
+{
+	const vec3 offset = linear(&state->offset);
+
+	if (!state->frame.on)
+		return position;
+	return vec3_add(offset, turn_back(&state->frame, vec3_sub(vec3_sub(position, offset), frame_origin(state))));
+}
+
+vec3 rotated_frame_straight_direction(const struct state *state, vec3 direction)
+{
+	return state->frame.on ? turn_back(&state->frame, direction) : direction;
+}
+
 slot_values rotated_frame_straight(const struct state *state)
 {
 	slot_values straight = state->position;
-	vec3 offset = linear(&state->offset), from_origin;
 
-	if (!state->frame.on)
-		return straight;
-	from_origin = vec3_sub(vec3_sub(linear(&state->position), offset), frame_origin(state));
-	set_linear(&straight, vec3_add(offset, turn_back(&state->frame, from_origin)));
+	if (state->frame.on)
+		set_linear(&straight, rotated_frame_straight_point(state, linear(&state->position)));
 	return straight;
 }
 

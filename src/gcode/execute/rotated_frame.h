@@ -20,6 +20,10 @@ slot_values rotated_frame_position(const struct state *state, const slot_values 
 vec3 rotated_frame_point(const struct state *state, vec3 straight);
 vec3 rotated_frame_direction(const struct state *state, vec3 direction);
 
+/* Back: the straight coordinates of a point and of a direction of the controller. */
+vec3 rotated_frame_straight_point(const struct state *state, vec3 position);
+vec3 rotated_frame_straight_direction(const struct state *state, vec3 direction);
+
 /* The controller's direction of the axis (unit) about which a right-handed turn of straight coordinates goes. */
 vec3 rotated_frame_normal(const struct state *state, vec3 normal);
 

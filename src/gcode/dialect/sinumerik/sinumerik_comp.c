@@ -210,7 +210,7 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 		return switch_off(interp, block);
 	if (!sinumerik_open_place_check(interp, column, "tool radius compensation"))
 		return false;
-	sinumerik->left_open = false;
+	sinumerik->left_open = interp->comp.keeps_loose = false;
 	return switch_on(interp, column, code[SINUMERIK_CUTTER] == G41 ? 1 : -1);
 }
 

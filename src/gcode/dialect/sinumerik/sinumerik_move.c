@@ -54,12 +54,13 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 	}
 }
 
+#define LINEAR_BITS (letter_bit('X') | letter_bit('Y') | letter_bit('Z'))
+
 static bool go_straight(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
-	const struct parallel_box open = parallel_moves_box(interp->comp.loose);
-
-	return sinumerik_of(interp)->left_open ? parallel_moves_go_from_open(interp, target, move, &open)
-					       : motion_commands_go(interp, target, move);
+	return sinumerik_of(interp)->left_open
+		   ? parallel_moves_go_from_open(interp, target, move, &sinumerik_of(interp)->open)
+		   : motion_commands_go(interp, target, move);
 }
 
 /* `circle` is NULL for a straight move. */
@@ -81,10 +82,11 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 	}
 	if (waits)
 		good = true;
-	else if (!cutter_comp_is_on(interp))
+	else if (!cutter_comp_is_on(interp)) {
 		good = circle ? motion_commands_go(interp, &straight, move)
 			      : go_straight(interp, &straight, move);
-	else if (!circle)
+		sinumerik_open_place_settle(interp, interp->block.letters);
+	} else if (!circle)
 		good = cutter_comp_line(interp, &straight, move);
 	else if (!circle->in_plane)
 		good = fault(&interp->at, interp->block.g_column[G_MOTION],
@@ -119,6 +121,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 {
 	const struct state *state = &interp->state;
 	const int column = block->code_column[SINUMERIK_SUPPRESSION];
+	const bool swivelled = state->tcp != TCP_OFF;
 	struct suspended suspended;
 	slot_values target;
 
@@ -131,10 +134,15 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 		    &interp->at, column,
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
 		    "swivelled; write D0 beside it");
+	/* The machine's axes lie otherwise than those that a swivelled tool is guided along. */
+	if (swivelled)
+		sinumerik_open_place_turned(interp);
 	if (!tool_length_suspend(interp, column, &suspended) ||
 	    !sinumerik_target_find_machine(interp, block, &target) || !go_straight(interp, &target, move) ||
 	    !tool_length_resume(interp, column, &suspended))
 		return false;
+	if (!swivelled || (block->letters & LINEAR_BITS) == LINEAR_BITS)
+		sinumerik_open_place_settle_machine(interp, block->letters);
 	sinumerik_frame_moved(interp);
 	sinumerik_frame_place(interp);
 	return true;

@@ -1,5 +1,9 @@
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 
+#include <math.h>
+
+#include "gcode/execute/rotated_frame.h"
+
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what)
 {
 	const double *loose = interp->comp.loose;
@@ -13,11 +17,113 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
 		     what);
 }
 
+/* What the box reaches along the controller's axes. */
+static void set_loose(struct interp *interp)
+{
+	const vec3 *side = sinumerik_of(interp)->open.half;
+	double *loose = interp->comp.loose;
+
+	loose[SLOT_X] = fabs(side[0].x) + fabs(side[1].x) + fabs(side[2].x);
+	loose[SLOT_Y] = fabs(side[0].y) + fabs(side[1].y) + fabs(side[2].y);
+	loose[SLOT_Z] = fabs(side[0].z) + fabs(side[1].z) + fabs(side[2].z);
+}
+
+struct parallel_box sinumerik_open_place_box(const struct interp *interp, const double half[SLOT_Z + 1])
+{
+	const struct state *state = &interp->state;
+
+	return (struct parallel_box){{rotated_frame_direction(state, (vec3){half[SLOT_X], 0, 0}),
+				      rotated_frame_direction(state, (vec3){0, half[SLOT_Y], 0}),
+				      rotated_frame_direction(state, (vec3){0, 0, half[SLOT_Z]})}};
+}
+
+void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1])
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	sinumerik->open = sinumerik_open_place_box(interp, half);
+	sinumerik->left_open = true;
+	/* In turned coordinates only the dialect knows what the words of a block take back. */
+	interp->comp.keeps_loose = true;
+	set_loose(interp);
+}
+
+void sinumerik_open_place_take_over(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (!sinumerik->left_open)
+		sinumerik->open = parallel_moves_box(interp->comp.loose);
+	sinumerik->left_open = interp->comp.keeps_loose = true;
+}
+
+void sinumerik_open_place_extent(const struct interp *interp, double along[SLOT_Z + 1])
+{
+	along[SLOT_X] = along[SLOT_Y] = along[SLOT_Z] = 0;
+	for (int i = 0; i < 3 && sinumerik_of(interp)->left_open; i++) {
+		const vec3 side = rotated_frame_straight_direction(&interp->state, sinumerik_of(interp)->open.half[i]);
+
+		along[SLOT_X] += fabs(side.x);
+		along[SLOT_Y] += fabs(side.y);
+		along[SLOT_Z] += fabs(side.z);
+	}
+}
+
+#define LINEAR_BITS (letter_bit('X') | letter_bit('Y') | letter_bit('Z'))
+
+void sinumerik_open_place_settle(struct interp *interp, uint32_t letters)
+{
+	double half[SLOT_Z + 1];
+
+	if (!sinumerik_of(interp)->left_open || !(letters & LINEAR_BITS))
+		return;
+	sinumerik_open_place_extent(interp, half);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (letters & letter_bit(AXIS_LETTERS[slot]))
+			half[slot] = 0;
+	}
+	sinumerik_open_place_set(interp, half);
+}
+
+void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters)
+{
+	double *loose = interp->comp.loose;
+
+	if (!sinumerik_of(interp)->left_open || !(letters & LINEAR_BITS))
+		return;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (letters & letter_bit(AXIS_LETTERS[slot]))
+			loose[slot] = 0;
+	}
+	sinumerik_of(interp)->open = parallel_moves_box(loose);
+}
+
+/* The tool lies along the machine's Z and stands on the plane, so that heights over the plane are heights along Z. */
+static void lay_upright(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const vec3 up = sinumerik->swivel.matrix.z, *side = sinumerik->open.half;
+	double *loose = interp->comp.loose;
+
+	loose[SLOT_X] = loose[SLOT_Z] = 0;
+	for (int i = 0; i < 3; i++) {
+		const double height = vec3_dot(side[i], up);
+
+		loose[SLOT_Z] += fabs(height);
+		loose[SLOT_X] += vec3_norm(vec3_mad(side[i], -height, up));
+	}
+	loose[SLOT_Y] = loose[SLOT_X];
+}
+
 void sinumerik_open_place_turned(struct interp *interp)
 {
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	double *loose = interp->comp.loose;
 	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		loose[slot] = most;
+	if (sinumerik->left_open && sinumerik->swivelled && sinumerik->tool_upright)
+		lay_upright(interp);
+	else
+		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
+	sinumerik_of(interp)->open = parallel_moves_box(loose);
 }

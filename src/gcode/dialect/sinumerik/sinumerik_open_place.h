@@ -4,6 +4,24 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
+/* A box that reaches so far along the axes of the program, mm, as the controller sees it. */
+struct parallel_box sinumerik_open_place_box(const struct interp *interp, const double half[SLOT_Z + 1]);
+
+/* The tool is somewhere in such a box about its place from here on. */
+void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1]);
+
+/* A place that G40 without a move has left open counts as one, too. */
+void sinumerik_open_place_take_over(struct interp *interp);
+
+/* How far the box reaches along the axes of the program that are in force now. */
+void sinumerik_open_place_extent(const struct interp *interp, double along[SLOT_Z + 1]);
+
+/* The axes of the program (letter_bit) have been commanded to a position: along them the tool is where it should be. */
+void sinumerik_open_place_settle(struct interp *interp, uint32_t letters);
+
+/* The same of the axes of the machine, while no transformation is on. */
+void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters);
+
 /*
  * Does the tool stand at a place that is known? False: it does not, which was reported: `what` names what needs the
  * place.
@@ -11,8 +29,9 @@
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what);
 
 /*
- * Call before coordinates turn (CYCLE800, TRAORI and their ends): where the tool stands aside in a direction that is
- * not known, it may then be aside along any axis.
+ * Call before coordinates turn (CYCLE800, TRAORI and their ends), and before the axes of the machine are moved while
+ * CYCLE800 has swivelled: where the tool stands aside in a direction that is not known, it may then be aside along any
+ * axis.
  */
 void sinumerik_open_place_turned(struct interp *interp);
 

@@ -45,8 +45,7 @@ static bool drill_at(const struct pattern *p, double at_a, double at_b)
 	if (!sinumerik_move_to(interp, &target, true))
 		return false;
 	/* Both axes of the plane were commanded. */
-	if (!interp->state.frame.on)
-		interp->comp.loose[p->a] = interp->comp.loose[p->b] = 0;
+	sinumerik_open_place_settle(interp, letter_bit(AXIS_LETTERS[p->a]) | letter_bit(AXIS_LETTERS[p->b]));
 	if (!modal->on)
 		return true;
 	return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);

@@ -7,8 +7,8 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_argument.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
-#include "gcode/execute/parallel_moves.h"
 
 /* Slots of one call. */
 #define PARTS_MAX 1000
@@ -71,26 +71,13 @@ static double inside(const struct milling *m, double whole)
 
 /* ------------------------------------------------------------------- moves */
 
-/* How far a box of these half sides reaches along the axes of canonical positions, which frames may turn. */
-static void reach(const struct interp *interp, const double half[SLOT_Z + 1], double along[SLOT_Z + 1])
-{
-	const mat3 one = mat3_identity(), *turn = interp->state.frame.on ? &interp->state.frame.turn : &one;
-
-	along[SLOT_X] =
-	    fabs(turn->x.x) * half[SLOT_X] + fabs(turn->y.x) * half[SLOT_Y] + fabs(turn->z.x) * half[SLOT_Z];
-	along[SLOT_Y] =
-	    fabs(turn->x.y) * half[SLOT_X] + fabs(turn->y.y) * half[SLOT_Y] + fabs(turn->z.y) * half[SLOT_Z];
-	along[SLOT_Z] =
-	    fabs(turn->x.z) * half[SLOT_X] + fabs(turn->y.z) * half[SLOT_Y] + fabs(turn->z.z) * half[SLOT_Z];
-}
-
 /* To the middle of a box at a height, anywhere in the box about the way there. A feed of 0 is a rapid. */
 static bool go(struct milling *m, const struct box *box, double height, double beyond, double feed)
 {
 	struct interp *interp = m->of.interp;
 	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = *sinumerik_frame_place(interp), straight;
-	double half[SLOT_Z + 1] = {0}, spread[SLOT_Z + 1];
+	double half[SLOT_Z + 1] = {0}, open[SLOT_Z + 1];
 	struct parallel_box about_it;
 
 	target.v[m->a] = (box->low[0] + box->high[0]) / 2;
@@ -99,14 +86,13 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	half[m->a] = (box->high[0] - box->low[0]) / 2;
 	half[m->b] = (box->high[1] - box->low[1]) / 2;
 	half[m->depth] = beyond;
-	reach(interp, half, spread);
 	straight = sinumerik_frame_straight(interp, &target);
 	/* From where another cycle has left the tool. */
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		spread[slot] += interp->comp.loose[slot];
-		interp->comp.loose[slot] = 0;
-	}
-	about_it = parallel_moves_box(spread);
+	sinumerik_open_place_extent(interp, open);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		half[slot] += open[slot];
+	sinumerik_open_place_settle(interp, letter_bit('X') | letter_bit('Y') | letter_bit('Z'));
+	about_it = sinumerik_open_place_box(interp, half);
 	if (!parallel_moves_go(interp, &straight, &move, &about_it))
 		return false;
 	sinumerik_of(interp)->place = target;
@@ -144,8 +130,7 @@ static bool retract(struct milling *m, const struct box *all)
 	half[m->b] = (all->high[1] - all->low[1]) / 2;
 	if (!go(m, all, m->height.clear, 0, 0))
 		return false;
-	reach(interp, half, interp->comp.loose);
-	sinumerik_of(interp)->left_open = true;
+	sinumerik_open_place_set(interp, half);
 	return true;
 }
 
@@ -153,6 +138,7 @@ static bool mill(struct milling *m, const struct box *parts, int count)
 {
 	struct box all = parts[0];
 
+	sinumerik_open_place_take_over(m->of.interp);
 	for (int i = 1; i < count; i++)
 		all = hull(&all, &parts[i]);
 	if (!approach(m, &all))

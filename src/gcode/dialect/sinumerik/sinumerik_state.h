@@ -3,6 +3,7 @@
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_STATE_H
 
 #include "base/strbuf.h"
+#include "gcode/execute/parallel_moves.h"
 #include "gcode/state.h"
 
 /* Siemens 840D sl, NC programming: 32 bytes a name, strings of 200 bytes, arrays of three dimensions, 16 levels. */
@@ -200,6 +201,7 @@ struct sinumerik {
 	double disc;	/* DISC: 0 is a circle */
 	bool turns_plane;	/* CUT2DF */
 	bool left_open;	/* a milling cycle has left the tool somewhere over its region */
+	struct parallel_box open;	/* then: where, about the position; cutter_comp.loose is what it reaches */
 	bool begun;	/* the first line has been read */
 	struct strbuf line;	/* the text of the line in hand while the file is searched */
 };

@@ -272,6 +272,8 @@ static void tighten(struct interp *interp)
 	int code = block->g[G_NONMODAL];
 	bool moves = block->motion != CODE_NONE || code == G28 || code == G30;
 
+	if (interp->comp.keeps_loose)
+		return;
 	for (int slot = SLOT_X; slot <= SLOT_Z && interp->state.frame.on; slot++)
 		moves = moves && (!(loose[slot] > 0) || block_has(block, AXIS_LETTERS[slot]));
 	for (int slot = SLOT_X; slot <= SLOT_Z && moves; slot++) {
