@@ -33,6 +33,26 @@ program q.h <<'NC'
 NC
 fivecheck --dump-path k.xml q.h | cut -f 1,4-6
 
+# SEL PATTERN: the points of a table beside the program, but for those that FADE hides; a blank value in between.
+printf 'BEGIN P.PNT MM\nNR   X      Y     Z     FADE  CLEARANCE\n0    +1,5   +2    -1    N\n1    +3     +4          Y\n' >P.PNT
+printf '2    +5     +6\n[END]\n' >>P.PNT
+program q.h <<'NC'
+0 BEGIN PGM P MM
+1 CYCL DEF 200 DRILLING Q200=2 Q201=-5 Q206=150 Q202=5 Q203=+0 Q204=20
+2 SEL PATTERN "TNC:\NC\P"
+3 CYCL CALL PAT FMAX
+4 END PGM P MM
+NC
+fivecheck --dump-path k.xml q.h | cut -f 1,4-6
+sed -i 's/Q203=+0/Q203=+1/' q.h
+status fivecheck --parse-only k.xml q.h
+sed -i 's/^2 .*/2    +5     +6                7/' P.PNT
+status fivecheck --parse-only k.xml q.h
+sed -i 's/^2 .*/2         +6/' P.PNT
+status fivecheck --parse-only k.xml q.h
+sed -i 's/MM$//' P.PNT
+status fivecheck --parse-only k.xml q.h
+
 # The fault stands two calls deep.
 printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0\n2 END PGM SUB MM\n' >sub.h
 status fivecheck --parse-only --include=more k.xml p.h

@@ -3,6 +3,8 @@
 #include "klartext_case.h"
 
 #define START "TOOL CALL 1 Z S100\nL X+10 Y+20 Z+100 FMAX\n"
+#define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"
+#define AT(x, y) "L X" x " Y" y " FMAX M99\n"
 #define HEIGHTS " Q200=2 Q203=0 Q201=-20 Q204=50 Q206=100 Q207=500\nM99\n"
 
 #define CONTOURS \
@@ -131,6 +133,18 @@ static const struct klartext_program regions[] = {
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n",
 	 "tool 1\n"
 	 "rapid X 10..10 Y 20..20 Z 200..200\n"},
+	/* The points of a frame, in any order: between them and behind them the tool may be anywhere over the rectangle. */
+	{START DRILL "PATTERN DEF FRAME1 (X+10 Y+20 DX+30 DY+40 NUMX2 NUMY2 ROT+0 Z+0)\nCYCL CALL PAT\nL Z+150 FMAX\n",
+	 "tool 1\n"
+	 "rapid X 10..40 Y 20..60 Z 102..200\n"
+	 "feed X 10..10 Y 20..20 Z 90..90\n"
+	 "rapid X 10..40 Y 20..20 Z 102..200\n"
+	 "feed X 40..40 Y 20..20 Z 90..90\n"
+	 "rapid X 10..40 Y 20..60 Z 102..200\n"
+	 "feed X 10..10 Y 60..60 Z 90..90\n"
+	 "rapid X 10..40 Y 60..60 Z 102..200\n"
+	 "feed X 40..40 Y 60..60 Z 90..90\n"
+	 "rapid X 10..40 Y 20..60 Z 102..250\n"},
 	/* In turned coordinates the region lies across the axes. */
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
 	 "tool 1\n"
@@ -154,9 +168,6 @@ static const struct klartext_program moves[] = {
 	 "feed 1 2 0 5 0 tcp\n"},
 };
 
-#define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"
-#define AT(x, y) "L X" x " Y" y " FMAX M99\n"
-
 /* Patterns, and the same holes one by one. */
 static const struct {
 	const char *blocks, *same;
@@ -174,6 +185,13 @@ static const struct {
 	{START DRILL "PATTERN DEF PAT1 (X+1 Y+2 DX+8 DY+9 NUMX2 NUMY2 ROT+0 Z+0)\nL Z+20 FMAX\nCYCL CALL PAT\n",
 	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+1", "+2") "L Z+20 FMAX\n" AT("+9", "+2") "L Z+20 FMAX\n"
 	 AT("+9", "+11") "L Z+20 FMAX\n" AT("+1", "+11")},
+	/* ROTX turns the rows alone, ROTY the way from row to row, ROT both. */
+	{START DRILL "PATTERN DEF PAT1 (X+1 Y+2 DX+8 DY+9 NUMX2 NUMY2 ROT-90 ROTX+90 ROTY+90)\nL Z+20 FMAX\nCYCL CALL PAT\n",
+	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+1", "+2") "L Z+20 FMAX\n" AT("+9", "+2") "L Z+20 FMAX\n"
+	 AT("+9", "+11") "L Z+20 FMAX\n" AT("+1", "+11")},
+	/* F is the feed rate between the points. */
+	{START DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nL Z+20 FMAX\nCYCL CALL PAT F500\n",
+	 START DRILL "L Z+20 FMAX\nL Z+20 F500\nL X+1 Y+2 F500 M99\nL Z+20 F500\nL X+9 Y+2 F500 M99\n"},
 	{START DRILL "PATTERN DEF CIRC1 (X+1 Y+2 D+20 START+0 NUM4)\nL Z+20 FMAX\nCYCL CALL PAT\n",
 	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+11", "+2") "L Z+20 FMAX\n" AT("+1", "+12") "L Z+20 FMAX\n"
 	 AT("-9", "+2") "L Z+20 FMAX\n" AT("+1", "-8")},

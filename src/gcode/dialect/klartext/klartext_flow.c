@@ -305,10 +305,9 @@ static bool call_label(struct lexer *lexer)
 	return enter(interp, KLARTEXT_LABEL, title, &label->body, column);
 }
 
-/* The file of a program: its name as it stands or with .H, without the folders of the control. */
-static bool find_program(struct interp *interp, const char *name, int column, struct source **source)
+bool klartext_flow_find_file(struct interp *interp, const char *name, const char *const endings[3], int column,
+			     struct source **source)
 {
-	static const char *const endings[] = {"", ".h", ".H"};
 	const char *bare = name;
 
 	for (const char *at = name; *at; at++) {
@@ -316,14 +315,22 @@ static bool find_program(struct interp *interp, const char *name, int column, st
 			bare = at + 1;
 	}
 	*source = NULL;
-	for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]) && !*source && *bare; i++) {
+	for (size_t i = 0; i < 3 && !*source && *bare; i++) {
 		char file[KLARTEXT_NAME + 4];
 
 		snprintf(file, sizeof(file), "%s%s", bare, endings[i]);
 		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
 			return false;
 	}
-	return *source || fault(&interp->at, column, "there is no file of the program %s", name);
+	return true;
+}
+
+static bool find_program(struct interp *interp, const char *name, int column, struct source **source)
+{
+	static const char *const endings[] = {"", ".h", ".H"};
+
+	return klartext_flow_find_file(interp, name, endings, column, source) &&
+	       (*source || fault(&interp->at, column, "there is no file of the program %s", name));
 }
 
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column)
@@ -355,7 +362,7 @@ bool klartext_flow_select(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 
 	if (!klartext_take(lexer, "PGM"))
-		return fault(lexer->at, 1, "SEL other than SEL PGM and SEL TABLE is not supported yet");
+		return fault(lexer->at, 1, "SEL other than SEL PGM, SEL TABLE and SEL PATTERN is not supported yet");
 	return klartext_string_name(lexer, "a program's name", klartext_of(interp)->selected) &&
 	       klartext_expect_end(lexer);
 }

@@ -16,9 +16,11 @@
 #include "gcode/dialect/klartext/klartext_function.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_straight.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
+#include "gcode/dialect/klartext/klartext_point_table.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/dialect/klartext/klartext_transform.h"
@@ -104,17 +106,20 @@ static bool tool(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "TOOL needs CALL or DEF");
 }
 
-/* "CYCL CALL PAT": F is that between the points, and only times depend on it. */
 static bool call_pattern(struct lexer *lexer, int column)
 {
 	struct interp *interp = lexer->context;
 	struct klartext_words words;
+	struct canon_feed feed;
+	bool rapid = true;
 
 	if (!klartext_words_read(lexer, &words))
 		return false;
-	if (words.axes || (words.feed != KLARTEXT_FEED_NONE && words.feed != KLARTEXT_FEED_MAX))
-		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates, and FMAX or no feed");
-	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column) &&
+	if (words.axes)
+		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates");
+	if (words.feed && !klartext_move_feed(interp, &words, &rapid, &feed))
+		return false;
+	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column, rapid ? NULL : &feed) &&
 	       klartext_m_end(interp, &words);
 }
 
@@ -150,7 +155,9 @@ static bool cycle(struct lexer *lexer)
 
 static bool choose(struct lexer *lexer)
 {
-	return klartext_take(lexer, "TABLE") ? klartext_transform_table(lexer) : klartext_flow_select(lexer);
+	if (klartext_take(lexer, "TABLE"))
+		return klartext_transform_table(lexer);
+	return klartext_take(lexer, "PATTERN") ? klartext_point_table_select(lexer) : klartext_flow_select(lexer);
 }
 
 static bool refuse(struct lexer *lexer, const char *what)
@@ -205,6 +212,7 @@ static const struct statement {
     {"POS", klartext_pattern_go_on, true, false},
     {"ROW", klartext_pattern_go_on, true, false},
     {"PAT", klartext_pattern_go_on, true, false},
+    {"FRAME", klartext_pattern_go_on, true, false},
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
     {"DECLARE", klartext_string_declare, true, true},

@@ -10,11 +10,12 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
+#include "gcode/dialect/klartext/klartext_region.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* ------------------------------------------------------------------- points */
 
-static bool add_point(struct interp *interp, int column, vec3 point)
+bool klartext_pattern_add(struct interp *interp, int column, vec3 point)
 {
 	struct klartext_points *points = &klartext_of(interp)->points;
 
@@ -24,21 +25,42 @@ static bool add_point(struct interp *interp, int column, vec3 point)
 	return true;
 }
 
+void klartext_pattern_begin(struct interp *interp)
+{
+	struct klartext_points *points = &klartext_of(interp)->points;
+
+	points->count = 0;
+	points->any_order = points->surface = false;
+}
+
 static vec3 polar(vec3 from, double radius, double angle)
 {
 	return (vec3){from.x + radius * math_cos_degrees(angle), from.y + radius * math_sin_degrees(angle), from.z};
 }
 
-/* Columns along an angle and rows across it; in every second row back again, if `zigzag`. */
-static bool add_lines(struct interp *interp, int column, vec3 start, const double spacing[2], const int count[2],
-		      double angle, bool zigzag)
-{
-	for (int row = 0; row < count[1]; row++) {
-		for (int i = 0; i < count[0]; i++) {
-			int at = zigzag && row % 2 == 1 ? count[0] - 1 - i : i;
+/* Lines of points. */
+struct grid {
+	vec3 start;
+	double spacing[2]; /* along a row, and from row to row */
+	double angle[2]; /* degrees: of the rows, and of the way from row to row */
+	int count[2]; /* in a row, and of rows */
+	bool zigzag; /* in every second row back again */
+	bool frame; /* the points at the edge alone */
+};
 
-			if (!add_point(interp, column,
-				       polar(polar(start, at * spacing[0], angle), row * spacing[1], angle + 90)))
+static bool add_grid(struct interp *interp, int column, const struct grid *grid)
+{
+	const int last[2] = {grid->count[0] - 1, grid->count[1] - 1};
+
+	for (int row = 0; row <= last[1]; row++) {
+		const vec3 begin = polar(grid->start, row * grid->spacing[1], grid->angle[1]);
+
+		for (int i = 0; i <= last[0]; i++) {
+			const int at = grid->zigzag && row % 2 == 1 ? last[0] - i : i;
+
+			if (grid->frame && row > 0 && row < last[1] && at > 0 && at < last[0])
+				continue;
+			if (!klartext_pattern_add(interp, column, polar(begin, at * grid->spacing[0], grid->angle[0])))
 				return false;
 		}
 	}
@@ -49,7 +71,7 @@ static bool add_circle(struct interp *interp, int column, vec3 centre, double di
 		       int count)
 {
 	for (int i = 0; i < count; i++) {
-		if (!add_point(interp, column, polar(centre, diameter / 2, start + i * step)))
+		if (!klartext_pattern_add(interp, column, polar(centre, diameter / 2, start + i * step)))
 			return false;
 	}
 	return true;
@@ -57,53 +79,134 @@ static bool add_circle(struct interp *interp, int column, vec3 centre, double di
 
 /* -------------------------------------------------------------------- calls */
 
-static bool rapid_to(struct interp *interp, vec3 point)
-{
-	const struct klartext_target target = {.point = point, .others = interp->state.position};
+/* The cycle at every point. */
+struct visit {
+	struct interp *interp;
+	int column;
+	double height; /* between the points, programmed Z in mm */
+	bool low; /* between the points the tool stays where the cycle has left it */
+	bool rapid;
+	struct canon_feed feed; /* else */
+};
 
-	return klartext_move_line(interp, &target, true, &(struct canon_feed){0});
+static bool go_to(const struct visit *visit, vec3 point)
+{
+	const struct klartext_target target = {.point = point, .others = visit->interp->state.position};
+
+	return klartext_move_line(visit->interp, &target, visit->rapid, &visit->feed);
 }
 
-/* Over the points at a height that is given, or the highest one where the tool stands between two of them. */
-static bool call_at_points(struct interp *interp, int column, double height, bool low)
+static bool go_up(const struct visit *visit)
 {
+	vec3 at = klartext_frame_point(visit->interp);
+
+	at.z = visit->height;
+	return go_to(visit, at);
+}
+
+/* Down to a height, or at it, anywhere in the rectangle of these half sides about where the tool stands. */
+static bool go_within(const struct visit *visit, double half_x, double half_y, double height)
+{
+	struct interp *interp = visit->interp;
+	const struct canon_move move = {.kind = visit->rapid ? CANON_RAPID : CANON_FEED, .feed = visit->feed};
+	const struct parallel_box box = klartext_frame_turned_box(interp, (const double[3]){half_x, half_y, 0});
+	vec3 point = klartext_frame_point(interp), at;
+	slot_values target = interp->state.position;
+
+	point.z = height;
+	at = klartext_frame_position(interp, point);
+	target.v[SLOT_X] = at.x;
+	target.v[SLOT_Y] = at.y;
+	target.v[SLOT_Z] = at.z;
+	return parallel_moves_go(interp, &target, &move, &box);
+}
+
+/*
+ * The way from point to point in any order: all of the rectangle about them and the tool, at the height between them.
+ * Behind the last point the tool stands over any of them at a height of `end`.
+ */
+static bool cover_rectangle(const struct visit *visit, bool ends, double end)
+{
+	struct interp *interp = visit->interp;
+	const struct klartext_points *points = &klartext_of(interp)->points;
+	vec3 low = klartext_frame_point(interp), high = low;
+	double half_x, half_y;
+
+	if (klartext_frame_is_scaled(interp))
+		return fault(&interp->at, visit->column,
+			     "FRAME while a scaling is in force is not supported: cancel the scaling first");
+	for (int i = 0; i < points->count; i++) {
+		low = vec3_min(low, points->items[i]);
+		high = vec3_max(high, points->items[i]);
+	}
+	if (!go_to(visit, (vec3){(low.x + high.x) / 2, (low.y + high.y) / 2, visit->height}))
+		return false;
+	half_x = (high.x - low.x) / 2;
+	half_y = (high.y - low.y) / 2;
+	if (!go_within(visit, half_x, half_y, ends ? end : visit->height))
+		return false;
+	if (ends)
+		klartext_region_leave_open(interp, half_x, half_y);
+	return true;
+}
+
+static bool call_at_points(const struct visit *visit)
+{
+	struct interp *interp = visit->interp;
 	struct klartext *klartext = klartext_of(interp);
 	const struct klartext_cycle defined = klartext->cycle;
-	const struct klartext_call_of call = {.interp = interp, .cycle = &defined, .column = column};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &defined, .column = visit->column};
 	double surface = 0;
 	bool good = true;
 
 	if (defined.number == 0 || !defined.by_q || !klartext_parameter_find(&call, 203, &surface))
-		return fault(&interp->at, column, "a pattern needs a cycle with Q203 that has been defined before it");
+		return fault(&interp->at, visit->column,
+			     "a pattern needs a cycle with Q203 that has been defined before it");
+	if (klartext->points.surface && !same_double(surface, 0))
+		return fault(&interp->at, visit->column,
+			     "the points of the table have a surface in Z, and the cycle has another one in Q203: the "
+			     "manual wants Q203=0");
+	if (klartext->points.any_order && (!go_up(visit) || !cover_rectangle(visit, false, 0)))
+		return false;
 	for (int i = 0; i < klartext->points.count && good; i++) {
 		const vec3 point = klartext->points.items[i];
 		vec3 at = klartext_frame_point(interp);
 
-		at.z = i > 0 && low ? at.z : height;
-		good = rapid_to(interp, at);
+		at.z = i > 0 && visit->low ? at.z : visit->height;
+		good = go_to(visit, at);
 		at.x = point.x;
 		at.y = point.y;
-		good = good && rapid_to(interp, at);
+		good = good && go_to(visit, at);
 		memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
 		klartext_cycle_set(&klartext->cycle, "Q203", surface + point.z / interp->state.scale);
-		good = good && klartext_cycle_carry_out(interp, column);
+		good = good && klartext_cycle_carry_out(interp, visit->column);
 	}
 	klartext->cycle = defined;
+	if (good && klartext->points.any_order) {
+		const double end = klartext_frame_point(interp).z;
+
+		good = go_up(visit) && cover_rectangle(visit, true, end);
+	}
 	return good;
 }
 
 /*
  * TNC 640 user's manual, "CYCL CALL PAT": between the points the tool is at the clearance height: where it stands in Z,
- * or the second set-up clearance, whichever is higher.
+ * or the second set-up clearance, whichever is higher. F is the feed rate between the points.
  */
-bool klartext_pattern_call(struct interp *interp, int column)
+bool klartext_pattern_call(struct interp *interp, int column, const struct canon_feed *feed)
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
-	double height = klartext_frame_point(interp).z, highest = 0, surface, second;
+	struct visit visit = {
+	    .interp = interp, .column = column, .height = klartext_frame_point(interp).z, .rapid = !feed};
+	double highest = 0, surface, second;
 
+	if (feed)
+		visit.feed = *feed;
 	if (klartext->points.count == 0)
-		return fault(&interp->at, column, "CYCL CALL PAT, but no PATTERN DEF has given points");
+		return fault(&interp->at, column,
+			     "CYCL CALL PAT, but neither PATTERN DEF nor SEL PATTERN has given points");
 	if (!klartext_cycle_check_values(interp, column, true))
 		return false;
 	if (klartext->cycle.number && klartext->cycle.by_q) {
@@ -111,9 +214,9 @@ bool klartext_pattern_call(struct interp *interp, int column)
 			return false;
 		for (int i = 0; i < klartext->points.count; i++)
 			highest = fmax(highest, klartext->points.items[i].z);
-		height = fmax(height, surface + highest + second);
+		visit.height = fmax(visit.height, surface + highest + second);
 	}
-	return call_at_points(interp, column, height, false);
+	return call_at_points(&visit);
 }
 
 /*
@@ -124,6 +227,7 @@ static bool call_with(struct interp *interp, const struct klartext_call_of *patt
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct klartext_cycle defined = klartext->cycle;
+	struct visit visit = {.interp = interp, .column = pattern->column, .rapid = true};
 	double clearance, surface, second;
 	bool high, good;
 
@@ -136,7 +240,9 @@ static bool call_with(struct interp *interp, const struct klartext_call_of *patt
 	klartext_cycle_set(&klartext->cycle, "Q200", clearance);
 	klartext_cycle_set(&klartext->cycle, "Q203", surface);
 	klartext_cycle_set(&klartext->cycle, "Q204", high ? second : clearance);
-	good = call_at_points(interp, pattern->column, (surface + second) * interp->state.scale, !high);
+	visit.height = (surface + second) * interp->state.scale;
+	visit.low = !high;
+	good = call_at_points(&visit);
 	klartext->cycle = defined;
 	return good;
 }
@@ -173,7 +279,7 @@ bool klartext_pattern_circle(struct interp *interp, const struct klartext_cycle 
 	/* A step of 0: the points are spread between the angles; the whole circle has no point twice. */
 	if (same_double(step, 0))
 		step = (end - start) / (same_double(fabs(end - start), 360) ? count : fmax(1, count - 1));
-	klartext_of(interp)->points.count = 0;
+	klartext_pattern_begin(interp);
 	return add_circle(interp, cycle->column, centre, diameter, start, step, count) && call_with(interp, &call);
 }
 
@@ -189,8 +295,14 @@ bool klartext_pattern_lines(struct interp *interp, const struct klartext_cycle *
 	    !klartext_parameter_length(&call, 238, &spacing[1]) || !whole(&call, 242, &count[0]) ||
 	    !whole(&call, 243, &count[1]) || !klartext_parameter_need(&call, 224, &angle))
 		return false;
-	klartext_of(interp)->points.count = 0;
-	return add_lines(interp, cycle->column, start, spacing, count, angle, true) && call_with(interp, &call);
+	const struct grid grid = {.start = start,
+				  .spacing = {spacing[0], spacing[1]},
+				  .angle = {angle, angle + 90},
+				  .count = {count[0], count[1]},
+				  .zigzag = true};
+
+	klartext_pattern_begin(interp);
+	return add_grid(interp, cycle->column, &grid) && call_with(interp, &call);
 }
 
 /* -------------------------------------------------------------- definitions */
@@ -272,6 +384,26 @@ static bool find_count(struct lexer *lexer, const struct item *item, int word, i
 	return true;
 }
 
+/*
+ * A pattern, and the frame about one: ROT turns it whole about its start, ROTX its rows alone and ROTY the way from row
+ * to row. In which order the points of a frame come is not in the manual.
+ */
+static bool add_rows(struct lexer *lexer, const struct item *item, bool frame)
+{
+	static const int needed[] = {WORD_X, WORD_Y, WORD_DX, WORD_DY, WORD_NUMX, WORD_NUMY};
+	struct interp *interp = lexer->context;
+	const double *v = item->value;
+	struct grid grid = {.start = {v[WORD_X], v[WORD_Y], v[WORD_Z]},
+			    .spacing = {v[WORD_DX], v[WORD_DY]},
+			    .angle = {v[WORD_ROT] + v[WORD_ROTX], v[WORD_ROT] + v[WORD_ROTY] + 90},
+			    .zigzag = !frame,
+			    .frame = frame};
+
+	klartext_of(interp)->points.any_order |= frame;
+	return has(lexer, item, needed, 6) && find_count(lexer, item, WORD_NUMX, &grid.count[0]) &&
+	       find_count(lexer, item, WORD_NUMY, &grid.count[1]) && add_grid(interp, item->column, &grid);
+}
+
 /* TNC 640 user's manual, "PATTERN DEF": single points, a row, a pattern of rows, a circle, a part of a circle. */
 static bool add_item(struct lexer *lexer, const char *kind, const struct item *item)
 {
@@ -282,18 +414,16 @@ static bool add_item(struct lexer *lexer, const char *kind, const struct item *i
 	int count[2] = {1, 1};
 
 	if (!strcmp(kind, "POS"))
-		return has(lexer, item, base, 2) && add_point(interp, item->column, start);
-	if (!strcmp(kind, "ROW"))
-		return has(lexer, item, base, 4) && find_count(lexer, item, WORD_NUM, &count[0]) &&
-		       add_lines(interp, item->column, start, (double[2]){v[WORD_D], 0}, count, v[WORD_ROT], false);
-	if (!strcmp(kind, "PAT")) {
-		if (!same_double(v[WORD_ROTX], 0) || !same_double(v[WORD_ROTY], 0))
-			return fault(lexer->at, item->column, "PAT with ROTX or ROTY is not supported yet");
-		return has(lexer, item, (const int[]){WORD_X, WORD_Y, WORD_DX, WORD_DY, WORD_NUMX, WORD_NUMY}, 6) &&
-		       find_count(lexer, item, WORD_NUMX, &count[0]) && find_count(lexer, item, WORD_NUMY, &count[1]) &&
-		       add_lines(interp, item->column, start, (double[2]){v[WORD_DX], v[WORD_DY]}, count, v[WORD_ROT],
-				 true);
+		return has(lexer, item, base, 2) && klartext_pattern_add(interp, item->column, start);
+	if (!strcmp(kind, "ROW")) {
+		struct grid row = {
+		    .start = start, .spacing = {v[WORD_D], 0}, .angle = {v[WORD_ROT], 0}, .count = {1, 1}};
+
+		return has(lexer, item, base, 4) && find_count(lexer, item, WORD_NUM, &row.count[0]) &&
+		       add_grid(interp, item->column, &row);
 	}
+	if (!strcmp(kind, "PAT") || !strcmp(kind, "FRAME"))
+		return add_rows(lexer, item, !strcmp(kind, "FRAME"));
 	if (!strcmp(kind, "CIRC"))
 		return has(lexer, item, base, 4) && find_count(lexer, item, WORD_NUM, &count[0]) &&
 		       add_circle(interp, item->column, start, v[WORD_D], v[WORD_START], 360.0 / count[0], count[0]);
@@ -310,8 +440,8 @@ static bool read_items(struct lexer *lexer)
 
 		klartext_word(lexer, kind);
 		if (strcmp(kind, "POS") != 0 && strcmp(kind, "ROW") != 0 && strcmp(kind, "PAT") != 0 &&
-		    strcmp(kind, "CIRC") != 0 && strcmp(kind, "PITCHCIRC") != 0)
-			return fault(lexer->at, column, "PATTERN DEF reads POS, ROW, PAT, CIRC and PITCHCIRC");
+		    strcmp(kind, "FRAME") != 0 && strcmp(kind, "CIRC") != 0 && strcmp(kind, "PITCHCIRC") != 0)
+			return fault(lexer->at, column, "PATTERN DEF reads POS, ROW, PAT, FRAME, CIRC and PITCHCIRC");
 		if (!read_item(lexer, &item) || !add_item(lexer, kind, &item))
 			return false;
 	}
@@ -324,7 +454,7 @@ bool klartext_pattern_define(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "DEF"))
 		return fault(lexer->at, klartext_column(lexer), "PATTERN needs DEF");
-	klartext_of(interp)->points.count = 0;
+	klartext_pattern_begin(interp);
 	klartext_of(interp)->points.line = lexer->at->line;
 	return read_items(lexer);
 }

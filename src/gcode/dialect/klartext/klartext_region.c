@@ -20,18 +20,17 @@ static bool go(const struct klartext_call_of *call, const struct klartext_region
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 
-/* Over the region the tool may stand anywhere, until X and Y are commanded. */
-static void leave_open(const struct klartext_call_of *call, const struct klartext_region *region)
+void klartext_region_leave_open(struct interp *interp, double half_x, double half_y)
 {
-	const double half[3] = {region->half[0], region->half[1], 0};
-	const vec3 about = klartext_frame_box(call->interp, half);
-	double *loose = call->interp->comp.loose;
+	const double half[3] = {half_x, half_y, 0};
+	const vec3 about = klartext_frame_box(interp, half);
+	double *loose = interp->comp.loose;
 
 	loose[SLOT_X] = about.x;
 	loose[SLOT_Y] = about.y;
 	loose[SLOT_Z] = about.z;
-	klartext_of(call->interp)->left_open = true;
-	klartext_of(call->interp)->open = klartext_frame_turned_box(call->interp, half);
+	klartext_of(interp)->left_open = true;
+	klartext_of(interp)->open = klartext_frame_turned_box(interp, half);
 }
 
 /* Where the tool stands may be open already: then so is where the region lies. */
@@ -88,6 +87,6 @@ bool klartext_region_carry_out(const struct klartext_call_of *call, const struct
 	at.z = region.clear;
 	if (!go(call, &region, at, 0))
 		return false;
-	leave_open(call, &region);
+	klartext_region_leave_open(call->interp, region.half[0], region.half[1]);
 	return true;
 }

@@ -23,4 +23,7 @@ struct klartext_region {
  */
 bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *region);
 
+/* The tool may stand anywhere in a rectangle of these half sides about its place, until X and Y are commanded. mm. */
+void klartext_region_leave_open(struct interp *interp, double half_x, double half_y);
+
 #endif

@@ -128,6 +128,8 @@ struct klartext_points {
 	vec3 items[KLARTEXT_POINTS_MAX];
 	int count;
 	long line; /* that defines them, the last one; 0: none */
+	bool any_order; /* in which order the control takes them is not known */
+	bool surface; /* z is the surface itself, of a point table */
 };
 
 enum klartext_way { KLARTEXT_WAY_LT, KLARTEXT_WAY_LN, KLARTEXT_WAY_CT, KLARTEXT_WAY_LCT };
