@@ -98,6 +98,9 @@ enum orientation_pole { ORIENTATION_POLE_UNKNOWN, ORIENTATION_POLE_AXES };
 /* What the angles of Heidenhain's cycle 19 are: spatial angles, or positions of the rotary axes. */
 enum cycle_19_angles { CYCLE_19_ANGLES_UNKNOWN, CYCLE_19_ANGLES_SPATIAL, CYCLE_19_ANGLES_AXES };
 
+/* Which axes Heidenhain's cycle 11 scales: those of the plane, or the tool axis as well. */
+enum cycle_11_axes { CYCLE_11_AXES_UNKNOWN, CYCLE_11_AXES_PLANE, CYCLE_11_AXES_ALL };
+
 /* Modes that the control has when it is switched on, if a parameter of the control decides. */
 enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
@@ -175,6 +178,7 @@ struct controller {
 	enum comp_corner_form comp_corner;
 	enum rotation_order rotation_order;
 	enum cycle_19_angles cycle_19_angles;
+	enum cycle_11_axes cycle_11_axes;
 	enum orientation_interpolation orientation_interpolation;
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */

@@ -196,6 +196,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->cycle_19_angles && !row->has_planes)
 		description_fault(file, described->at, "cycle_19_angles",
 				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
+	if (described->cycle_11_axes && !row->has_planes)
+		description_fault(file, described->at, "cycle_11_axes",
+				  "cycle_11_axes of <controller>: %s has no such parameter", row->title);
 	if (described->tool_def && !row->has_planes)
 		description_fault(file, described->at, "tool_def",
 				  "tool_def of <controller>: %s has no such parameter", row->title);
@@ -319,6 +322,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->cycle_repeats = from->cycle_repeats;
 	to->rotation_order = from->rotation_order;
 	to->cycle_19_angles = from->cycle_19_angles;
+	to->cycle_11_axes = from->cycle_11_axes;
 	to->orientation_interpolation = from->orientation_interpolation;
 	to->edge_after_tool_change = from->edge_after_tool_change;
 	to->frames_outlive_traori = from->frames_outlive_traori;

@@ -111,6 +111,7 @@ struct controller_description {
 	enum comp_corner_form comp_corner;
 	enum rotation_order rotation_order;
 	enum cycle_19_angles cycle_19_angles;
+	enum cycle_11_axes cycle_11_axes;
 	enum orientation_interpolation orientation_interpolation;
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;

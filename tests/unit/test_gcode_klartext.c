@@ -372,6 +372,31 @@ START_TEST(cycle_19)
 }
 END_TEST
 
+/* A machine parameter says whether cycle 11 scales Z, too. */
+START_TEST(cycle_11)
+{
+	static const struct {
+		enum cycle_11_axes axes;
+		const char *moves;
+	} cases[] = {{CYCLE_11_AXES_PLANE, "rapid 2 4 3 0 0\nrapid 1 2 3 0 0\nrapid 0.5 1 3 0 0\nrapid 7 14 21 0 0\n"},
+		     {CYCLE_11_AXES_ALL, "rapid 2 4 6 0 0\nrapid 1 2 3 0 0\nrapid 0.5 1 1.5 0 0\nrapid 7 14 21 0 0\n"}};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		c.config.controller.cycle_11_axes = cases[i].axes;
+		ck_assert_msg(klartext_run(&c, "CYCL DEF 11.0\nCYCL DEF 11.1 SCL 2\nL X+1 Y+2 Z+3 FMAX\nTRANS SCALE RESET\n"
+					       "L X+1 Y+2 Z+3 FMAX\nTRANS SCALE SCL0.5\nL X+1 Y+2 Z+3 FMAX\n"
+					       "CYCL DEF 11.0\nCYCL DEF 11.1 SCL 1\nCYCL DEF 26.0\nCYCL DEF 26.1 X7 Y7 Z7\n"
+					       "L X+1 Y+2 Z+3 FMAX\n"),
+			      "%s", strbuf_text(&c.messages));
+		ck_assert_str_eq(strbuf_text(&c.moves), cases[i].moves);
+		case_release(&c);
+	}
+}
+END_TEST
+
 START_TEST(without_setup)
 {
 	struct gcode_case c;
@@ -462,6 +487,7 @@ int main(void)
 	tcase_add_test(tcase, handwheel);
 	tcase_add_test(tcase, rotary_ways);
 	tcase_add_test(tcase, cycle_19);
+	tcase_add_test(tcase, cycle_11);
 	tcase_add_test(tcase, without_setup);
 	tcase_add_test(tcase, blocks);
 	tcase_add_test(tcase, block_limit);

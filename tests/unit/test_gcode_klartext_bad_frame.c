@@ -32,8 +32,13 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 X+5\n",
 	 "p.nc:3:15: error: ROTATION needs ROT and an angle here"},
 	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0.5\n",
-	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too; give the factors "
-	 "of X, Y and Z by CYCL DEF 26"},
+	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" or \"all\" of "
+	 "the machine's <controller> says it, or give the factors of X, Y and Z by CYCL DEF 26"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 11.0\nCYCL DEF 11.1 SCL 1\n",
+	 "p.nc:5:10: error: CYCL DEF 11 while CYCL DEF 26 scales: cancel that first"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 26.0\nCYCL DEF 26.1 X1\n",
+	 "p.nc:5:15: error: an axis is scaled that this CYCL DEF 26 does not name: whether it stays so is not known here; name "
+	 "it, too"},
 	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0\n",
 	 "p.nc:3:15: error: a scaling factor must be more than 0 and less than 100"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 A2\n",
@@ -58,12 +63,12 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 247\nL X+1 FMAX\n",
 	 "p.nc:2:10: error: DATUM SETTING needs Q339, the number of the preset"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 247 Q339=1\n",
-	 "p.nc:4:14: error: a preset while a datum shift, a mirror image, a rotation or a scaling is in "
+	 "p.nc:4:14: error: a preset while a mirror image, a rotation, a scaling or a shift in a tilted plane is in "
 	 "force: which of them it cancels is not known here; cancel them first"},
 	{"CYCL DEF 9.0\nCYCL DEF 9.1 DWELL -1\n",
 	 "p.nc:3:10: error: a dwell cannot be negative"},
 	{"PLANE FOO\n",
-	 "p.nc:2:7: error: PLANE needs SPATIAL, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET"},
+	 "p.nc:2:7: error: PLANE needs SPATIAL, PROJECTED, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET"},
 	{"PLANE SPATIAL SPA+5 TURN\n",
 	 "p.nc:2:21: error: SPB is needed here"},
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0\n",
@@ -85,8 +90,12 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:7: error: no position of the rotary axes within their limits has the tool stand on "
 	 "this plane with this SEQ"},
 	{"PLANE PROJECTED PROPR+5 PROMIN+5 ROT+0 TURN FMAX\n",
-	 "p.nc:2:7: error: PLANE PROJECTED: in which direction its angles count is not known here; write the plane as PLANE "
-	 "SPATIAL"},
+	 "p.nc:2:17: error: PLANE PROJECTED with PROPR other than 0: to which side it counts is not known here; write the plane "
+	 "as PLANE SPATIAL or PLANE VECTOR"},
+	{"PLANE PROJECTED PROPR+0 PROMIN+90 ROT+0 TURN FMAX\n",
+	 "p.nc:2:17: error: PROMIN is between -90 and 90 degrees"},
+	{"PLANE PROJECTED PROPR+0 PROMIN+5 TURN FMAX\n",
+	 "p.nc:2:34: error: ROT is needed here"},
 	{"PLANE AXIAL B+5 STAY\n",
 	 "p.nc:2:13: error: the machine has no B axis"},
 	{"PLANE AXIAL A+30 STAY\nL A+Q120 FMAX\n",
@@ -200,7 +209,13 @@ static const struct klartext_fault faults[] = {
 	{"TRANS DATUM TABLE\n",
 	 "p.nc:2:13: error: TRANS DATUM TABLE is not supported yet: write AXIS with values"},
 	{"TRANS SCALE SCL2\n",
-	 "p.nc:2:7: error: TRANS other than DATUM, MIRROR, ROTATION and SCALE RESET is not supported yet"},
+	 "p.nc:2:13: error: a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" or \"all\" of the "
+	 "machine's <controller> says it, or give the factors of X, Y and Z by CYCL DEF 26"},
+	{"TRANS SIZE\n",
+	 "p.nc:2:7: error: TRANS needs DATUM, MIRROR, ROTATION or SCALE"},
+	{"TRANS DATUM AXIS X+5\nPRESET SELECT #1 KEEP TRANS\n",
+	 "p.nc:3:8: error: KEEP TRANS while a datum shift is in force is not supported: write TRANS DATUM RESET first, and the "
+	 "shift again behind the preset"},
 	{"TRANS MIRROR X\n",
 	 "p.nc:2:14: error: TRANS MIRROR needs AXIS and the letters of axes"},
 	{"TRANS MIRROR AXIS X+5\n",
@@ -220,7 +235,7 @@ static const struct klartext_fault faults[] = {
 	{"PRESET SELECT #1 KEEP WP\n",
 	 "p.nc:2:23: error: KEEP needs TRANS"},
 	{"TRANS ROTATION ROT+5\nPRESET SELECT #1 KEEP TRANS\n",
-	 "p.nc:3:16: error: a preset while a datum shift, a mirror image, a rotation or a scaling is in force: which of "
+	 "p.nc:3:16: error: a preset while a mirror image, a rotation, a scaling or a shift in a tilted plane is in force: which of "
 	 "them it cancels is not known here; cancel them first"},
 	{"TRANS DATUM AXIS X+5\nTRANS DATUM AXIS Y+5\n",
 	 "p.nc:3:7: error: TRANS DATUM without X, which is shifted: whether the shift stays is not known here; write X, too"},

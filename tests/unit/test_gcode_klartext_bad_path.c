@@ -167,8 +167,41 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:4:5: error: a chamfer must be more than 0"},
 	{"F100\nL X+10\nRND R2\nTOOL CALL 1 Z\n",
 	 "p.nc:4:5: error: RND and CHF need a line or a circle in the plane behind them"},
-	{"FL X+5\n",
-	 "p.nc:2:1: error: FK free contour programming is not supported yet"},
+	{"F100\nFL X+10\n",
+	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is "
+	 "not supported yet; write the end of the element"},
+	{"F100\nFL LEN10 X+5\n",
+	 "p.nc:3:10: error: FK: the block does not say where its line ends, or leaves several solutions: that is "
+	 "not supported yet; write the end of the element"},
+	{"F100\nFL AN+0 X-5\n",
+	 "p.nc:3:9: error: FK: the data of this element contradict each other"},
+	{"F100\nFL AN+0 LEN5 X+6\n",
+	 "p.nc:3:14: error: FK: the data of this element contradict each other"},
+	{"F100\nFL RX 10 Y+5\n",
+	 "p.nc:3:4: error: RX: points and relations of FK are not supported yet"},
+	{"F100\nFL PR+5 PA+0\n",
+	 "p.nc:3:13: error: polar coordinates of FK need FPOL before them"},
+	{"F100\nFL IX+5 Y+1\n",
+	 "p.nc:3:4: error: FK reads absolute coordinates of X and Y; increments and Z are not supported yet"},
+	{"F100\nFLT LEN5\n",
+	 "p.nc:3:9: error: a tangential element needs a path block before it that moves in the plane"},
+	{"F100\nFC R+5 DR+ X+10 Y+0\n",
+	 "p.nc:3:4: error: FK: the block does not say where the centre of its circle is, or leaves several "
+	 "solutions: that is not supported yet; write the end of the element"},
+	{"F100\nFC CCX+5 CCY+0 DR+\n",
+	 "p.nc:3:16: error: FK: the block does not say where its circle ends, or leaves several solutions: that is "
+	 "not supported yet; write the end of the element"},
+	{"F100\nFC CCX+5 CCY+0 X+10 Y+0\n",
+	 "p.nc:3:16: error: FC and FCT need their direction of rotation, DR+ or DR-"},
+	{"F100\nL X+10\nFCT DR- X+15 Y+5\n",
+	 "p.nc:4:5: error: FK: the data of this element contradict each other"},
+	{"F100\nFC CCX+5 CCY+0 R7 DR+ CCA90\n",
+	 "p.nc:3:16: error: FK: the data of this element contradict each other"},
+	{"FPOL X+1\n",
+	 "p.nc:2:6: error: FPOL needs absolute coordinates of X and Y, alone"},
+	{"FSELECT1\n",
+	 "p.nc:2:1: error: FSELECT chooses one of several solutions, which are not worked out here: write the end "
+	 "of the element before it"},
 };
 
 START_TEST(fault_table)

@@ -3,6 +3,18 @@
 
 /* CC, C, CR, CT, LP, CP, RND, CHF. */
 static const struct klartext_program circles[] = {
+	/* FK, where one block determines its element: by its end, an angle with a length or a coordinate, FPOL. */
+	{"F100\nFL X+10 Y+5\nFL AN+90 LEN5\nFL AN+0 X+30\nFL AN 45 Y+20\nFL AN+45 LEN2 X+41.414\n",
+	 "feed 10 5 0 0 0\nfeed 10 10 0 0 0\nfeed 30 10 0 0 0\nfeed 40 20 0 0 0\nfeed 41.414 21.414 0 0 0\n"},
+	{"F100\nFPOL X+20 Y+20\nFL PR+10 PA+90\nFC DR- CCPR+0 CCPA+0 PR+10 PA+0\nFC DR+ CCX+20 CCY+20 R10 CCA90\n",
+	 "feed 20 30 0 0 0\narc 30 20 0 0 0 centre 20 20 0 normal 0 0 1 sweep -90\n"
+	 "arc 20 30 0 0 0 centre 20 20 0 normal 0 0 1 sweep 90\n"},
+	/* Tangential, by the radius or by the end; CLSD says nothing of one element. */
+	{"L X+10 F100\nFCT DR+ R5 CCA90 CLSD+\nFLT Y+20\nFCT DR+ X+5 Y+30\nFCT DR- R10 CCA180 CLSD-\n",
+	 "feed 10 0 0 0 0\narc 15 5 0 0 0 centre 10 5 0 normal 0 0 1 sweep 90\nfeed 15 20 0 0 0\n"
+	 "arc 5 30 0 0 0 centre 5 20 0 normal 0 0 1 sweep 90\narc 5 50 0 0 0 centre 5 40 0 normal 0 0 1 sweep -180\n"},
+	{"Q1=18\nFC DR- RQ1 CCXQ1 CCY+0 X+18 Y+18 F100\nRND R2\nFLT X+50\n",
+	 "arc 18 18 0 0 0 centre 18 0 0 normal 0 0 1 sweep -90\nfeed 50 18 0 0 0\n"},
 	{"L X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
 	{"L X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR-\n",
@@ -100,6 +112,9 @@ static const struct klartext_program frames[] = {
 	 "rapid 8 1 0 0 0\nrapid 9 -2 0 0 0\n"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 0 10 0 0 0\narc -10 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
+	/* A preset takes the shift back. */
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+5 C+10\nL X+0 C+0 FMAX\nCYCL DEF 247 Q339=1\nL X+1 C+0 FMAX\n",
+	 "rapid 5 0 0 0 10\nrapid 1 0 0 0 0\n"},
 	{"CYCL DEF 26.0 AXIS-SPECIFIC SCALING\nCYCL DEF 26.1 X2 Y0.5\nL X+1 Y+2 Z+3 FMAX\n",
 	 "rapid 2 1 3 0 0\n"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2 CCX+10 CCY+0\nL X+11 Y+1 FMAX\n",
@@ -156,6 +171,11 @@ static const struct klartext_program planes[] = {
 	 "PLANE RESET TURN FMAX\n",
 	 "orient 0 1 0\nfeed 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"
 	 "tcp off length 0 zero A0 C0\nrapid 1 3 9 90 0\nrapid 1 3 9 0 0\n"},
+	/* The same plane by vectors: X (0 cos30 -sin30), N (0 sin30 cos30). */
+	{"PLANE PROJECTED PROPR+0 PROMIN-30 ROT+90 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",
+	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid -2 2.3660254 2.09807621 30 0 tcp\n"},
+	{"PLANE VECTOR BX+0 BY+0.866025404 BZ-0.5 NX+0 NY+0.5 NZ+0.866025404 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",
+	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid -2 2.3660254 2.09807621 30 0 tcp\n"},
 	{"PLANE EULER EULPR+0 EULNU-90 EULROT+0 TURN FMAX\nL Y+5 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 0 0 -5 90 0 tcp\n"},
 	{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+0 NY+1 NZ+0 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",

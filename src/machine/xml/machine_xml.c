@@ -105,6 +105,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	static const char *const increments[] = {"traverse", "stay", NULL};
 	static const char *const systems[] = {"G500", "G54", "G55", "G56", "G57", NULL};
 	static const char *const angles[] = {"spatial", "axes", NULL};
+	static const char *const scaled[] = {"plane", "all", NULL};
 	static const char *const poles[] = {"zero", "stays", NULL};
 	static const char *const definitions[] = {"ignored", NULL};
 	static const char *const retracts[] = {"always", "turning", NULL};
@@ -113,6 +114,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 
 	controller->rotation_order = (enum rotation_order)(xml_choice(xml, node, "rotation_order", orders, -1) + 1);
 	controller->cycle_19_angles = (enum cycle_19_angles)(xml_choice(xml, node, "cycle_19_angles", angles, -1) + 1);
+	controller->cycle_11_axes = (enum cycle_11_axes)(xml_choice(xml, node, "cycle_11_axes", scaled, -1) + 1);
 	controller->orientation_interpolation =
 	    (enum orientation_interpolation)(xml_choice(xml, node, "orientation_interpolation", ways, -1) + 1);
 	controller->edge_after_tool_change =

@@ -167,6 +167,12 @@ static bool find_plane(const struct klartext *klartext, struct klartext_path *pa
 	return along_x || along_y;
 }
 
+bool klartext_circle_fill(struct interp *interp, struct klartext_path *path, vec3 end, vec3 centre, int direction,
+			  int column)
+{
+	return fill_arc(interp, path, end, klartext_pole_flat(centre, SLOT_Z), SLOT_Z, direction, column);
+}
+
 static bool shape_about_pole(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			     struct klartext_path *path)
 {

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
 /* Each reads and carries out what stands behind its word. False: reported, or the sink wants no more. */
@@ -14,5 +15,9 @@ bool klartext_circle_tangential(struct lexer *lexer); /* CT */
 bool klartext_circle_polar(struct lexer *lexer); /* CP */
 bool klartext_circle_tangential_polar(struct lexer *lexer); /* CTP */
 bool klartext_circle_polar_line(struct lexer *lexer); /* LP */
+
+/* Makes the path a circle in XY from its start to the end. False: reported at the column. */
+bool klartext_circle_fill(struct interp *interp, struct klartext_path *path, vec3 end, vec3 centre, int direction,
+			  int column);
 
 #endif

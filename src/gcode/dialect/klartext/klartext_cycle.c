@@ -14,6 +14,7 @@
 #include "gcode/dialect/klartext/klartext_hole.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
 #include "gcode/dialect/klartext/klartext_pocket.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* More pecks are a typing mistake, and carrying them out would seem to hang. */
@@ -326,7 +327,7 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->waits)
 		return fault(&interp->at, column,
 			     "a cycle before the rotary axes stand where PLANE ... STAY needs them");
-	if (!klartext_frame_check_plane(interp, column))
+	if (!klartext_preset_check_plane(interp, column))
 		return false;
 	if (klartext->corner.waits)
 		return fault(&interp->at, column, "RND and CHF need a straight line behind them");

@@ -10,6 +10,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 
@@ -112,7 +113,7 @@ static const struct cycle_row rows[] = {
     {233, USE_CALLED, NULL, NULL},
     {240, USE_CALLED, NULL, NULL},
     {241, USE_CALLED, NULL, NULL},
-    {247, USE_DEFINED, klartext_frame_preset, NULL},
+    {247, USE_DEFINED, klartext_preset_select, NULL},
     {251, USE_CALLED, NULL, NULL},
     {252, USE_CALLED, NULL, NULL},
     {253, USE_CALLED, NULL, NULL},

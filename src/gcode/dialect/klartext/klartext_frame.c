@@ -9,7 +9,6 @@
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/execute/tool_length.h"
-#include "gcode/execute/work_offset_use.h"
 #include "geom/tolerance.h"
 
 /* TNC 640 user's manual: rows of a datum table. */
@@ -350,12 +349,20 @@ static bool check_factor(struct interp *interp, const struct klartext_cycle_word
 	       word_fault(interp, word, "a scaling factor must be more than 0 and less than 100");
 }
 
-/*
- * "SCALING FACTOR (Cycle 11)": of all three axes, from the datum; in the plane alone on some controls, by a
- * parameter.
- */
+/* Whether cycles 11 and 26 multiply, and which of them a factor of 1 cancels, is not in the manuals. */
+static bool check_one_scaling(struct interp *interp, const struct klartext_cycle *cycle, int number)
+{
+	const int before = klartext_of(interp)->frame.scaled_by;
+	const struct line_place at = place_of(interp, cycle->line);
+
+	return !klartext_frame_is_scaled(interp) || before == number ||
+	       fault(&at, cycle->column, "CYCL DEF %d while CYCL DEF %d scales: cancel that first", number, before);
+}
+
+/* "SCALING FACTOR (Cycle 11)": from the datum, of all three axes or in the plane alone, by a machine parameter. */
 bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle)
 {
+	const enum cycle_11_axes axes = interp->config->controller.cycle_11_axes;
 	struct klartext_frame frame = klartext_of(interp)->frame;
 
 	for (int i = 0; i < cycle->count; i++) {
@@ -365,15 +372,16 @@ bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cy
 			return word_fault(interp, word, "SCALING needs SCL and a factor here");
 		if (!check_factor(interp, word))
 			return false;
-		if (!is_one(word->value))
+		if (!is_one(word->value) && axes == CYCLE_11_AXES_UNKNOWN)
 			return word_fault(interp, word,
-					  "a machine parameter says whether SCALING changes Z, too; give the factors "
-					  "of X, Y and Z by "
-					  "CYCL DEF 26");
-		frame.factor = (vec3){word->value, word->value, word->value};
+					  "a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" "
+					  "or \"all\" of the machine's <controller> says it, or give the factors of X, Y and "
+					  "Z by CYCL DEF 26");
+		frame.factor = (vec3){word->value, word->value, axes == CYCLE_11_AXES_PLANE ? 1 : word->value};
 		frame.centre = (vec3){0, 0, 0};
+		frame.scaled_by = 11;
 	}
-	return put(interp, cycle, &frame);
+	return check_one_scaling(interp, cycle, 11) && put(interp, cycle, &frame);
 }
 
 /* "AXIS-SPECIFIC SCALING (Cycle 26)": a factor for each axis, from a centre CCX, CCY, CCZ. */
@@ -381,6 +389,7 @@ bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycl
 {
 	struct klartext_frame frame = klartext_of(interp)->frame;
 	double factor[3] = {1, 1, 1}, centre[3] = {0, 0, 0};
+	bool named[3] = {false, false, false};
 
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
@@ -396,93 +405,15 @@ bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycl
 			centre[slot] = word->value * interp->state.scale;
 		else
 			factor[slot] = word->value;
+		named[slot] |= !is_centre;
 	}
+	if ((!named[0] && !is_one(frame.factor.x)) || (!named[1] && !is_one(frame.factor.y)) ||
+	    (!named[2] && !is_one(frame.factor.z)))
+		return word_fault(interp, &cycle->words[0],
+				  "an axis is scaled that this CYCL DEF 26 does not name: whether it stays so is not "
+				  "known here; name it, too");
 	frame.factor = (vec3){factor[0], factor[1], factor[2]};
 	frame.centre = (vec3){centre[0], centre[1], centre[2]};
-	return put(interp, cycle, &frame);
-}
-
-/* ----------------------------------------------------------------- presets */
-
-/* Is a rotary or a parallel axis shifted? */
-static bool shifts_others(const struct interp *interp)
-{
-	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
-		if (!same_double(interp->state.shift.v[slot], 0))
-			return true;
-	}
-	return false;
-}
-
-/* "DATUM SETTING (Cycle 247)": row Q339 of the preset table, which a setup gives as G54.1 P<row>. */
-bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *cycle)
-{
-	struct klartext *klartext = klartext_of(interp);
-	struct state *state = &interp->state;
-	const struct klartext_cycle_word *word = cycle->count ? &cycle->words[0] : NULL;
-	const struct line_place at = place_of(interp, cycle->line);
-
-	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
-		return fault(&at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
-	if (!(word->value >= 1 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
-		return word_fault(interp, word, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup",
-				  EXTENDED_COUNT, EXTENDED_COUNT);
-	if (klartext_frame_is_inner(&klartext->frame) || !is_zero(klartext->frame.shift) || shifts_others(interp))
-		return word_fault(
-		    interp, word,
-		    "a preset while a datum shift, a mirror image, a rotation or a scaling is in force: which of them "
-		    "it cancels is not known here; cancel them first");
-	if (state->tcp == TCP_BY_MCODE)
-		return word_fault(interp, word, "a preset while M128 is in force is not supported; M129 first");
-	state->system = SYSTEM_COUNT - 1 + (int)word->value;
-	klartext->preset_settled = true;
-	klartext->preset_in_plane = klartext->frame.tilted;
-	return work_offset_use_require(interp, state->system, word->column) &&
-	       tool_length_offsets_changed(interp, word->column);
-}
-
-bool klartext_frame_check_plane(struct interp *interp, int column)
-{
-	return !klartext_of(interp)->preset_in_plane || fault(&interp->at, column,
-							      "CYCL DEF 247 has selected a preset in a tilted plane: "
-							      "whether the plane stays tilted is not known here; write "
-							      "PLANE RESET first");
-}
-
-static bool same_values(const slot_values *a, const slot_values *b)
-{
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(a->v[slot], b->v[slot]))
-			return false;
-	}
-	return true;
-}
-
-bool klartext_frame_check_preset(struct interp *interp, int column)
-{
-	struct klartext *klartext = klartext_of(interp);
-	struct state *state = &interp->state;
-	int known = 0, only = 0, others = 0;
-
-	if (klartext->preset_settled)
-		return true;
-	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
-		if (!state->work_known[system])
-			continue;
-		others += known > 0 && !same_values(&state->work[system], &state->work[only]);
-		known++;
-		only = system;
-	}
-	/* Presets that are alike leave nothing open. */
-	if (others > 0)
-		return fault(
-		    &interp->at, column,
-		    "the setup has %d presets, and the program does not say which one is in force: select it by "
-		    "CYCL DEF 247",
-		    known);
-	klartext->preset_settled = true;
-	state->system = known ? only : 0;
-	if (!known)
-		work_offset_use_note(interp, 0, column);
-	return tool_length_offsets_changed(interp, column);
+	frame.scaled_by = 26;
+	return check_one_scaling(interp, cycle, 26) && put(interp, cycle, &frame);
 }

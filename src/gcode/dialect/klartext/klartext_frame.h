@@ -33,26 +33,16 @@ vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
 bool klartext_frame_is_scaled(const struct interp *interp);
 
 /*
- * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling), 247 (preset): takes effect where
- * its definition ends. False: reported.
+ * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling): takes effect where its definition
+ * ends. False: reported.
  */
 bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle);
 bool klartext_frame_mirror(struct interp *interp, const struct klartext_cycle *cycle);
 bool klartext_frame_rotate(struct interp *interp, const struct klartext_cycle *cycle);
 bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle);
 bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycle *cycle);
-bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *cycle);
 
 /* Is anything of the inner coordinates in force: mirror, rotation, scaling, a shift behind the tilting? */
 bool klartext_frame_is_inner(const struct klartext_frame *frame);
-
-/*
- * Which preset is in force at the start is known only if the setup has no other. Asked at each axis word. False:
- * reported.
- */
-bool klartext_frame_check_preset(struct interp *interp, int column);
-
-/* Has a preset in a tilted plane left open whether it is still tilted? False: it has, which was reported. */
-bool klartext_frame_check_plane(struct interp *interp, int column);
 
 #endif

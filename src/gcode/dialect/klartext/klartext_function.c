@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_move.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_system.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/tool_length.h"
@@ -76,7 +77,7 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 		return true;
 	if (!on)
 		return klartext_move_end_tcp(interp, column);
-	return klartext_frame_check_preset(interp, column) && tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
+	return klartext_preset_check(interp, column) && tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
 }
 
 /* Behind F: TCP or CONT; MAX or a value limits the feed of compensating moves alone. */

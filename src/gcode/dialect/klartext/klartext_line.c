@@ -13,6 +13,7 @@
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_free.h"
 #include "gcode/dialect/klartext/klartext_function.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
@@ -160,20 +161,10 @@ static bool choose(struct lexer *lexer)
 	return klartext_take(lexer, "PATTERN") ? klartext_point_table_select(lexer) : klartext_flow_select(lexer);
 }
 
-static bool refuse(struct lexer *lexer, const char *what)
-{
-	return fault(lexer->at, 1, "%s is not supported yet", what);
-}
-
 static bool probe(struct lexer *lexer)
 {
 	return klartext_take(lexer, "PROBE") ? klartext_define_probe(lexer)
 					     : fault(lexer->at, klartext_column(lexer), "TCH needs PROBE");
-}
-
-static bool free_contour(struct lexer *lexer)
-{
-	return refuse(lexer, "FK free contour programming");
 }
 
 /* Sorted by what is frequent. `bare`: there is nothing to be told of such a block. */
@@ -220,11 +211,12 @@ static const struct statement {
     {"SEL", choose, true, false},
     {"TRANS", klartext_transform_run, false, false},
     {"PRESET", klartext_transform_preset, false, false},
-    {"FL", free_contour, false, false},
-    {"FLT", free_contour, false, false},
-    {"FC", free_contour, false, false},
-    {"FCT", free_contour, false, false},
-    {"FPOL", free_contour, false, false},
+    {"FL", klartext_free_line, false, true},
+    {"FLT", klartext_free_line_tangential, false, true},
+    {"FC", klartext_free_circle, false, true},
+    {"FCT", klartext_free_circle_tangential, false, true},
+    {"FPOL", klartext_free_pole, true, true},
+    {"FSELECT", klartext_free_select, true, true},
 };
 
 static const struct statement *find_statement(const char *word)
@@ -348,7 +340,8 @@ static bool check_begun(struct lexer *lexer)
 /* Between a corner and the straight line behind it there is nothing: its moves wait, and would be lost. */
 static bool may_follow_corner(const struct lexer *before)
 {
-	static const char *const words[] = {"RND", "CHF", "CC", "L", "LP", "C", "CR", "CT", "CP", "CTP"};
+	static const char *const words[] = {"RND", "CHF", "CC", "L", "LP", "C", "CR", "CT", "CP", "CTP",
+					    "FL",  "FLT", "FC", "FCT"};
 	struct lexer lexer = *before;
 	char word[KLARTEXT_WORD];
 

@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_move.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -159,7 +160,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 	if (klartext->waits)
 		return fault(&interp->at, m->column,
 			     "M128 before the rotary axes stand where PLANE ... STAY needs them");
-	return klartext_frame_check_preset(interp, m->column) &&
+	return klartext_preset_check(interp, m->column) &&
 	       tool_length_switch_tcp(interp, m->column, TCP_BY_MCODE);
 }
 

@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -75,8 +76,8 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 	double point[3];
 
 	/* Before coordinates are asked for: the preset gives them. */
-	if (words->axes && (!klartext_frame_check_preset(interp, words->first_column) ||
-			    !klartext_frame_check_plane(interp, words->first_column)))
+	if (words->axes && (!klartext_preset_check(interp, words->first_column) ||
+			    !klartext_preset_check_plane(interp, words->first_column)))
 		return false;
 	target->others = interp->state.position;
 	target->turns = words->axes & (1U << SLOT_A | 1U << SLOT_B | 1U << SLOT_C);

@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_swivel.h"
 #include "gcode/dialect/klartext/klartext_tilt.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -113,7 +114,7 @@ bool klartext_plane_run(struct lexer *lexer)
 	struct klartext_tilt tilt;
 
 	if (!klartext_tilt_read(lexer, &klartext->frame.tilt, &tilt) || !read_options(lexer, &request) ||
-	    !check(interp, request.column) || !klartext_frame_check_preset(interp, request.column))
+	    !check(interp, request.column) || !klartext_preset_check(interp, request.column))
 		return false;
 	if (tilt.reset)
 		return klartext_swivel_reset(interp, &request);
@@ -196,7 +197,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "
 			     "or \"axes\" of "
 			     "the machine's <controller> says it, or write PLANE SPATIAL");
-	if (!klartext_frame_check_preset(interp, cycle->column))
+	if (!klartext_preset_check(interp, cycle->column))
 		return false;
 	if (angles == CYCLE_19_ANGLES_AXES)
 		return tilt_by_axes(interp, &request, &tilt);

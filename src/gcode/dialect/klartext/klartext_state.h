@@ -96,6 +96,7 @@ struct klartext_frame {
 	double rotation; /* degrees about Z */
 	vec3 factor; /* of CYCL DEF 11 and 26 */
 	vec3 centre; /* of CYCL DEF 26, mm */
+	int scaled_by; /* the number of the cycle that has set the factors, the last one */
 	/* Derived: */
 	bool any;
 	mat3 turn; /* orthogonal; its determinant is -1 while mirrored */
@@ -168,6 +169,30 @@ struct klartext_corner {
 	struct strbuf path_text, text; /* of both lines */
 };
 
+/* Words of FK: gradient angle, length, end, centre and angle of a circle, closed contour. */
+enum klartext_free_word {
+	KLARTEXT_FREE_AN,
+	KLARTEXT_FREE_IAN,
+	KLARTEXT_FREE_LEN,
+	KLARTEXT_FREE_PR,
+	KLARTEXT_FREE_PA,
+	KLARTEXT_FREE_CCX,
+	KLARTEXT_FREE_CCY,
+	KLARTEXT_FREE_CCPR,
+	KLARTEXT_FREE_CCPA,
+	KLARTEXT_FREE_CCA,
+	KLARTEXT_FREE_CLOSED,
+	KLARTEXT_FREE_COUNT
+};
+
+/* Of the FK block in hand, mm and degrees; the pole is that of FPOL. */
+struct klartext_free {
+	bool has[KLARTEXT_FREE_COUNT];
+	double value[KLARTEXT_FREE_COUNT];
+	bool has_pole;
+	double pole[2];
+};
+
 struct klartext {
 	bool begun; /* BEGIN PGM has been met */
 	bool numbered; /* the line in hand has a block number */
@@ -206,6 +231,7 @@ struct klartext {
 	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
 	bool spatial_pole; /* CC has named X, Y and Z: the plane is that of the tool axis, if its circle fits */
 	struct klartext_path last; /* the move before, for CT and corners */
+	struct klartext_free free;
 	struct klartext_corner corner;
 	struct klartext_approach approach;
 	bool left_open; /* a milling cycle has left the tool anywhere in the box `open`; cutter_comp.loose covers it */

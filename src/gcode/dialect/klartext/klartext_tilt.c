@@ -57,6 +57,31 @@ static bool read_euler(struct lexer *lexer, mat3 *tilt)
 	return true;
 }
 
+/*
+ * TNC7 user's manual, "PLANE PROJECTED": the plane cuts ZX at the angle PROPR to X, and YZ at the angle PROMIN to Y, up
+ * for a positive one (the same plane as SPA+45: "PROPR+0 PROMIN+45 ROT+0"); ROT turns its X about its Z. To which side
+ * PROPR counts stands in a figure alone.
+ */
+static bool read_projected(struct lexer *lexer, mat3 *tilt)
+{
+	const int column = klartext_column(lexer);
+	double principal, minor, rotation;
+	mat3 turn;
+
+	if (!need(lexer, "PROPR", &principal) || !need(lexer, "PROMIN", &minor) || !need(lexer, "ROT", &rotation))
+		return false;
+	if (fabs(principal) > 0)
+		return fault(lexer->at, column,
+			     "PLANE PROJECTED with PROPR other than 0: to which side it counts is not known here; write "
+			     "the plane as PLANE SPATIAL or PLANE VECTOR");
+	if (!(fabs(minor) < 90))
+		return fault(lexer->at, column, "PROMIN is between -90 and 90 degrees");
+	*tilt = turned(unit_x, minor);
+	turn = turned(unit_z, rotation);
+	*tilt = mat3_mul(tilt, &turn);
+	return true;
+}
+
 /* X along `base` as far as it lies in the plane, Z along the normal. False: they are parallel, which was reported. */
 static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column, mat3 *tilt)
 {
@@ -178,9 +203,7 @@ bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext
 	if (!strcmp(kind, "AXIAL"))
 		return read_axial(lexer, tilt);
 	if (!strcmp(kind, "PROJECTED"))
-		return fault(
-		    lexer->at, column,
-		    "PLANE PROJECTED: in which direction its angles count is not known here; write the plane as "
-		    "PLANE SPATIAL");
-	return fault(lexer->at, column, "PLANE needs SPATIAL, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
+		return read_projected(lexer, &tilt->turn);
+	return fault(lexer->at, column,
+		     "PLANE needs SPATIAL, PROJECTED, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
 }

@@ -6,6 +6,7 @@
 #include "gcode/dialect/klartext/klartext_define.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* What becomes of the shift of an axis that is not named is not known. */
@@ -84,6 +85,16 @@ static bool rotate(struct lexer *lexer, struct klartext_cycle *cycle)
 	return klartext_define_read_axes(lexer, cycle) && klartext_frame_rotate(lexer->context, cycle);
 }
 
+/* "TRANS SCALE": SCL with a factor, as CYCL DEF 11. */
+static bool scale(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	if (klartext_take(lexer, "RESET")) {
+		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "SCL", .value = 1, .given = true};
+		return klartext_expect_end(lexer) && klartext_frame_scale(lexer->context, cycle);
+	}
+	return klartext_define_read_axes(lexer, cycle) && klartext_frame_scale(lexer->context, cycle);
+}
+
 bool klartext_transform_run(struct lexer *lexer)
 {
 	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = klartext_column(lexer)};
@@ -94,18 +105,21 @@ bool klartext_transform_run(struct lexer *lexer)
 		return mirror(lexer, &cycle);
 	if (klartext_take(lexer, "ROTATION"))
 		return rotate(lexer, &cycle);
-	if (klartext_take(lexer, "SCALE") && klartext_take(lexer, "RESET")) {
-		cycle.words[cycle.count++] = (struct klartext_cycle_word){.name = "SCL", .value = 1, .given = true};
-		return klartext_expect_end(lexer) && klartext_frame_scale(lexer->context, &cycle);
-	}
-	return fault(lexer->at, cycle.column,
-		     "TRANS other than DATUM, MIRROR, ROTATION and SCALE RESET is not supported yet");
+	if (klartext_take(lexer, "SCALE"))
+		return scale(lexer, &cycle);
+	return fault(lexer->at, cycle.column, "TRANS needs DATUM, MIRROR, ROTATION or SCALE");
 }
 
-/*
- * "PRESET SELECT": the number of a preset, as CYCL DEF 247. With KEEP TRANS transformations stay, without they end:
- * while there are some, both are refused.
- */
+static bool is_shifted(const struct interp *interp)
+{
+	bool shifted = vec3_norm(klartext_of(interp)->frame.shift) > 0;
+
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
+		shifted = shifted || fabs(interp->state.shift.v[slot]) > 0;
+	return shifted;
+}
+
+/* "PRESET SELECT": the number of a preset, as CYCL DEF 247. With KEEP TRANS transformations stay. */
 bool klartext_transform_preset(struct lexer *lexer)
 {
 	struct klartext_cycle cycle = {.number = 247, .line = lexer->at->line, .column = klartext_column(lexer)};
@@ -123,10 +137,16 @@ bool klartext_transform_preset(struct lexer *lexer)
 	cycle.count = 1;
 	if (!klartext_value(lexer, &word->value))
 		return false;
-	if (klartext_take(lexer, "KEEP") && !klartext_take(lexer, "TRANS"))
-		return fault(lexer->at, klartext_column(lexer), "KEEP needs TRANS");
+	if (klartext_take(lexer, "KEEP")) {
+		if (!klartext_take(lexer, "TRANS"))
+			return fault(lexer->at, klartext_column(lexer), "KEEP needs TRANS");
+		if (is_shifted(lexer->context))
+			return fault(lexer->at, cycle.column,
+				     "KEEP TRANS while a datum shift is in force is not supported: write TRANS DATUM "
+				     "RESET first, and the shift again behind the preset");
+	}
 	klartext_take(lexer, "WP");
-	return klartext_expect_end(lexer) && klartext_frame_preset(lexer->context, &cycle);
+	return klartext_expect_end(lexer) && klartext_preset_select(lexer->context, &cycle);
 }
 
 /* "SEL TABLE": a datum table. The setup has the rows of one. */

@@ -1,0 +1,392 @@
+#include "gcode/dialect/klartext/klartext_free.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/math/math_functions.h"
+#include "base/same_double.h"
+#include "base/strbuf.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_circle.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_path.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/dialect/klartext/klartext_words.h"
+#include "geom/tolerance.h"
+
+/* mm: how far what a block says twice may differ, as a drawing rounds it. */
+#define AGREEMENT 0.016
+
+/* ------------------------------------------------------------------- words */
+
+/* What other elements are named for, which this reader does not solve. */
+static const char *const relations[] = {"RX",  "RY",  "RAN", "RPR", "RPA", "RCCX", "RCCY", "RCCPR", "RCCPA", "PAR", "DP",
+					"PDX", "PDY", "PX",  "PY",  "P1X", "P1Y",  "P2X",  "P2Y",   "P3X",   "P3Y", NULL};
+
+/* Takes one word of FK; *taken: there was one. False: reported. */
+static bool take_word(struct lexer *lexer, struct klartext_free *free, bool *taken)
+{
+	static const char *const names[KLARTEXT_FREE_COUNT] = {"AN",   "IAN", "LEN", "PR", "PA", "CCX", "CCY",
+							       "CCPR", "CCPA", "CCA", "CLSD"};
+	static const bool lengths[KLARTEXT_FREE_COUNT] = {
+	    [KLARTEXT_FREE_LEN] = true, [KLARTEXT_FREE_PR] = true,  [KLARTEXT_FREE_CCX] = true,
+	    [KLARTEXT_FREE_CCY] = true, [KLARTEXT_FREE_CCPR] = true};
+	const struct interp *interp = lexer->context;
+	const int column = klartext_column(lexer);
+
+	for (int i = 0; relations[i]; i++) {
+		if (klartext_take(lexer, relations[i]))
+			return fault(lexer->at, column, "%s: points and relations of FK are not supported yet",
+				     relations[i]);
+	}
+	for (int i = 0; i < KLARTEXT_FREE_COUNT; i++) {
+		if (!klartext_take(lexer, names[i]))
+			continue;
+		*taken = free->has[i] = true;
+		if (i == KLARTEXT_FREE_CLOSED) {
+			if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
+				lexer_take(lexer);
+			return true;
+		}
+		if (!klartext_value(lexer, &free->value[i]))
+			return false;
+		free->value[i] *= lengths[i] ? interp->state.scale : 1;
+		return true;
+	}
+	return true;
+}
+
+/* Moves the words of FK out of the line: blanks take their place in `rest`. False: reported. */
+static bool split_line(struct lexer *lexer, struct klartext_free *free, struct strbuf *rest)
+{
+	const char *text = lexer->at->text;
+	struct lexer ahead = *lexer;
+	size_t copied = 0;
+
+	*free = (struct klartext_free){.has_pole = free->has_pole, .pole = {free->pole[0], free->pole[1]}};
+	while (!klartext_ends(&ahead)) {
+		char word[KLARTEXT_WORD];
+		bool taken = false;
+		size_t start;
+
+		lexer_peek(&ahead);
+		start = ahead.position;
+		if (!take_word(&ahead, free, &taken))
+			return false;
+		if (taken) {
+			strbuf_addf(rest, "%.*s%*s", (int)(start - copied), text + copied, (int)(ahead.position - start),
+				    "");
+			copied = ahead.position;
+		} else if (klartext_word(&ahead, word) == 0) {
+			lexer_take(&ahead);
+		}
+	}
+	strbuf_addf(rest, "%s", text + copied);
+	return true;
+}
+
+static bool run(struct lexer *lexer, klartext_path_shape shape)
+{
+	struct strbuf rest = {0};
+	struct line_place at = *lexer->at;
+	struct lexer others = *lexer;
+	bool good = split_line(lexer, &klartext_of(lexer->context)->free, &rest);
+
+	at.text = strbuf_text(&rest);
+	others.at = &at;
+	good = good && klartext_path_run(&others, shape);
+	strbuf_release(&rest);
+	return good;
+}
+
+/* --------------------------------------------------------------- solutions */
+
+/* What one block says. */
+struct element {
+	struct interp *interp;
+	const struct klartext_words *words;
+	const struct klartext_free *free;
+	const struct klartext_path *path; /* its start */
+	bool has_x, has_y, has_direction;
+	double x, y; /* mm: the end, as far as it is given */
+	vec3 direction; /* at the start, unit */
+};
+
+static bool open(const struct element *element, const char *what)
+{
+	return fault(&element->interp->at, element->words->first_column,
+		     "FK: %s, or leaves several solutions: that is not supported yet; write the end of the element",
+		     what);
+}
+
+static bool contradict(const struct element *element)
+{
+	return fault(&element->interp->at, element->words->first_column,
+		     "FK: the data of this element contradict each other");
+}
+
+/* The end, if X and Y or PR and PA give it. */
+static bool has_end(const struct element *element, vec3 *end)
+{
+	const struct klartext_free *free = element->free;
+	const double *v = free->value;
+
+	if (element->has_x && element->has_y) {
+		end->x = element->x;
+		end->y = element->y;
+		return true;
+	}
+	if (!free->has_pole || !free->has[KLARTEXT_FREE_PR] || !free->has[KLARTEXT_FREE_PA])
+		return false;
+	end->x = free->pole[0] + v[KLARTEXT_FREE_PR] * math_cos_degrees(v[KLARTEXT_FREE_PA]);
+	end->y = free->pole[1] + v[KLARTEXT_FREE_PR] * math_sin_degrees(v[KLARTEXT_FREE_PA]);
+	return true;
+}
+
+/* Does all that the block says of the end hold for this one? */
+static bool agrees(const struct element *element, vec3 end)
+{
+	vec3 polar;
+
+	if ((element->has_x && fabs(end.x - element->x) > AGREEMENT) ||
+	    (element->has_y && fabs(end.y - element->y) > AGREEMENT))
+		return false;
+	polar = end;
+	return !element->free->has[KLARTEXT_FREE_PR] || (has_end(element, &polar) && vec3_norm(vec3_sub(polar, end)) <= AGREEMENT);
+}
+
+static bool begin(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
+		  const struct klartext_path *path, bool tangential, struct element *element)
+{
+	const struct klartext_free *free = &klartext_of(interp)->free;
+	vec3 before = {0, 0, 0};
+	const bool known = klartext_move_end_direction(&klartext_of(interp)->last, &before) &&
+			   fabs(before.z) <= SAME_POINT;
+
+	*element = (struct element){.interp = interp,
+				    .words = words,
+				    .free = free,
+				    .path = path,
+				    .has_x = klartext_words_has(words, SLOT_X),
+				    .has_y = klartext_words_has(words, SLOT_Y),
+				    .x = target->point.x,
+				    .y = target->point.y};
+	if (words->increments || words->has_radius || words->has_angle || klartext_words_has(words, SLOT_Z))
+		return fault(&interp->at, words->first_column,
+			     "FK reads absolute coordinates of X and Y; increments and Z are not supported yet");
+	if (free->has[KLARTEXT_FREE_PR] != free->has[KLARTEXT_FREE_PA] ||
+	    free->has[KLARTEXT_FREE_CCPR] != free->has[KLARTEXT_FREE_CCPA])
+		return open(element, "one polar coordinate alone does not determine the element");
+	if (free->has[KLARTEXT_FREE_PR] && (element->has_x || element->has_y))
+		return open(element, "an end in X or Y and in polar coordinates is not read");
+	if ((free->has[KLARTEXT_FREE_PR] || free->has[KLARTEXT_FREE_CCPR]) && !free->has_pole)
+		return fault(&interp->at, words->first_column, "polar coordinates of FK need FPOL before them");
+	if ((tangential || free->has[KLARTEXT_FREE_IAN]) && !known)
+		return fault(&interp->at, words->first_column,
+			     "a tangential element needs a path block before it that moves in the plane");
+	if (free->has[KLARTEXT_FREE_AN])
+		element->direction = (vec3){math_cos_degrees(free->value[KLARTEXT_FREE_AN]),
+					    math_sin_degrees(free->value[KLARTEXT_FREE_AN]), 0};
+	else if (tangential)
+		element->direction = before;
+	element->has_direction = free->has[KLARTEXT_FREE_AN] || tangential;
+	if (tangential && vec3_norm(vec3_sub(element->direction, before)) > 1e-3)
+		return contradict(element);
+	if (free->has[KLARTEXT_FREE_IAN])
+		return open(element, "an angle that counts from the element before (IAN) is not read");
+	return true;
+}
+
+/* The way along the direction to the end that one coordinate gives; not positive: none. */
+static double way_along(const struct element *element)
+{
+	const vec3 start = element->path->start, direction = element->direction;
+
+	if (element->has_x && fabs(direction.x) > DIRECTION_TOLERANCE)
+		return (element->x - start.x) / direction.x;
+	if (element->has_y && fabs(direction.y) > DIRECTION_TOLERANCE)
+		return (element->y - start.y) / direction.y;
+	return element->free->has[KLARTEXT_FREE_LEN] ? element->free->value[KLARTEXT_FREE_LEN] : 0;
+}
+
+static bool solve_line(const struct element *element, struct klartext_target *target)
+{
+	const vec3 start = element->path->start;
+	vec3 end = start, way;
+
+	if (!has_end(element, &end)) {
+		if (!element->has_direction)
+			return open(element, "the block does not say where its line ends");
+		if (!element->has_x && !element->has_y && !element->free->has[KLARTEXT_FREE_LEN])
+			return open(element, "the block does not say where its line ends");
+		if (!(way_along(element) > 0))
+			return contradict(element);
+		end = vec3_mad(start, way_along(element), element->direction);
+	}
+	way = vec3_sub(end, start);
+	if (!agrees(element, end) || !(vec3_norm(way) > SAME_POINT) ||
+	    (element->free->has[KLARTEXT_FREE_LEN] &&
+	     fabs(vec3_norm(way) - element->free->value[KLARTEXT_FREE_LEN]) > AGREEMENT) ||
+	    (element->has_direction &&
+	     vec3_norm(vec3_mad(way, -vec3_norm(way), element->direction)) > AGREEMENT))
+		return contradict(element);
+	target->point.x = end.x;
+	target->point.y = end.y;
+	return true;
+}
+
+/* The centre, from its coordinates, or from the radius and the direction at the start. False: reported. */
+static bool find_centre(const struct element *element, vec3 *centre)
+{
+	const struct klartext_free *free = element->free;
+	const double *v = free->value;
+	const vec3 z = {0, 0, 1};
+	vec3 end = element->path->start;
+
+	*centre = end;
+	if (free->has[KLARTEXT_FREE_CCX] && free->has[KLARTEXT_FREE_CCY]) {
+		centre->x = v[KLARTEXT_FREE_CCX];
+		centre->y = v[KLARTEXT_FREE_CCY];
+	} else if (free->has[KLARTEXT_FREE_CCPR]) {
+		centre->x = free->pole[0] + v[KLARTEXT_FREE_CCPR] * math_cos_degrees(v[KLARTEXT_FREE_CCPA]);
+		centre->y = free->pole[1] + v[KLARTEXT_FREE_CCPR] * math_sin_degrees(v[KLARTEXT_FREE_CCPA]);
+	} else if (element->has_direction && element->words->has_size && element->words->size > 0) {
+		*centre = vec3_mad(*centre, element->words->direction * element->words->size,
+				   vec3_cross(z, element->direction));
+	} else if (!element->has_direction || !has_end(element, &end)) {
+		return open(element, "the block does not say where the centre of its circle is");
+	} else {
+		/* As far from the start, across its direction, as from the end. */
+		const vec3 across = vec3_cross(z, element->direction), way = vec3_sub(end, element->path->start);
+
+		if (!(fabs(vec3_dot(across, way)) > SAME_POINT))
+			return contradict(element);
+		*centre = vec3_mad(*centre, vec3_norm2(way) / (2 * vec3_dot(across, way)), across);
+	}
+	return true;
+}
+
+/* Does all that the block says of the circle hold for this centre? */
+static bool circle_agrees(const struct element *element, vec3 centre)
+{
+	const struct klartext_free *free = element->free;
+	const vec3 z = {0, 0, 1}, radius = vec3_sub(element->path->start, centre);
+	const vec3 start = vec3_scale(element->words->direction, vec3_cross(z, vec3_unit(radius)));
+
+	return (!element->words->has_size || fabs(vec3_norm(radius) - element->words->size) <= AGREEMENT) &&
+	       (!free->has[KLARTEXT_FREE_CCX] || fabs(free->value[KLARTEXT_FREE_CCX] - centre.x) <= AGREEMENT) &&
+	       (!free->has[KLARTEXT_FREE_CCY] || fabs(free->value[KLARTEXT_FREE_CCY] - centre.y) <= AGREEMENT) &&
+	       (!element->has_direction ||
+		vec3_norm(vec3_sub(start, element->direction)) * vec3_norm(radius) <= AGREEMENT);
+}
+
+static bool solve_circle(const struct element *element, struct klartext_target *target, struct klartext_path *path)
+{
+	const double turn = element->free->value[KLARTEXT_FREE_CCA];
+	vec3 centre, end = path->start, radius;
+
+	if (!element->words->direction)
+		return fault(&element->interp->at, element->words->first_column,
+			     "FC and FCT need their direction of rotation, DR+ or DR-");
+	if (element->free->has[KLARTEXT_FREE_LEN])
+		return open(element, "the length of a chord (LEN) does not determine a circle");
+	if (!find_centre(element, &centre))
+		return false;
+	radius = vec3_sub(path->start, centre);
+	if (!(vec3_norm(radius) > SAME_POINT) || !circle_agrees(element, centre))
+		return contradict(element);
+	if (!has_end(element, &end)) {
+		if (!element->free->has[KLARTEXT_FREE_CCA])
+			return open(element, "the block does not say where its circle ends");
+		if (!(turn > 0 && turn < 360))
+			return contradict(element);
+		const mat3 rotation = mat3_turn((vec3){0, 0, 1}, radians(element->words->direction * turn));
+
+		end = vec3_add(centre, mat3_apply(&rotation, radius));
+	} else if (element->free->has[KLARTEXT_FREE_CCA]) {
+		return open(element, "a circle with CCA beside its end is not read");
+	}
+	if (!agrees(element, end))
+		return contradict(element);
+	target->point.x = end.x;
+	target->point.y = end.y;
+	return klartext_circle_fill(element->interp, path, target->point, centre, element->words->direction,
+				    element->words->first_column);
+}
+
+/* ------------------------------------------------------------------ blocks */
+
+static bool shape_line(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+		       struct klartext_path *path)
+{
+	struct element element;
+
+	return begin(interp, words, target, path, false, &element) && solve_line(&element, target);
+}
+
+static bool shape_line_tangential(struct interp *interp, const struct klartext_words *words,
+				  struct klartext_target *target, struct klartext_path *path)
+{
+	struct element element;
+
+	return begin(interp, words, target, path, true, &element) && solve_line(&element, target);
+}
+
+static bool shape_circle(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			 struct klartext_path *path)
+{
+	struct element element;
+
+	return begin(interp, words, target, path, false, &element) && solve_circle(&element, target, path);
+}
+
+static bool shape_circle_tangential(struct interp *interp, const struct klartext_words *words,
+				    struct klartext_target *target, struct klartext_path *path)
+{
+	struct element element;
+
+	return begin(interp, words, target, path, true, &element) && solve_circle(&element, target, path);
+}
+
+bool klartext_free_line(struct lexer *lexer)
+{
+	return run(lexer, shape_line);
+}
+
+bool klartext_free_line_tangential(struct lexer *lexer)
+{
+	return run(lexer, shape_line_tangential);
+}
+
+bool klartext_free_circle(struct lexer *lexer)
+{
+	return run(lexer, shape_circle);
+}
+
+bool klartext_free_circle_tangential(struct lexer *lexer)
+{
+	return run(lexer, shape_circle_tangential);
+}
+
+bool klartext_free_pole(struct lexer *lexer)
+{
+	struct klartext_free *free = &klartext_of(lexer->context)->free;
+	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y;
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (words.axes != plane || words.increments || words.m_count || words.feed || words.comp)
+		return fault(lexer->at, words.first_column, "FPOL needs absolute coordinates of X and Y, alone");
+	free->has_pole = true;
+	free->pole[0] = words.value[SLOT_X];
+	free->pole[1] = words.value[SLOT_Y];
+	return true;
+}
+
+bool klartext_free_select(struct lexer *lexer)
+{
+	return fault(lexer->at, 1,
+		     "FSELECT chooses one of several solutions, which are not worked out here: write the end of the "
+		     "element before it");
+}
