@@ -1,6 +1,7 @@
 #include "gcode/execute/tool_change.h"
 
 #include <limits.h>
+#include <math.h>
 
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/reference_return.h"
@@ -40,9 +41,17 @@ static bool choose_own(struct interp *interp, int before)
 bool tool_change_select(struct interp *interp)
 {
 	const int before = interp->state.selected;
+	double number;
 
 	if (!block_has(&interp->block, 'T'))
 		return true;
+	number = block_value(&interp->block, 'T');
+	/* What is nearly whole judges block_integer. */
+	if (fabs(number - round(number)) > 0.01)
+		return fault(&interp->at, block_column(&interp->block, 'T'),
+			     "T%.10g: the number of a tool is whole here; where T1.1 means a tool and its offset, as on "
+			     "Fagor's controls, write T1, and H1 or D1 for the offset",
+			     number);
 	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
 			   "whether T changes the tool or selects it for M6") &&
 	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected) &&

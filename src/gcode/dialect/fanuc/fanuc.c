@@ -54,7 +54,7 @@ static const struct code g_codes[] = {
 	{512, GROUP_NONE, CODE_REFUSED, "polygon turning"},
 	{G53_1, G_NONMODAL, CODE_READ, "tool axis direction control"},
 	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
-	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset"},
+	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset (post with a work offset for each angle)"},
 	{544, GROUP_NONE, CODE_REFUSED, "work setting error compensation"},
 	/* Of controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
 	{G61_1, G_PATH, CODE_READ, "high-accuracy control"},
@@ -65,8 +65,12 @@ static const struct code g_codes[] = {
 	{661, GROUP_NONE, CODE_REFUSED, "modal macro call at every block"},
 	{670, GROUP_STATEMENT, CODE_READ, "end of modal macro calls"},
 	{G68_2, G_ROTATION, CODE_READ, "tilted working plane"},
-	{683, GROUP_NONE, CODE_REFUSED, "tilted working plane by the direction of the tool"},
+	{683, GROUP_NONE, CODE_REFUSED, "tilted working plane by the direction of the tool (G68.2 says the plane)"},
 	{G68_4, G_ROTATION, CODE_READ, "tilted working plane on a tilted plane"},
+	/* B-64604EN-1, operator's manual of lathes, multiple repetitive cycles; Sinumerik, units. */
+	{700, GROUP_NONE, CODE_REFUSED, "finishing cycle of lathes (other controls mean inches: write G20)"},
+	{710, GROUP_NONE, CODE_REFUSED, "turning cycle of lathes (other controls mean millimetres: write G21)"},
+	{720, GROUP_NONE, CODE_REFUSED, "facing cycle of lathes"},
 	{721, GROUP_NONE, CODE_REFUSED, "rotation copy"},
 	{722, GROUP_NONE, CODE_REFUSED, "linear copy"},
 	{811, GROUP_NONE, CODE_REFUSED, "chopping"},
