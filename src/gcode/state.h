@@ -95,6 +95,23 @@ struct polar_interpolation {
 	unsigned unknown_plane;	/* and whether it is known */
 };
 
+/* G150: execute/pocket_milling.h. Positions of axes, mm. */
+struct pocket_milling {
+	bool takes;	/* the outline is being read, and then: */
+	slot_values here;	/* where the tool stands meanwhile */
+	double hole[2];	/* where it begins, X and Y */
+	double top, bottom;	/* of Z */
+	struct canon_feed feed;
+	int side;	/* 1: G41, -1: G42, 0: none */
+	double beyond;	/* how far the tool may be outside of the outline */
+	int points;	/* of the outline so far */
+	double first[2], last[2], low[2], high[2];
+	double area;	/* inside, counter-clockwise */
+	/* behind it */
+	bool compensated;	/* G40 has not come yet */
+	bool open[3];	/* no absolute coordinate has led the axis out of the pocket */
+};
+
 /* G16: execute/polar_coordinates.h. */
 struct polar_coordinates {
 	bool on, has_radius, has_angle;
@@ -140,6 +157,7 @@ struct state {
 	struct plane_parts plane_parts;
 	struct polar_coordinates polar;
 	struct polar_interpolation polar_interpolation;
+	struct pocket_milling pocket_milling;
 	struct cylinder cylinder;
 	struct dynamic_work_offset dynamic;
 	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */

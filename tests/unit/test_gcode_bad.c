@@ -147,8 +147,10 @@ static const struct bad blocks[] = {
     {"F-1\n", 1, 1, "a feed rate cannot be negative"},
     {"M3 S-1\n", 1, 4, "a spindle speed cannot be negative"},
     {"M6\n", 1, 1, "M6, but no T has selected a tool"},
-    {"T1.5 M6\n", 1, 1, "T1.5: the number of a tool is whole here; where T1.1 means a tool and its offset"},
-    {"G0 W1\n", 1, 4, "the machine has no W axis; on a lathe U and W are increments of X and Z"},
+    {"T1.5 M6\n", 1, 1, "T1.5: the number of a tool is whole here; where T1.1 means a tool and its offset, as on "
+     "Fagor's controls, write T1, and H1 or D1 for the offset"},
+    {"G0 W1\n", 1, 4, "the machine has no W axis; on a lathe U and W are increments of X and Z, but programs of "
+     "lathes are not read"},
     {"T-1\n", 1, 1, "T-1: a whole number from 0 to 2147483647 is needed"},
     {"G43 H5\n", 1, 5, "H5: no setup was given that defines length offsets"},
     {"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of the tool in the spindle, T3, is not known; a setup defines it"},

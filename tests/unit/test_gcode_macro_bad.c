@@ -349,7 +349,7 @@ static const struct {
 	{H, "G187 P4\n", "p.nc:1:6: error: P4: a whole number from 1 to 3 is needed\n    G187 P4\n         ^\n"},
 	{H, "G103 P20\n", "p.nc:1:6: error: P20: a whole number from 0 to 15 is needed\n    G103 P20\n         ^\n"},
 	{H, "G253\n",
-	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates is not supported yet\n    G253\n"
+	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates (post with rotary words and G254) is not supported yet\n    G253\n"
 	 "    ^\n"},
 	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported yet\n    M34\n    ^\n"},
 	{H, "[1 EQ 1] G0 X1.\n",

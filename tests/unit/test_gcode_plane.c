@@ -346,7 +346,7 @@ static const struct bad bads[] = {
     {&dialect_fanuc, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
      "A while G68.2 is in force: the tool would leave the direction of its plane"},
     {&dialect_fanuc, "", "G68.3 X0. Y0. Z0.", 1,
-     "G68.3: tilted working plane by the direction of the tool is not supported yet"},
+     "G68.3: tilted working plane by the direction of the tool (G68.2 says the plane) is not supported yet"},
     {&dialect_fanuc, "", "G53.6", 1, "G53.6 needs a plane that G68.2 has just tilted"},
     {&dialect_fanuc, TILT, "G53.6", 1, "G53.6 needs the length of the tool whose tip it keeps: G43 first"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): which places they are, parameters say. */

@@ -17,6 +17,7 @@
 #include "gcode/execute/nurbs_move.h"
 #include "gcode/execute/offsets.h"
 #include "gcode/execute/path_control.h"
+#include "gcode/execute/pocket_milling.h"
 #include "gcode/execute/polar_coordinates.h"
 #include "gcode/execute/polar_interpolation.h"
 #include "gcode/execute/probed_axes.h"
@@ -294,6 +295,8 @@ static bool execute_nonmodal(struct interp *interp)
 		return reference_return_remember(interp);
 	case G7_1:
 		return cylinder_switch(interp);
+	case G150:
+		return pocket_milling_begin(interp);
 	case G12_1:
 	case G13_1:
 		return polar_interpolation_switch(interp);
@@ -374,6 +377,7 @@ static bool start_block(struct interp *interp)
 	probed_axes_forget_turned(&interp->state);
 	interp->state.length_moves = false;
 	return cylinder_check_block(interp) && polar_interpolation_start_block(interp) &&
+	       pocket_milling_start_block(interp) &&
 	       (!corner_insert_concerns(interp) || corner_insert_start_block(interp)) &&
 	       coordinate_rotation_start_block(interp) && dynamic_work_offset_start_block(interp) &&
 	       cutter_comp_start_block(interp);

@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/pocket_outline.h"
 #include "gcode/execute/polar_pieces.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
@@ -49,6 +50,10 @@ bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 {
 	struct canon_event event = {.kind = CANON_MOVE, .of.move = *move};
 
+	if (interp->state.pocket_milling.takes) {
+		pocket_outline_take(&interp->state.pocket_milling, move);
+		return true;
+	}
 	motion_commands_fill(interp, &event.of.move);
 	if (interp->comp.queue.count > 0)
 		return motion_commands_enqueue(interp,

@@ -10,6 +10,9 @@ bool program_position_check(struct interp *interp, int slot, int column)
 	if (interp->state.polar_interpolation.on)
 		return fault(&interp->at, column,
 			     "the position under polar coordinate interpolation cannot be read; G13.1 first");
+	if (slot <= SLOT_Z && interp->state.pocket_milling.open[slot])
+		return fault(&interp->at, column, "where %c stands in the pocket of G150 is not known",
+			     AXIS_LETTERS[slot]);
 	if (!interp->state.frame.on)
 		return dynamic_work_offset_check_read(interp, slot, column) &&
 		       probed_axes_is_known(interp, slot, column);

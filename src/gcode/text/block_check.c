@@ -9,7 +9,7 @@
 static bool takes_axis_words(int code)
 {
 	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92 ||
-	       code == G7_1;
+	       code == G7_1 || code == G150;
 }
 
 static bool is_arc(int code)

@@ -130,6 +130,8 @@ uint32_t block_used_letters(const struct block *block, const struct dialect *dia
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_NONMODAL] == G12 || block->g[G_NONMODAL] == G13)
 		used |= letter_bits("DIKLQ");
+	if (block->g[G_NONMODAL] == G150)
+		used |= letter_bits("DIJKLPQR");
 	if (block->g[G_SCALING] == G51)
 		used |= letter_bits("IJKP");
 	if (code_tilts(block->g[G_ROTATION]))

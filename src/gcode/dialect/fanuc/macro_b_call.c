@@ -8,6 +8,7 @@
 #include "gcode/dialect/fanuc/builder_macro.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_seek.h"
+#include "gcode/execute/pocket_milling.h"
 #include "gcode/restart.h"
 
 /* The words of a G65 or G66 block. */
@@ -384,6 +385,14 @@ static bool start_anew(struct interp *interp)
 	return restart_program(interp, &variables);
 }
 
+/* The subprogram may have been the outline of a pocket. */
+static bool end_outline(struct interp *interp, int column)
+{
+	const bool good = pocket_milling_finish(interp);
+
+	return leave(interp, column) && good;
+}
+
 /*
  * M99 P: Fanuc goes to that block of the caller (B-63944EN, subprogram), Haas to
  * one of the subprogram itself (operator's manual, "Conditional Expressions").
@@ -400,7 +409,7 @@ static bool do_m99(struct interp *interp, int column)
 	if (macro_b_of(interp)->level == 0 && !p)
 		return start_anew(interp);
 	if (!p)
-		return leave(interp, column);
+		return end_outline(interp, column);
 	if (!block_integer(block, &interp->at, 'P', 1, 99999999, &number))
 		return false;
 	if (macro_b_of(interp)->level == 0 || macro_b_of(interp)->rules->m99_own_block)
@@ -413,10 +422,31 @@ static bool do_m99(struct interp *interp, int column)
 	       macro_b_seek_jump(interp, &target, p);
 }
 
+/* Haas, "G150": its P is a block N of the program in hand, or else a program. */
+static bool call_outline(struct interp *interp)
+{
+	struct diag *heard = interp->at.diag, unheard = {0};
+	const int column = block_column(&interp->block, 'P');
+	struct position entry;
+	int number;
+	bool local;
+
+	if (!block_integer(&interp->block, &interp->at, 'P', 1, 99999999, &number))
+		return false;
+	interp->at.diag = &unheard;
+	local = macro_b_seek_only(interp, number, column, &entry);
+	interp->at.diag = heard;
+	if (!local && !macro_b_seek_program(interp, number, column, &entry))
+		return false;
+	return enter(interp, local ? MACRO_B_M97 : MACRO_B_M98, number, 1, column, &entry);
+}
+
 bool macro_b_call_after_block(struct interp *interp)
 {
 	int code = interp->block.m[M_STOP], column = interp->block.m_column[M_STOP];
 
+	if (interp->block.g[G_NONMODAL] == G150)
+		return call_outline(interp);
 	if (macro_b_of(interp)->builder.macro)
 		return builder_macro_end(interp);
 	if (!call_modal(interp))

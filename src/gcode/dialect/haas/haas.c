@@ -52,7 +52,7 @@ static const struct code g_codes[] = {
 	{1360, GROUP_NONE, CODE_REFUSED, "work offset centre measurement"},
 	{1410, GROUP_NONE, CODE_REFUSED, "3D cutter compensation"},
 	{1430, GROUP_NONE, CODE_REFUSED, "5-axis tool length compensation"},
-	{1500, GROUP_NONE, CODE_REFUSED, "pocket milling (the control chooses its passes: post them as moves)"},
+	{G150, G_NONMODAL, CODE_BOUNDED, "general purpose pocket milling"},
 	{1530, GROUP_NONE, CODE_REFUSED, "five-axis high-speed peck drilling cycle"},
 	{G154, G_SYSTEM, CODE_READ, "additional work offset"},
 	{1550, GROUP_NONE, CODE_REFUSED, "five-axis reverse tapping cycle"},
