@@ -85,8 +85,14 @@ static const struct refused_program programs[] = {
 	 "three"},
 	{"T1 M6\nG500 G17\nTRAORI\nG0 X1 Y0 Z0\nTOROT\nG111 X1 Y1\n", 6, 1,
 	 "a pole while TOROT or TOFRAME is in force; TOROTOF first"},
-	{"MCALL POCKET1(1)\n", 1, 7,
-	 "MCALL POCKET1: milling cycles are supported where they are called without MCALL"},
+	{"MCALL CYCLE61(1)\n", 1, 7,
+	 "MCALL CYCLE61: a face is milled where the cycle itself says"},
+	{"MCALL POCKET4(10,0,2,-5,20,0)\n", 1, 7,
+	 "MCALL POCKET4 with a place of its own (arguments 6 and 7): whether this or the position counts is not "
+	 "certain; leave them empty"},
+	{"G500 G17 G71 G90 G0 X0 Y0 Z10 F6\nMCALL POCKET4(10,0,2,-5,20)\nX1 Y1\nX2\n", 4, 1,
+	 "POCKET4 from where a milling cycle has left the tool: where it stands over its region is not known; "
+	 "go to an absolute position in the plane first"},
 	{"CYCLE62(\"KONTUR\")\n", 1, 1,
 	 "CYCLE62: milling of a contour is not supported yet"},
 	{"CYCLE977(1)\n", 1, 1,

@@ -57,6 +57,11 @@ static const struct program programs[] = {
 	{"G500 T1 D1 M6 F6 AROT Z90\nG0 X0 Y0 Z10\nPOCKET1(10,0,2,-5,,40,30,5,50,60,0)\nG0 X0\nY0\nX0 Y0 Z10\nX1\n",
 	 "tool 1\nrapid X -70..35 Y -32.5..65 Z 102..110\nfeed X -70..-50 Y 35..65 Z 95..102\n"
 	 "rapid X -70..10 Y -15..65 Z 102..110\n"},
+	/* MCALL mills at each position, and at those of a pattern. */
+	{"G500 T1 D1 M6 F6 G0 X0 Y0 Z10\nMCALL POCKET4(10,0,2,-5,20)\nHOLES1(50,60,0,30,20,2)\nX90 Y-60\nMCALL\nG1 X0 Y0\n",
+	 "tool 1\nrapid X 0..95 Y 0..75 Z 102..110\nfeed X 65..95 Y 45..75 Z 95..102\nrapid X 65..115 Y 45..75 Z 102..110\n"
+	 "feed X 85..115 Y 45..75 Z 95..102\nrapid X 75..115 Y -75..75 Z 102..110\nfeed X 75..105 Y -75..-45 Z 95..102\n"
+	 "rapid X 75..105 Y -75..-45 Z 102..110\nfeed X -15..105 Y -75..15 Z 110..110\n"},
 	/* Y of the program, which was not open, takes nothing back of its X, which is the machine's Y. */
 	{"G500 T1 D1 M6 F6 AROT Z90\nG0 X0 Y0 Z10\nLONGHOLE(10,0,2,-5,,1,30,0,0,20,0,0)\nG0 Y5\nF1 G1 Z11\n",
 	 "tool 1\nrapid X 0..0 Y -25..50 Z 102..110\nfeed X 0..0 Y 20..50 Z 95..102\nrapid X -5..0 Y 20..50 Z 102..110\n"
@@ -81,8 +86,8 @@ static const struct program programs[] = {
 };
 
 static const struct refused_program bad[] = {
-	{"MCALL POCKET1(1)\n", 1, 7,
-	 "MCALL POCKET1: milling cycles are supported where they are called without MCALL"},
+	{"MCALL CYCLE71(1)\n", 1, 7,
+	 "MCALL CYCLE71: a face is milled where the cycle itself says"},
 	{"G500 POCKET1(10,0,2)\n", 1, 6,
 	 "POCKET1 needs RTP, RFP and one of DP and DPR"},
 	{"G500 POCKET3(10,0,2)\n", 1, 6,

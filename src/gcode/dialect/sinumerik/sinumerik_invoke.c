@@ -25,10 +25,13 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .level = sinumerik->level};
 	if (!modal->on)
 		return true;
-	modal->cycle = sinumerik_cycle_drills(block->call);
-	if (sinumerik_region_is(block->call))
-		return fault(&interp->at, block->call_column,
-			     "MCALL %s: milling cycles are supported where they are called without MCALL", block->call);
+	modal->cycle = sinumerik_cycle_drills(block->call) || sinumerik_region_is(block->call);
+	if (sinumerik_region_is(block->call) &&
+	    !sinumerik_region_check_modal(interp, block->call, sinumerik->arguments, sinumerik->argument_count,
+					  block->call_column)) {
+		modal->on = false;
+		return false;
+	}
 	modal->on = modal->cycle || !sinumerik_cycle_refused(block->call);
 	if (!modal->on)
 		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
@@ -123,7 +126,7 @@ bool sinumerik_invoke_modal(struct interp *interp)
 	if (!sinumerik_modal_acts(sinumerik))
 		return true;
 	if (modal->cycle)
-		return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+		return sinumerik_pattern_modal_cycle(interp);
 	sinumerik->argument_count = modal->argument_count;
 	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
 	for (size_t i = 0; i < modal->argument_count; i++) {

@@ -10,6 +10,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_region.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 
 /* Of one CYCLE802. */
@@ -33,10 +34,18 @@ static double length(const struct pattern *p, size_t i)
 	return sinumerik_argument_length(&p->of, i);
 }
 
+bool sinumerik_pattern_modal_cycle(struct interp *interp)
+{
+	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
+
+	return sinumerik_region_is(modal->name)
+		   ? sinumerik_region_mill_here(interp, modal->name, modal->arguments, modal->argument_count, 1)
+		   : sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+}
+
 static bool drill_at(const struct pattern *p, double at_a, double at_b)
 {
 	struct interp *interp = p->of.interp;
-	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
 	slot_values target = *sinumerik_frame_place(interp);
 
 	target.v[p->a] = at_a;
@@ -46,9 +55,7 @@ static bool drill_at(const struct pattern *p, double at_a, double at_b)
 		return false;
 	/* Both axes of the plane were commanded. */
 	sinumerik_open_place_settle(interp, letter_bit(AXIS_LETTERS[p->a]) | letter_bit(AXIS_LETTERS[p->b]));
-	if (!modal->on)
-		return true;
-	return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+	return !sinumerik_of(interp)->modal.on || sinumerik_pattern_modal_cycle(interp);
 }
 
 static bool count(const struct pattern *p, size_t i, const char *name, int *holes)

@@ -10,4 +10,7 @@ bool sinumerik_pattern_is(const char *name);
 /* Goes to each hole of the pattern and drills it by the modal cycle, if there is one. False: reported. */
 bool sinumerik_pattern_run(struct interp *interp, const char *name, int column);
 
+/* Carries out the cycle that MCALL has given, where the tool is. False: reported. */
+bool sinumerik_pattern_modal_cycle(struct interp *interp);
+
 #endif

@@ -312,18 +312,19 @@ static const struct cycle {
 	size_t feed;	/* in the plane */
 	struct sinumerik_modes modes;
 	size_t machining;	/* _VARI of a cycle that can make a chamfer; 0: it cannot */
+	size_t place;	/* of its two coordinates, behind each other; 0: no MCALL calls it at positions */
 } cycles[] = {
-	{"POCKET1", rectangle, 12, {0, 0, 0, true}, 0},
-	{"POCKET2", disc, 9, {0, 0, 0, true}, 0},
-	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}, 16},
-	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}, 13},
-	{"SLOT1", straight_slots, 14, {28, 29, 30, true}, 18},
-	{"SLOT2", circular_slots, 14, {26, 27, 28, true}, 18},
-	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}, 0},
-	{"CYCLE61", face, 11, {0, 14, 15, false}, 0},
-	{"CYCLE70", thread_70, 10, {20, 21, 22, false}, 0},
-	{"CYCLE71", turned_face, 13, {0, 0, 0, false}, 0},
-	{"CYCLE90", thread_90, 8, {0, 0, 0, true}, 0},
+	{"POCKET1", rectangle, 12, {0, 0, 0, true}, 0, 8},
+	{"POCKET2", disc, 9, {0, 0, 0, true}, 0, 6},
+	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}, 16, 7},
+	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}, 13, 5},
+	{"SLOT1", straight_slots, 14, {28, 29, 30, true}, 18, 8},
+	{"SLOT2", circular_slots, 14, {26, 27, 28, true}, 18, 8},
+	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}, 0, 7},
+	{"CYCLE61", face, 11, {0, 14, 15, false}, 0, 0},
+	{"CYCLE70", thread_70, 10, {20, 21, 22, false}, 0, 12},
+	{"CYCLE71", turned_face, 13, {0, 0, 0, false}, 0, 0},
+	{"CYCLE90", thread_90, 8, {0, 0, 0, true}, 0, 11},
 };
 
 static const struct cycle *find(const char *name)
@@ -391,4 +392,42 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 	}
 	return check_machining(&m, cycle) && sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) &&
 	       find_feed(&m, cycle->feed) && cycle->mill(&m);
+}
+
+/* "Machining position, position pattern (MCALL)": then the cycle's own place is left out. */
+bool sinumerik_region_check_modal(struct interp *interp, const char *name, const double *arguments, size_t count,
+				  int column)
+{
+	const struct cycle *cycle = find(name);
+	const struct sinumerik_arguments of = {interp, name, column, arguments, count};
+
+	if (!cycle->place)
+		return fault(&interp->at, column, "MCALL %s: a face is milled where the cycle itself says", name);
+	return (!sinumerik_argument_given(&of, cycle->place) && !sinumerik_argument_given(&of, cycle->place + 1)) ||
+	       fault(&interp->at, column,
+		     "MCALL %s with a place of its own (arguments %zu and %zu): whether this or the position counts is "
+		     "not certain; leave them empty",
+		     name, cycle->place + 1, cycle->place + 2);
+}
+
+bool sinumerik_region_mill_here(struct interp *interp, const char *name, const double *arguments, size_t count,
+				int column)
+{
+	const size_t place = find(name)->place;
+	const enum axis_slot a = interp->state.plane == G17   ? SLOT_X
+				 : interp->state.plane == G18 ? SLOT_Z
+							      : SLOT_Y;
+	const enum axis_slot b = interp->state.plane == G17   ? SLOT_Y
+				 : interp->state.plane == G18 ? SLOT_X
+							      : SLOT_Z;
+	const slot_values *here = sinumerik_frame_place(interp);
+	double all[SINUMERIK_ARGUMENTS_MAX];
+
+	if (!sinumerik_open_place_check(interp, column, name))
+		return false;
+	for (size_t i = 0; i < SINUMERIK_ARGUMENTS_MAX; i++)
+		all[i] = i < count ? arguments[i] : NAN;
+	all[place] = here->v[a] / interp->state.scale;
+	all[place + 1] = here->v[b] / interp->state.scale;
+	return sinumerik_region_mill(interp, name, all, count > place + 2 ? count : place + 2, column);
 }

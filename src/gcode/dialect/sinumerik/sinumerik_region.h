@@ -14,4 +14,12 @@ bool sinumerik_region_is(const char *name);
  */
 bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 
+/* Can MCALL call it at positions, with these arguments? False: reported. */
+bool sinumerik_region_check_modal(struct interp *interp, const char *name, const double *arguments, size_t count,
+				  int column);
+
+/* As sinumerik_region_mill, at the place where the tool is over the plane. */
+bool sinumerik_region_mill_here(struct interp *interp, const char *name, const double *arguments, size_t count,
+				int column);
+
 #endif

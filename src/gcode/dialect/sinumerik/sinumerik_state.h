@@ -126,7 +126,7 @@ struct sinumerik_jump {
  */
 struct sinumerik_modal {
 	bool on;
-	bool cycle;	/* else a subprogram */
+	bool cycle;	/* that drills or mills; else a subprogram */
 	bool running;	/* the subprogram: it does not call itself */
 	int depth;	/* of calls where the subprogram runs */
 	int level;	/* of the program that has given it */
