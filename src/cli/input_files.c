@@ -133,15 +133,58 @@ void input_files_sort(struct input_files *inputs)
 		qsort(inputs->items, inputs->count, sizeof(*inputs->items), compare);
 }
 
-void input_files_digest(struct input_files *inputs)
+void known_digests_release(struct known_digests *known)
+{
+	for (size_t i = 0; i < known->count; i++)
+		free((char *)known->items[i].path);
+	free(known->items);
+	*known = (struct known_digests){0};
+}
+
+/* Belongs the file to what a model is loaded from? Programs and waivers are read anew by each check. */
+static bool is_loaded_once(const struct report_file *file)
+{
+	static const char *const kinds[] = {"machine", "mesh", "setup", "tools"};
+
+	for (size_t i = 0; i < sizeof(kinds) / sizeof(*kinds); i++) {
+		if (!strcmp(file->kind, kinds[i]))
+			return true;
+	}
+	return false;
+}
+
+static bool take_known(struct report_file *file, const struct known_digests *known)
+{
+	for (size_t i = 0; i < known->count; i++) {
+		if (!strcmp(known->items[i].path, file->path)) {
+			memcpy(file->digest, known->items[i].digest, DIGEST_SIZE);
+			return true;
+		}
+	}
+	return false;
+}
+
+static void remember(struct known_digests *known, const struct report_file *file)
+{
+	known->items = mem_grow(known->items, &known->capacity, known->count + 1, sizeof(*known->items));
+	known->items[known->count] = *file;
+	known->items[known->count++].path = mem_strndup(file->path, strlen(file->path));
+}
+
+void input_files_digest(struct input_files *inputs, struct known_digests *known)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
 		struct report_file *file = &inputs->items[i];
+		const bool keep = known && is_loaded_once(file);
 		struct stat status;
 
+		if (file->digest[0] || (keep && take_known(file, known)))
+			continue;
 		/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
-		if (!file->digest[0] && !stat(file->path, &status) && S_ISREG(status.st_mode))
+		if (!stat(file->path, &status) && S_ISREG(status.st_mode))
 			digest_file(file->digest, file->path);
+		if (keep && file->digest[0])
+			remember(known, file);
 	}
 }
 

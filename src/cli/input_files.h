@@ -15,6 +15,14 @@
 
 struct file_stamp;
 
+/* Digests of files that a session has loaded and believes not to change. All zero: none. */
+struct known_digests {
+	struct report_file *items;	/* their paths are owned */
+	size_t count, capacity;
+};
+
+void known_digests_release(struct known_digests *known);
+
 struct input_files {
 	struct file_opened opened;	/* give it to the check: it adds the files of subprograms */
 	pthread_mutex_t lock;
@@ -40,8 +48,11 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 /* Sorts by kind and name; to be called after the check, when all subprograms are known. */
 void input_files_sort(struct input_files *inputs);
 
-/* Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". */
-void input_files_digest(struct input_files *inputs);
+/*
+ * Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". Those of
+ * the machine, the setup, tool libraries and meshes are taken from `known`, and put there; NULL: each file is read.
+ */
+void input_files_digest(struct input_files *inputs, struct known_digests *known);
 
 /*
  * False, reported: a file has changed since input_files_init, so that nobody can tell what was checked; or, with

@@ -208,7 +208,7 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	if (!path_checks_inputs(options, inputs, &ui->diag))
 		sinks_discard(sinks);
 	if (options_want_digests(options)) {
-		input_files_digest(inputs);
+		input_files_digest(inputs, NULL);
 		input_files_verify(inputs, options->record, &ui->diag);
 	}
 	if (session.context.reports && sinks->count)

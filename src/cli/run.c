@@ -38,6 +38,7 @@ struct job {
 	struct waiver_match waiving;
 	struct model *model;
 	bool borrowed;	/* the caller has loaded and prepared the model */
+	struct known_digests *known;	/* of the borrowed model's files; or NULL */
 	double seconds;	/* that loading took */
 };
 
@@ -193,7 +194,7 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	input_files_add_files(inputs, options, job->model->machine, job->model->setup, job->model->scene != NULL);
 	input_files_sort(inputs);
 	if (options_want_digests(options))
-		input_files_digest(inputs);
+		input_files_digest(inputs, job->known);
 	status = programs_check(options, job->model, job->seconds, ui, sinks, inputs,
 				&job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
 	/* Without a sink nothing may be written: programs_check has discarded them. */
@@ -353,11 +354,12 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	return status;
 }
 
-enum run_status run_options_on(const struct options *options, struct model *model, struct stderr_ui *ui)
+enum run_status run_options_on(const struct options *options, struct model *model, struct known_digests *known,
+			       struct stderr_ui *ui)
 {
 	struct diag *diag = &ui->diag;
 	enum run_status status = RUN_INCOMPLETE;
-	struct job job = {.model = model, .borrowed = model != NULL};
+	struct job job = {.model = model, .borrowed = model != NULL, .known = known};
 
 	ui->quiet = options->quiet;
 	ui->colour = stderr_ui_wants_colour(STDERR_FILENO, (enum color_choice)options->color);
@@ -375,5 +377,5 @@ enum run_status run_options_on(const struct options *options, struct model *mode
 
 enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 {
-	return run_options_on(options, NULL, ui);
+	return run_options_on(options, NULL, NULL, ui);
 }

@@ -3,6 +3,7 @@
 #define FIVECHECK_CLI_RUN_H
 
 #include "check/model.h"
+#include "cli/input_files.h"
 #include "cli/options.h"
 #include "cli/run_status.h"
 #include "cli/stderr_ui.h"
@@ -11,9 +12,11 @@
 enum run_status run_options(const struct options *options, struct stderr_ui *ui);
 
 /*
- * The same on a model that was loaded from the files that the options name, and prepared; for RUN_CHECK. NULL: as
+ * The same on a model that was loaded from the files that the options name, and prepared; for RUN_CHECK. `known` has
+ * the digests of these files that earlier checks on the model computed, and gets those of this one. NULL and NULL: as
  * run_options.
  */
-enum run_status run_options_on(const struct options *options, struct model *model, struct stderr_ui *ui);
+enum run_status run_options_on(const struct options *options, struct model *model, struct known_digests *known,
+			       struct stderr_ui *ui);
 
 #endif

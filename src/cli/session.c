@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "check/model.h"
 #include "cli/command_line.h"
+#include "cli/input_files.h"
 #include "cli/run.h"
 #include "fivecheck.h"
 #include "report/format/json.h"
@@ -20,6 +21,7 @@ static const struct srcloc nowhere;
 struct session {
 	struct model *model;	/* prepared; NULL: none is loaded */
 	char *machine, *setup;	/* what it was loaded from; setup may be NULL */
+	struct known_digests digests;	/* of these files, and of the meshes */
 	double clearance;
 	int dialect;	/* the machine file's own */
 	struct sweep sweep;
@@ -36,6 +38,7 @@ static void forget(struct session *session)
 	model_free(session->model);
 	free(session->machine);
 	free(session->setup);
+	known_digests_release(&session->digests);
 	session->model = NULL;
 	session->machine = session->setup = NULL;
 }
@@ -93,7 +96,7 @@ enum run_status session_check(struct session *session, int argc, char **argv)
 	} else if (options.mode != RUN_CHECK || options.jobs) {
 		diag_error(&ui.diag, nowhere, "a machine stays loaded for checks of programs only");
 	} else if (load(session, &options, &ui.diag)) {
-		status = run_options_on(&options, session->model, &ui);
+		status = run_options_on(&options, session->model, &session->digests, &ui);
 	}
 	options_release(&options);
 	return status;

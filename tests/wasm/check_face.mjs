@@ -127,6 +127,31 @@ tests['a session says what a run of its own says, again and again'] = () => {
 	assert.equal(session.check({...job, programs: ['clear.nc'], options: ['--clearance=60']}).status, STATUS.INCOMPLETE);
 };
 
+tests['an edited block is checked without another look at the files of the machine'] = () => {
+	const {files, ...job} = exampleJob('clear'), session = fivecheck.session(files), program = new TextEncoder().encode('G21\nG53 G0 X10\n');
+	let read = 0;
+	const count = (node) => {
+		const {source} = node;
+		node.source = {size: source.size, read: (offset, into) => {
+			const bytes = source.read(offset, into);
+			read += bytes;
+			return bytes;
+		}};
+	};
+	const countAll = (folder) => [...folder.entries.values()].forEach((entry) => entry.entries ? countAll(entry) : count(entry));
+	files.add('edited.nc', program);
+	countAll(files.root);
+	const check = () => {
+		read = 0;
+		return session.check({...job, programs: ['edited.nc']});
+	};
+	const first = check();
+	assert.ok(read > 1e6, `the machine has ${read} bytes`);
+	const second = check();
+	assert.ok(read > 0 && read < 1e4, `the second check read ${read} bytes`);
+	assert.deepEqual(untimed(second), untimed(first));
+};
+
 tests['a session tells how near the bodies are'] = () => {
 	const {files, ...job} = exampleJob('clear'), session = fivecheck.session(files);
 	assert.throws(() => session.pose({}), /check a program first/);
