@@ -18,6 +18,7 @@ struct reading {
 	struct import_machine *machine;
 	const struct import_options *options;
 	struct diag *diag;
+	const char *path;
 	struct ini_file ini;
 	struct hal_values hal;
 	double unit;	/* mm per unit of length */
@@ -29,7 +30,7 @@ static const double linear_limit = 1e6;
 
 static struct srcloc place(const struct reading *r)
 {
-	return (struct srcloc){.file = r->ini.count ? r->ini.entries[0].at.file : NULL};
+	return (struct srcloc){.file = r->path};
 }
 
 static bool fault(const struct reading *r, const char *what)
@@ -430,7 +431,7 @@ static bool read_machine(struct reading *r)
 bool emc_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
 		      struct diag *diag)
 {
-	struct reading r = {.machine = machine, .options = options, .diag = diag};
+	struct reading r = {.machine = machine, .options = options, .diag = diag, .path = path};
 	bool good = ini_file_read(&r.ini, path, diag) && read_machine(&r);
 
 	hal_values_release(&r.hal);

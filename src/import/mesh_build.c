@@ -51,10 +51,18 @@ static void add_quad(struct mesh_build *build, vec3 a, vec3 b, vec3 c, vec3 d)
 	mesh_build_add(build, second);
 }
 
-void mesh_build_block(struct mesh_build *build, vec3 size)
+/* Has the solid room within the limit? A triangle that is left out would be a hole in it. */
+static bool is_within(const struct mesh_build *build, double size)
+{
+	return build->scale * size <= COORDINATE_MAX / 2;
+}
+
+bool mesh_build_block(struct mesh_build *build, vec3 size)
 {
 	vec3 p[8];
 
+	if (!is_within(build, size.x) || !is_within(build, size.y) || !is_within(build, size.z))
+		return false;
 	for (int i = 0; i < 8; i++)
 		p[i] = (vec3){i & 1 ? size.x : 0, i & 2 ? size.y : 0, i & 4 ? size.z : 0};
 	add_quad(build, p[0], p[2], p[3], p[1]);
@@ -63,6 +71,7 @@ void mesh_build_block(struct mesh_build *build, vec3 size)
 	add_quad(build, p[2], p[6], p[7], p[3]);
 	add_quad(build, p[0], p[4], p[6], p[2]);
 	add_quad(build, p[1], p[3], p[7], p[5]);
+	return true;
 }
 
 /* So many facets that a circle's circumscribed polygon leaves it by the deviation at most: r (1 / cos(pi / n) - 1). */
@@ -76,12 +85,13 @@ static int facets_of(double radius)
 	return FACETS_MAX;
 }
 
-void mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height)
+bool mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height)
 {
-	const int n = facets_of(fmax(radius, radius_end));
+	const bool good = is_within(build, radius) && is_within(build, radius_end) && is_within(build, height);
+	const int n = good ? facets_of(fmax(radius, radius_end)) : FACETS_MIN;
 	const double step = 2 * math_acos(-1) / n, outer = 1 / math_cos(step / 2);
 
-	for (int i = 0; i < n; i++) {
+	for (int i = 0; good && i < n; i++) {
 		/* The last facet ends at the very corner where the first begins: otherwise the mesh is open there. */
 		const double a = step * i, b = step * ((i + 1) % n);
 		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0},
@@ -102,4 +112,5 @@ void mesh_build_frustum(struct mesh_build *build, double radius, double radius_e
 			mesh_build_add(build, other);
 		}
 	}
+	return good;
 }

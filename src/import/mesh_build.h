@@ -24,13 +24,14 @@ void mesh_build_discard(struct mesh_build *build);
 
 /*
  * The solids that machine files describe by sizes, mm. The block stands with a corner at 0; the others on 0, along Z.
+ * False, and nothing is added: a size is not finite, or beyond 10 km.
  */
-void mesh_build_block(struct mesh_build *build, vec3 size);
+bool mesh_build_block(struct mesh_build *build, vec3 size);
 
 /*
  * A cylinder or a cone with the given radii at 0 and at `height`. Its facets enclose the true solid and leave it by
  * 0.01 mm at most.
  */
-void mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height);
+bool mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height);
 
 #endif

@@ -1,9 +1,10 @@
 #include "import/mesh_file.h"
 
 #include <dirent.h>
-#include <stdio.h>
+#include <fcntl.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "geom/stl.h"
@@ -83,15 +84,26 @@ bool mesh_file_find(struct strbuf *found, const char *folder, const char *file, 
 	return slash ? find_below(found, file, (size_t)(slash - file), written) : find_below(found, ".", 1, written);
 }
 
+/* The first bytes of a regular file: their number, 0 if it cannot be read. Opening a FIFO must not wait for its writer. */
+static size_t read_head(const char *path, char *bytes, size_t size)
+{
+	const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+	struct stat status;
+	ssize_t count = 0;
+
+	if (fd < 0)
+		return 0;
+	if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode))
+		count = read(fd, bytes, size);
+	close(fd);
+	return count > 0 ? (size_t)count : 0;
+}
+
 static bool is_vericut(const char *path)
 {
 	char bytes[16];
-	FILE *file = fopen(path, "re");
-	size_t count = file ? fread(bytes, 1, sizeof(bytes), file) : 0;
 
-	if (file)
-		fclose(file);
-	return vericut_mesh_is(bytes, count);
+	return vericut_mesh_is(bytes, read_head(path, bytes, sizeof(bytes)));
 }
 
 static bool ends_with(const char *path, const char *end)
@@ -104,11 +116,8 @@ static bool ends_with(const char *path, const char *end)
 enum mesh_format mesh_file_format(const char *path)
 {
 	char bytes[5] = "";
-	FILE *file = fopen(path, "re");
-	size_t count = file ? fread(bytes, 1, sizeof(bytes) - 1, file) : 0;
+	const size_t count = read_head(path, bytes, sizeof(bytes) - 1);
 
-	if (file)
-		fclose(file);
 	if (count == 4 && !memcmp(bytes, "glTF", 4))
 		return MESH_GLTF;
 	if (count == 4 && !memcmp(bytes, "PK\003\004", 4))

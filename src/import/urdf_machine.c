@@ -310,9 +310,9 @@ static bool read_box(struct reading *r, const xmlNode *shape, struct mesh *mesh)
 
 	if (!read_numbers(r, shape, "size", 3, size))
 		return false;
-	if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
-		return fault(r, shape, "the size of a box must be above 0");
-	mesh_build_block(&build, (vec3){size[0], size[1], size[2]});
+	if (!(size[0] > 0 && size[1] > 0 && size[2] > 0) ||
+	    !mesh_build_block(&build, (vec3){size[0], size[1], size[2]}))
+		return fault(r, shape, "the size of a box must be above 0, and below 5 km");
 	mesh_build_finish(&build, mesh);
 	return true;
 }
@@ -325,9 +325,9 @@ static bool read_cylinder(struct reading *r, const xmlNode *shape, struct mesh *
 	*length = 0;
 	if (!read_numbers(r, shape, "radius", 1, &radius) || !read_numbers(r, shape, "length", 1, length))
 		return false;
-	if (!(radius > 0 && *length > 0))
-		return fault(r, shape, "radius and length of a cylinder must be above 0");
-	mesh_build_frustum(&build, METRE * radius, METRE * radius, METRE * *length);
+	if (!(radius > 0 && *length > 0) ||
+	    !mesh_build_frustum(&build, METRE * radius, METRE * radius, METRE * *length))
+		return fault(r, shape, "radius and length of a cylinder must be above 0, and below 5 km");
 	mesh_build_finish(&build, mesh);
 	return true;
 }

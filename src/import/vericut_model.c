@@ -70,11 +70,10 @@ static bool read_block(struct mesh *mesh, struct xml_reader *xml, const xmlNode 
 
 	if (!foreign_vector(xml, node, "Length", "Width", "Height", &size))
 		return false;
-	if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-		xml_error(xml, node, NULL, "the sizes of a block must be above 0");
+	if (!(size.x > 0 && size.y > 0 && size.z > 0) || !mesh_build_block(&build, size)) {
+		xml_error(xml, node, NULL, "the sizes of a block must be above 0, and below 5 km");
 		return false;
 	}
-	mesh_build_block(&build, size);
 	mesh_build_finish(&build, mesh);
 	return true;
 }
@@ -86,11 +85,11 @@ static bool read_cylinder(struct mesh *mesh, struct xml_reader *xml, const xmlNo
 
 	if (!foreign_number(xml, node, "Radius", &radius) || !foreign_number(xml, node, "Height", &height))
 		return false;
-	if (!(radius > 0 && height > 0)) {
-		xml_error(xml, node, NULL, "radius and height of a cylinder must be above 0");
+	if (!(radius > 0 && height > 0) ||
+	    !mesh_build_frustum(&build, xml->unit * radius, xml->unit * radius, xml->unit * height)) {
+		xml_error(xml, node, NULL, "radius and height of a cylinder must be above 0, and below 5 km");
 		return false;
 	}
-	mesh_build_frustum(&build, xml->unit * radius, xml->unit * radius, xml->unit * height);
 	mesh_build_finish(&build, mesh);
 	return true;
 }

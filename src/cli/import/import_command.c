@@ -14,6 +14,7 @@
 #include "import/urdf_machine.h"
 #include "import/vericut_machine.h"
 #include "import/vericut_project.h"
+#include "import/zip_check.h"
 #include "base/units.h"
 #include "machine/library/library_file.h"
 #include "machine/machine.h"
@@ -250,6 +251,7 @@ static bool read_parts(const struct request *request, struct import_machine *mac
 		return false;
 	}
 	good = (format != MESH_PLY || ply_check(request->file, request->diag)) &&
+	       (format != MESH_3MF || zip_check(request->file, request->diag)) &&
 	       mesh_helper_read(&parts, request->file, unit, format == MESH_GLTF, request->diag);
 	for (size_t i = 0; good && i < parts.count; i++) {
 		struct mesh mesh = {0};

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/file_bytes.h"
 #include "base/mem.h"
@@ -11,12 +12,15 @@ json_t *json_file_read(const char *path, struct diag *diag)
 	struct file_bytes file;
 	json_error_t error;
 	json_t *root;
+	size_t mark;
 
 	if (!file_bytes_read(&file, path, diag))
 		return NULL;
 	/* Running out of memory ends the program, as everywhere. */
 	json_set_alloc_funcs(mem_alloc, free);
-	root = json_loadb(file.bytes, file.count, JSON_REJECT_DUPLICATES, &error);
+	/* A byte order mark may come first. */
+	mark = file.count >= 3 && !memcmp(file.bytes, "\xef\xbb\xbf", 3) ? 3 : 0;
+	root = json_loadb(file.bytes + mark, file.count - mark, JSON_REJECT_DUPLICATES, &error);
 	file_bytes_release(&file);
 	if (!root)
 		diag_error(diag, (struct srcloc){.file = path, .line = error.line, .column = error.column},

@@ -93,6 +93,20 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	return false;
 }
 
+/* Text behind a NUL byte would not be read. UTF-16 has such bytes, too, and has its own message. */
+static bool has_nul(const struct file_bytes *file, const char *path, struct diag *diag)
+{
+	const char *bytes = file->bytes;
+	long line = 1;
+
+	if (strlen(bytes) == file->count || library_kind_of(bytes) == LIBRARY_NONE)
+		return false;
+	for (; *bytes; bytes++)
+		line += *bytes == '\n';
+	diag_error(diag, (struct srcloc){.file = path, .line = line}, "there is a NUL byte in it: this is no text");
+	return true;
+}
+
 bool library_file_read(struct tool_library *tools, const char *path, const struct library_options *options,
 		       struct diag *diag)
 {
@@ -101,7 +115,8 @@ bool library_file_read(struct tool_library *tools, const char *path, const struc
 
 	if (!file_bytes_read(&file, path, diag))
 		return false;
-	good = read_text(tools, library_kind_of(file.bytes), file.bytes, path, options, diag);
+	good = !has_nul(&file, path, diag) &&
+	       read_text(tools, library_kind_of(file.bytes), file.bytes, path, options, diag);
 	file_bytes_release(&file);
 	return good;
 }

@@ -140,12 +140,31 @@ static const char *make_name(struct arena *arena, const char *text)
 	return length ? arena_strdup(arena, name) : NULL;
 }
 
+/* Is a part of the outline thicker than any tool? */
+static bool is_too_thick(const struct tool_profile *profile)
+{
+	for (size_t i = 0; i < profile->count; i++)
+		if (!(profile->pieces[i].radius_low <= TOOL_SIZE_MAX / 2 &&
+		      profile->pieces[i].radius_high <= TOOL_SIZE_MAX / 2))
+			return true;
+	return false;
+}
+
 bool tool_library_add(struct tool_library *tools, const struct tool_outline *outline, struct srcloc at,
 		      struct diag *diag)
 {
 	struct setup_description *setup = &tools->setup;
 	struct tool_description *tool;
 
+	if (outline->number < 1 || outline->number > TOOL_NUMBER_MAX) {
+		diag_error(diag, at, "the tool number %ld is not between 1 and %d", outline->number, TOOL_NUMBER_MAX);
+		return false;
+	}
+	if (!(outline->diameter <= TOOL_SIZE_MAX) || is_too_thick(&outline->cutter) || is_too_thick(&outline->shank) ||
+	    is_too_thick(&outline->holder)) {
+		diag_error(diag, at, "tool %ld is thicker than %g mm: check its units", outline->number, TOOL_SIZE_MAX);
+		return false;
+	}
 	if (is_known(tools, outline->number)) {
 		diag_error(diag, at,
 			   "the tool number %ld is given twice: keep only the tool that is in the machine, or give one of "

@@ -77,18 +77,22 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 	const char *at = lines->line, *end = lines->line + lines->length;
 	struct length_offset_description offset = {.of_tool = true, .length = {true, 0}};
 	struct letter_word word;
-	bool any = false;
+	char letters[32] = "";
+	size_t count = 0;
 	int found;
 
 	while ((found = letter_word_next(&at, end, &word)) > 0) {
+		if (strchr(letters, word.letter))
+			return fault(r, "a letter stands twice in this line");
 		if (!take(r, &word, &offset))
 			return false;
-		any = true;
+		/* There are fewer letters than places. */
+		letters[count++] = word.letter;
 	}
 	if (found < 0)
 		return fault(r,
 			     "a line of a tool table has letters, each with a number, and a comment after a semicolon");
-	if (!any)
+	if (!count)
 		return true;
 	if (!offset.number)
 		return fault(r, "the line names no tool T");
