@@ -60,7 +60,11 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 14.0\nCYCL DEF 14.1 \"A\"\n",
 	 "p.nc:3:15: error: CYCL DEF 14.1 needs the numbers of labels, as in LABEL1 /2"},
 	{"CYCL DEF 25 CONTOUR TRAIN\n",
-	 "p.nc:2:10: error: CYCL DEF 25: contour train is not supported yet"},
+	 "p.nc:2:10: error: CYCL DEF 25: contour train is not followed; if it stays near the place where it is called, <macro "
+	 "program=\"25\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},
+	{"TOOL CALL 1 Z DL+0.1\nTOOL CALL S500\n",
+	 "p.nc:3:11: error: TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts is not "
+	 "known here; write it, too"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9 Q395=1\nM99\n",
 	 "p.nc:3:1: error: Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the "
 	 "depth of the tip in Q201 and Q395=0"},

@@ -306,6 +306,26 @@ START_TEST(probe_cycle)
 }
 END_TEST
 
+/* A cycle of the control that is not followed: where it is called it moves as far as the machine file says. */
+START_TEST(bounded_cycle)
+{
+	static const struct builder_macro macros[] = {{225, 0, MACRO_AROUND, {5, 20, 10}, NULL}, {18, 0, MACRO_NONE, {0}, NULL}};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 2;
+	c.show_spread = true;
+	ck_assert_msg(klartext_run(&c, "L X+10 FMAX\n9 CYCL DEF 225 ENGRAVING ~\n   QS500=\"A\" ;TEXT ~\n   Q513=+10 ;HEIGHT ~\n   Q514=+0 ;FACTOR\n10 L X+11 FMAX\nCYCL CALL\n"
+				       "CYCL DEF 18.0 THREAD\nCYCL DEF 18.1 DEPTH -20\nCYCL DEF 18.2 PITCH +1\nL X+12 FMAX M99\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 11 -20 0 0 0 spread 5 0 10\n"
+						"rapid 11 20 0 0 0 spread 5 0 10\nrapid 11 0 0 0 0 spread 5 0 10\n"
+						"rapid 12 0 0 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("gcode_klartext_region");
@@ -317,6 +337,7 @@ int main(void)
 	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, probe_cycle);
+	tcase_add_test(tcase, bounded_cycle);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

@@ -6,6 +6,43 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/moves_around.h"
 
+/* iTNC 530 and TNC 640 user's manuals: cycles of the control that are called, and not followed here. */
+static const struct {
+	int number;
+	const char *what;
+} called[] = {
+    {18, "thread cutting"},
+    {25, "contour train"},
+    {27, "cylinder surface"},
+    {28, "cylinder surface"},
+    {29, "cylinder surface"},
+    {39, "cylinder surface"},
+    {225, "engraving"},
+    {231, "ruled surface"},
+    {270, "data of a contour train"},
+    {271, "contour data of OCM"},
+    {272, "roughing of OCM"},
+    {273, "floor finishing of OCM"},
+    {274, "side finishing of OCM"},
+    {275, "trochoidal slot"},
+    {276, "contour train in space"},
+    {277, "chamfering of OCM"},
+};
+
+static const char *find_called(int number)
+{
+	for (size_t i = 0; i < sizeof(called) / sizeof(called[0]); i++) {
+		if (called[i].number == number)
+			return called[i].what;
+	}
+	return NULL;
+}
+
+bool klartext_builder_cycle_is_called(int number)
+{
+	return find_called(number) != NULL;
+}
+
 /* What the machine file says of a cycle; NULL: nothing. */
 static const struct builder_macro *find_macro(const struct interp *interp, int number)
 {
@@ -36,6 +73,12 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 			     "stays near its place, <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in "
 			     "the machine's <controller> says how far it moves",
 			     number, number);
+	if (find_called(number))
+		return fault(lexer->at, column,
+			     "CYCL DEF %d: %s is not followed; if it stays near the place where it is called, <macro "
+			     "program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says "
+			     "how far it moves",
+			     number, find_called(number), number);
 	return fault(lexer->at, column,
 		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
 		     "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",

@@ -10,6 +10,9 @@
 /* Does the machine file say what this cycle does, by <macro program=""> with action="none" or "around"? */
 bool klartext_builder_cycle_is_known(const struct interp *interp, int number);
 
+/* Is it a cycle of the control itself, which CYCL CALL carries out, and which is not followed here? */
+bool klartext_builder_cycle_is_called(int number);
+
 /* Where it does not: reports which answer is missing. Returns false. */
 bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int column);
 

@@ -7,6 +7,7 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
@@ -335,6 +336,8 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->cycle.number == 12)
 		return call_program(interp, column);
 	klartext->moved = true;
+	if (klartext_builder_cycle_is_called(klartext->cycle.number))
+		return klartext_builder_cycle_run(interp, &klartext->cycle);
 	if (klartext->cycle.by_q)
 		return by_q(&call);
 	return klartext->cycle.number >= 3 && klartext->cycle.number <= 5 ? klartext_pocket_make_old(&call)

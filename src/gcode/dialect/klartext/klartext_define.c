@@ -11,6 +11,7 @@
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 
@@ -21,15 +22,13 @@
 enum cycle_use {
 	USE_CALLED, /* by CYCL CALL, M99, M89 */
 	USE_DEFINED, /* takes effect where it is defined */
-	USE_IGNORED, /* moves no axis */
-	USE_REFUSED
+	USE_IGNORED /* moves no axis */
 };
 
 struct cycle_row {
 	short number;
 	enum cycle_use use;
 	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle); /* DEFINED */
-	const char *what; /* REFUSED */
 };
 
 static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
@@ -67,65 +66,58 @@ static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
 
 /* iTNC 530 and TNC 640 user's manuals, cycle programming. Sorted by number. */
 static const struct cycle_row rows[] = {
-    {1, USE_CALLED, NULL, NULL},
-    {2, USE_CALLED, NULL, NULL},
-    {3, USE_CALLED, NULL, NULL},
-    {4, USE_CALLED, NULL, NULL},
-    {5, USE_CALLED, NULL, NULL},
-    {7, USE_DEFINED, klartext_frame_shift, NULL},
-    {8, USE_DEFINED, klartext_frame_mirror, NULL},
-    {9, USE_DEFINED, dwell, NULL},
-    {10, USE_DEFINED, klartext_frame_rotate, NULL},
-    {11, USE_DEFINED, klartext_frame_scale, NULL},
-    {12, USE_CALLED, NULL, NULL},
-    {13, USE_IGNORED, NULL, NULL}, /* orients the spindle */
-    {14, USE_DEFINED, NULL, NULL},
-    {17, USE_CALLED, NULL, NULL},
-    {18, USE_REFUSED, NULL, "thread cutting"},
-    {19, USE_DEFINED, klartext_plane_cycle, NULL},
-    {20, USE_DEFINED, klartext_contour_data, NULL},
-    {21, USE_CALLED, NULL, NULL},
-    {22, USE_CALLED, NULL, NULL},
-    {23, USE_CALLED, NULL, NULL},
-    {24, USE_CALLED, NULL, NULL},
-    {25, USE_REFUSED, NULL, "contour train"},
-    {26, USE_DEFINED, klartext_frame_scale_axes, NULL},
-    {27, USE_REFUSED, NULL, "cylinder surface"},
-    {28, USE_REFUSED, NULL, "cylinder surface"},
-    {29, USE_REFUSED, NULL, "cylinder surface"},
-    {32, USE_DEFINED, tolerate, NULL},
-    {39, USE_REFUSED, NULL, "cylinder surface"},
-    {200, USE_CALLED, NULL, NULL},
-    {201, USE_CALLED, NULL, NULL},
-    {202, USE_CALLED, NULL, NULL},
-    {203, USE_CALLED, NULL, NULL},
-    {204, USE_CALLED, NULL, NULL},
-    {205, USE_CALLED, NULL, NULL},
-    {206, USE_CALLED, NULL, NULL},
-    {207, USE_CALLED, NULL, NULL},
-    {208, USE_CALLED, NULL, NULL},
-    {209, USE_CALLED, NULL, NULL},
-    {220, USE_DEFINED, klartext_pattern_circle, NULL},
-    {221, USE_DEFINED, klartext_pattern_lines, NULL},
-    {230, USE_CALLED, NULL, NULL},
-    {231, USE_REFUSED, NULL, "ruled surface"},
-    {232, USE_CALLED, NULL, NULL},
-    {233, USE_CALLED, NULL, NULL},
-    {240, USE_CALLED, NULL, NULL},
-    {241, USE_CALLED, NULL, NULL},
-    {247, USE_DEFINED, klartext_preset_select, NULL},
-    {251, USE_CALLED, NULL, NULL},
-    {252, USE_CALLED, NULL, NULL},
-    {253, USE_CALLED, NULL, NULL},
-    {254, USE_CALLED, NULL, NULL},
-    {256, USE_CALLED, NULL, NULL},
-    {257, USE_CALLED, NULL, NULL},
-    {258, USE_CALLED, NULL, NULL},
-    {262, USE_CALLED, NULL, NULL},
-    {263, USE_CALLED, NULL, NULL},
-    {264, USE_CALLED, NULL, NULL},
-    {265, USE_CALLED, NULL, NULL},
-    {267, USE_CALLED, NULL, NULL},
+    {1, USE_CALLED, NULL},
+    {2, USE_CALLED, NULL},
+    {3, USE_CALLED, NULL},
+    {4, USE_CALLED, NULL},
+    {5, USE_CALLED, NULL},
+    {7, USE_DEFINED, klartext_frame_shift},
+    {8, USE_DEFINED, klartext_frame_mirror},
+    {9, USE_DEFINED, dwell},
+    {10, USE_DEFINED, klartext_frame_rotate},
+    {11, USE_DEFINED, klartext_frame_scale},
+    {12, USE_CALLED, NULL},
+    {13, USE_IGNORED, NULL}, /* orients the spindle */
+    {14, USE_DEFINED, NULL},
+    {17, USE_CALLED, NULL},
+    {19, USE_DEFINED, klartext_plane_cycle},
+    {20, USE_DEFINED, klartext_contour_data},
+    {21, USE_CALLED, NULL},
+    {22, USE_CALLED, NULL},
+    {23, USE_CALLED, NULL},
+    {24, USE_CALLED, NULL},
+    {26, USE_DEFINED, klartext_frame_scale_axes},
+    {32, USE_DEFINED, tolerate},
+    {200, USE_CALLED, NULL},
+    {201, USE_CALLED, NULL},
+    {202, USE_CALLED, NULL},
+    {203, USE_CALLED, NULL},
+    {204, USE_CALLED, NULL},
+    {205, USE_CALLED, NULL},
+    {206, USE_CALLED, NULL},
+    {207, USE_CALLED, NULL},
+    {208, USE_CALLED, NULL},
+    {209, USE_CALLED, NULL},
+    {220, USE_DEFINED, klartext_pattern_circle},
+    {221, USE_DEFINED, klartext_pattern_lines},
+    {230, USE_CALLED, NULL},
+    {232, USE_CALLED, NULL},
+    {233, USE_CALLED, NULL},
+    {240, USE_CALLED, NULL},
+    {241, USE_CALLED, NULL},
+    {247, USE_DEFINED, klartext_preset_select},
+    {251, USE_CALLED, NULL},
+    {252, USE_CALLED, NULL},
+    {253, USE_CALLED, NULL},
+    {254, USE_CALLED, NULL},
+    {256, USE_CALLED, NULL},
+    {257, USE_CALLED, NULL},
+    {258, USE_CALLED, NULL},
+    {262, USE_CALLED, NULL},
+    {263, USE_CALLED, NULL},
+    {264, USE_CALLED, NULL},
+    {265, USE_CALLED, NULL},
+    {267, USE_CALLED, NULL},
 };
 
 static const struct cycle_row *find_row(int number)
@@ -146,12 +138,13 @@ static bool finish(struct interp *interp)
 	const struct cycle_row *row = find_row(definition->number);
 
 	definition->open = false;
-	if (!row)
-		return klartext_builder_cycle_run(interp, definition);
-	if (row->use == USE_CALLED) {
+	if (row ? row->use == USE_CALLED : klartext_builder_cycle_is_called(definition->number)) {
 		klartext->cycle = *definition;
 		klartext->modal_call = false;
+		return true;
 	}
+	if (!row)
+		return klartext_builder_cycle_run(interp, definition);
 	/* Older cycles have taken effect line by line. */
 	return row->use != USE_DEFINED || !definition->by_q || row->run(interp, definition);
 }
@@ -303,6 +296,9 @@ bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 	const struct interp *interp = lexer->context;
 	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
 
+	/* QS500="TEXT" of cycle 225. */
+	if (definition->open && definition->by_q && !numbered && klartext_string_follows(lexer))
+		return definition->number == 225;
 	/* In a program without block numbers, Q200 and on are the cycle's. */
 	return definition->open && definition->by_q && !numbered && is_q_word(lexer) &&
 	       (definition->numbered || definition->number < 200 || lexer->at->text[lexer->position + 1] >= '2');
@@ -312,7 +308,8 @@ bool klartext_define_line(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 
-	return read_words(lexer, &klartext_of(interp)->definition);
+	return klartext_string_follows(lexer) ? klartext_string_assign(lexer)
+					      : read_words(lexer, &klartext_of(interp)->definition);
 }
 
 /* The name of a cycle, which says nothing that its number does not say. */
@@ -338,8 +335,6 @@ static bool begin(struct lexer *lexer, int number, int column)
 	/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
 	if (!row)
 		klartext_of(interp)->cycle.number = 0;
-	if (row && row->use == USE_REFUSED)
-		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
 								  .number = number,
 								  .open = true,

@@ -290,6 +290,11 @@ bool klartext_tool_call(struct lexer *lexer)
 	if (!request.has_tool && (request.has_delta_length || request.has_delta_radius || request.oversize) &&
 	    !change_oversize(interp, &request))
 		return false;
+	if (!request.has_tool && !request.has_delta_length && !request.has_delta_radius && !request.oversize &&
+	    klartext->oversize)
+		return fault(lexer->at, request.column,
+			     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still "
+			     "counts is not known here; write it, too");
 	if (request.has_speed) {
 		interp->state.speed = request.speed;
 		interp->state.speed_is_zero = !(request.speed > 0);
