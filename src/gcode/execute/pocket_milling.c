@@ -62,8 +62,10 @@ bool pocket_milling_start_block(struct interp *interp)
 	struct pocket_milling *pocket = &interp->state.pocket_milling;
 	struct block *block = &interp->block;
 
-	if (pocket->takes)
-		return check_outline_block(interp);
+	if (pocket->takes) {
+		pocket->takes = check_outline_block(interp);
+		return pocket->takes;
+	}
 	if ((pocket->compensated || pocket->open[0] || pocket->open[1] || pocket->open[2]) &&
 	    !check_block_behind(interp))
 		return false;

@@ -445,12 +445,12 @@ bool macro_b_call_after_block(struct interp *interp)
 {
 	int code = interp->block.m[M_STOP], column = interp->block.m_column[M_STOP];
 
-	if (interp->block.g[G_NONMODAL] == G150)
-		return call_outline(interp);
 	if (macro_b_of(interp)->builder.macro)
 		return builder_macro_end(interp);
 	if (!call_modal(interp))
 		return false;
+	if (interp->block.g[G_NONMODAL] == G150)
+		return call_outline(interp);
 	if (code < 97)
 		return true;
 	return code == 99 ? do_m99(interp, column) : do_m98(interp, column);
