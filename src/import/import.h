@@ -43,6 +43,7 @@ struct import_options {
 	const char *work;	/* the component that carries the work, where there are several; or NULL: the first */
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 	const char *head;	/* of those that carry the tool; or NULL: not given */
+	const char *device;	/* name, uuid or id of the device to take, where there are several; or NULL: not given */
 };
 
 /*

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/axes.h"
+#include "base/strbuf.h"
 #include "import/axis_chains.h"
 #include "import/mtconnect_motion.h"
 #include "import/mtconnect_travel.h"
@@ -364,22 +365,64 @@ static bool build(struct reading *r)
 	return true;
 }
 
-/* The device that has axes; an agent describes itself as one without. */
+/* An agent describes itself as a device without axes. */
+static bool has_axes(const xmlNode *device)
+{
+	for (const xmlNode *part = device; part; part = mtconnect_next(device, part))
+		if (foreign_is(part, "Linear") || foreign_is(part, "Rotary"))
+			return true;
+	return false;
+}
+
+static const char *name_of_device(const xmlNode *device)
+{
+	static const char *const names[] = {"name", "uuid", "id"};
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
+		if (foreign_attribute(device, names[i]) && *foreign_attribute(device, names[i]))
+			return foreign_attribute(device, names[i]);
+	return "";
+}
+
+/* Is it the device that the user asks for? Without a question each is. */
+static bool is_asked_for(const struct reading *r, const xmlNode *device)
+{
+	static const char *const names[] = {"name", "uuid", "id"};
+
+	for (size_t i = 0; r->options->device && i < sizeof(names) / sizeof(*names); i++) {
+		const char *text = foreign_attribute(device, names[i]);
+
+		if (text && !strcmp(text, r->options->device))
+			return true;
+	}
+	return !r->options->device;
+}
+
+/* The one device with axes that is asked for. False: reported, with the names of those that are there. */
 static bool find_device(struct reading *r)
 {
 	const xmlNode *devices = foreign_child(xml_root(&r->xml), "Devices");
+	struct strbuf names = {0};
+	size_t count = 0;
 
-	for (const xmlNode *at = foreign_child(devices, "Device"); at; at = foreign_next(at, "Device"))
-		for (const xmlNode *part = at; part; part = mtconnect_next(at, part)) {
-			if (!foreign_is(part, "Linear") && !foreign_is(part, "Rotary"))
-				continue;
-			if (r->device)
-				return fault(r, at, "this document has several machines: keep one Device in it, and import it "
-						    "again");
+	for (const xmlNode *at = foreign_child(devices, "Device"); at; at = foreign_next(at, "Device")) {
+		if (!has_axes(at))
+			continue;
+		if (names.length < 300)
+			strbuf_addf(&names, "%s'%s'", names.length ? ", " : "", xml_quote(name_of_device(at)).text);
+		if (is_asked_for(r, at)) {
 			r->device = at;
-			break;
+			count++;
 		}
-	return r->device || fault(r, xml_root(&r->xml), "no Device of this document has a Linear or Rotary component");
+	}
+	if (!names.length)
+		fault(r, xml_root(&r->xml), "no Device of this document has a Linear or Rotary component");
+	else if (count != 1)
+		xml_error(&r->xml, xml_root(&r->xml), NULL, "%s: say with --device=NAME which of these to take: %s",
+			  count ? "this document has several machines" : "no machine of this document has that name",
+			  strbuf_text(&names));
+	strbuf_release(&names);
+	return count == 1;
 }
 
 bool mtconnect_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,

@@ -98,4 +98,10 @@ fault 's/>-30</>130</'
 fault 's/>-30</>low</'
 fault 's/<Linear/<Path/; s/<.Linear/<\/Path/; s/<Rotary/<Path/; s/<.Rotary/<\/Path/'
 fault 's|</Devices>|<Device id="e"><Linear name="X"/></Device>&|'
+echo "one of several machines, by its name or its id:"
+mill | sed 's|</Devices>|<Device id="e"><Linear name="X"/></Device>&|' >two.xml
+fivecheck import --device=lathe --output two two.xml 2>&1 | head -1
+fivecheck import --device='mill & co' --output two two.xml 2>&1 | grep -c wrote
+fivecheck import --device=d --output two-by-id two.xml 2>&1 | grep -c wrote
+cmp two/machine.xml two-by-id/machine.xml
 fault 's|</Devices>||'

@@ -31,6 +31,7 @@ enum {
 	KEY_UNITS,
 	KEY_TABLE,
 	KEY_HEAD,
+	KEY_DEVICE,
 	KEY_PICTURES
 };
 
@@ -66,6 +67,8 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	 .help = "the axes that carry the work, from the base on, where\nthe file does not say it"},
 	{KEY_HEAD, "head", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.head),
 	 .help = "the axes that carry the tool, from the base on"},
+	{KEY_DEVICE, "device", "NAME", .kind = VALUE_TEXT, FIELD(options.device),
+	 .help = "the machine to take from a document of MTConnect that\nhas several"},
 	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, FIELD(unit), .choices = unit_names,
 	 .help = "lengths of a file that does not say its units: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, FIELD(dialect), .choices = dialect_names,

@@ -4,7 +4,7 @@
 
 #include "cli/command.h"
 
-enum { IMPORT_OPTION_COUNT = 10 };
+enum { IMPORT_OPTION_COUNT = 11 };
 
 extern const struct option_row import_options[IMPORT_OPTION_COUNT];
 
