@@ -72,9 +72,9 @@ printf 'G500 G71 G90 F100\nOPEN\nM30\n' >open.mpf
 fivecheck --parse-only s.xml open.mpf >/dev/null
 echo "exit $?"
 # What the machine file says of the builder's programs and of a measuring cycle, by their names.
-sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program="CYCLE977" action="around" X="30" Z="20"/><macro program="L9" action="around" Z="3"/>|' \
+sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program="CYCLE977" action="around" X="30" Z="20"/><macro program="L9" action="around" Z="3"/><macro program="H12" action="none"/>|' \
 	s.xml >named.xml
-printf 'G500 G17 G71 G90 G0 X1 Z3\nCYCLE_HSC(1,"a")\nCYCLE977(101,1,,1)\nTRANS X5\nL9\nX5\nX9\nM30\n' >named.mpf
+printf 'G500 G17 G71 G90 G0 X1 Z3\nCYCLE_HSC(1,"a")\nCYCLE977(101,1,,1)\nTRANS X5\nL9\nX5\nX9 H12\nH1=12\nM30\n' >named.mpf
 fivecheck --dump-path named.xml named.mpf
 echo "exit $?"
 for block in 'MIRROR X0\nL9' 'CYCLE_OTHER(1)' 'CYCLE72(1)'; do

@@ -89,7 +89,11 @@ static const struct refused_program programs[] = {
 	{"W=5\n", 1, 1,
 	 "the machine has no W axis"},
 	{"H5\n", 1, 1,
-	 "H5: an auxiliary function of the machine's maker; what it does is not known"},
+	 "H5: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"H5\" "
+	 "action=\"none\"/> in the machine's <controller> says so"},
+	{"X1 H1=5.5\n", 1, 4,
+	 "H5.5: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"H\" "
+	 "action=\"none\"/> in the machine's <controller> says so"},
 	{"X1.2.3\n", 1, 5,
 	 "unexpected '.'"},
 	{"X1EX3\n", 1, 1,

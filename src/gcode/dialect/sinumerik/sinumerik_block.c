@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
+#include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/eval/expr.h"
@@ -194,8 +195,7 @@ static bool take_word(struct reading *r, char letter, int column, double value, 
 	case 'T': case 'U': case 'V': case 'W': case 'X': case 'Y': case 'Z':
 		return add_letter(r, letter, column, value, way);
 	case 'H':
-		return fault(r->lexer->at, column,
-			     "H%g: an auxiliary function of the machine's maker; what it does is not known", value);
+		return sinumerik_builder_take_auxiliary(r->interp, value, column);
 	default:
 		return fault(r->lexer->at, column, "%c is neither an axis of the machine nor an address", letter);
 	}
@@ -284,8 +284,10 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 		r->block->address_column[word.code] = column;
 		return true;
 	}
-	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S')) {
+	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S' || name[0] == 'H')) {
 		lexer_take(r->lexer);
+		if (name[0] == 'H')
+			return read_value(r, &value, &way) && take_word(r, 'H', column, value, way);
 		if (strcmp(name + 1, "1") != 0)
 			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet",
 				     name);

@@ -1,6 +1,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +10,9 @@
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/moves_around.h"
 #include "gcode/execute/rotated_frame.h"
+
+/* Auxiliary functions with larger numbers count as H, whose numbers have no end. */
+#define H_MAX 99999999.0
 
 long sinumerik_builder_number(const char *name)
 {
@@ -65,6 +69,25 @@ static bool go_around(struct interp *interp, const double around[3], int column)
 				larger(around[2], fabs(x.z) + fabs(y.z) + fabs(z.z))};
 
 	return moves_around_go(interp, both, column);
+}
+
+bool sinumerik_builder_take_auxiliary(struct interp *interp, double value, int column)
+{
+	const bool whole = value >= 0 && value <= H_MAX && !(floor(value) < value);
+	const struct builder_macro *macro;
+	char name[16];
+
+	if (whole)
+		snprintf(name, sizeof(name), "H%.0f", value);
+	else
+		snprintf(name, sizeof(name), "H");
+	macro = find(interp, name);
+	if (macro && macro->action == MACRO_NONE)
+		return true;
+	return fault(&interp->at, column,
+		     "H%.9g: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"%s\" "
+		     "action=\"none\"/> in the machine's <controller> says so",
+		     value, name);
 }
 
 bool sinumerik_builder_refuse(struct interp *interp, const char *name, const char *what, int column)

@@ -10,6 +10,9 @@ long sinumerik_builder_number(const char *name);
 /* Does the machine file say with <macro> what the program with this upper-case name does? */
 bool sinumerik_builder_is_known(const struct interp *interp, const char *name);
 
+/* H5 or H1=5: an auxiliary function, of which <macro program="H5"> says that it does nothing. False: reported. */
+bool sinumerik_builder_take_auxiliary(struct interp *interp, double value, int column);
+
 /* Reports that a cycle of Siemens, `what`, is not followed, and the answer to it if there is one; false. */
 bool sinumerik_builder_refuse(struct interp *interp, const char *name, const char *what, int column);
 
