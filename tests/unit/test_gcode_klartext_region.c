@@ -22,7 +22,7 @@ static const struct klartext_program regions[] = {
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q224=90 Q367=1" HEIGHTS,
 	 "tool 1\n"
 	 "rapid X -15..10 Y 20..75 Z 102..200\n"
-	 "feed X -15..7.5 Y 22.5..75 Z 80..102\n"
+	 "feed X -15..5 Y 25..75 Z 80..102\n"
 	 "rapid X -15..5 Y 25..75 Z 102..150\n"},
 	{START "CYCL DEF 252 POCKET Q223=40" HEIGHTS,
 	 "tool 1\n"
@@ -37,7 +37,7 @@ static const struct klartext_program regions[] = {
 	{START "CYCL DEF 253 SLOT Q218=60 Q219=12 Q374=0 Q367=1" HEIGHTS,
 	 "tool 1\n"
 	 "rapid X 10..65 Y 19..21 Z 102..200\n"
-	 "feed X 12.5..65 Y 19..21 Z 80..102\n"
+	 "feed X 15..65 Y 19..21 Z 80..102\n"
 	 "rapid X 15..65 Y 19..21 Z 102..150\n"},
 	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS,
 	 "tool 1\n"
@@ -127,7 +127,7 @@ static const struct klartext_program regions[] = {
 	 "LBL 2\nL X+0 Y+0\nCR X+10 R+5 DR+\nLBL 0\n",
 	 "tool 1\n"
 	 "rapid X -16..16 Y -16..20 Z 102..200\n"
-	 "feed X -16..16 Y -16..18 Z 85..102\n"
+	 "feed X -16..16 Y -16..16 Z 85..102\n"
 	 "rapid X -16..16 Y -16..16 Z 102..150\n"},
 	/* A depth of 0 does nothing. */
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n",

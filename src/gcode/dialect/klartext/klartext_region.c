@@ -4,6 +4,9 @@
 
 #include "gcode/dialect/klartext/klartext_frame.h"
 
+/* mm: more than 0, so that a move counts as one of a set, of which no path is certain. */
+#define NARROW 1e-9
+
 /* To a point, anywhere in the region about the way there. A feed of 0 is a rapid. */
 static bool go(const struct klartext_call_of *call, const struct klartext_region *region, vec3 point, double feed)
 {
@@ -71,18 +74,20 @@ static bool approach(const struct klartext_call_of *call, const struct klartext_
 
 bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *given)
 {
+	const struct klartext_region within = {.half = {NARROW, NARROW}};
 	struct klartext_region region = *given;
 	vec3 at = region.centre;
 
 	widen(call, &region);
 	at.z = region.top;
-	if (!approach(call, &region) || !go(call, &region, at, region.feed))
+	/* The approach covers the way to the middle of the region, and the way down all of the way up. */
+	if (!approach(call, &region) || !go(call, &within, at, 0))
 		return false;
 	at.z = region.bottom;
 	if (!go(call, &region, at, region.feed))
 		return false;
 	at.z = region.top;
-	if (!go(call, &region, at, region.feed))
+	if (!go(call, &within, at, region.feed))
 		return false;
 	at.z = region.clear;
 	if (!go(call, &region, at, 0))
