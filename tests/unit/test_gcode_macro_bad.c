@@ -351,6 +351,23 @@ static const struct {
 	{H, "G253\n",
 	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates (post with rotary words and G254) is not supported yet\n    G253\n"
 	 "    ^\n"},
+	{H, "G268 X0. Y0. Z0. I30.\n",
+	 "p.nc:1:1: error: G268: feature coordinate system (post with rotary words and G254) is not supported yet\n"
+	 "    G268 X0. Y0. Z0. I30.\n    ^\n"},
+	{H, "G269\n", "p.nc:1:1: error: G269: cancelling of the feature coordinate system is not supported yet\n    G269\n    ^\n"},
+	{H, "G72 I5. J30. L3\n",
+	 "p.nc:1:1: error: G72: bolt holes along an angle (write the X and Y of each hole) is not supported yet\n"
+	 "    G72 I5. J30. L3\n    ^\n"},
+	{F, "G54.2 P1\n",
+	 "p.nc:1:1: error: G54.2: rotary table dynamic fixture offset (post with a work offset for each angle) is not supported "
+	 "yet\n    G54.2 P1\n    ^\n"},
+	{F, "G54.4 P1\n",
+	 "p.nc:1:1: error: G54.4: work setting error compensation is not supported yet\n    G54.4 P1\n    ^\n"},
+	{F, "G71 U2. R1.\n",
+	 "p.nc:1:1: error: G71: turning cycle of lathes (other controls mean millimetres: write G21) is not supported yet\n"
+	 "    G71 U2. R1.\n    ^\n"},
+	{F, "T01 T02 M06\n",
+	 "p.nc:1:5: error: the word T stands twice in the block, at columns 1 and 5\n    T01 T02 M06\n        ^\n"},
 	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported yet\n    M34\n    ^\n"},
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block needs M99 P\n    [1 EQ 1] G0 X1.\n            "

@@ -1,4 +1,4 @@
-/* test_gcode_pocket.c - pocket milling of Haas (G150): random places of the pocket against the moves; its faults. */
+/* test_gcode_pocket.c - pocket milling of Haas (G150, G12, G13): random places of the pocket against the moves; faults. */
 #include "gcode_case.h"
 
 #define MOVES_MAX 4000
@@ -104,6 +104,65 @@ static void expect_pocket(const char *program)
 	case_release(&c);
 }
 
+/* The place is on a circle of the moves, or beside it by no more than is said. */
+static bool is_on_circle(const char *moves, const double point[3])
+{
+	const double r = hypot(point[0] - 1, point[1] - 2);
+
+	for (const char *row = strstr(moves, "arc "); row; row = strstr(row + 1, "arc ")) {
+		const char *spread = strstr(row, "spread ");
+		double end[3], beside[3];
+		char *next = (char *)row + strlen("arc ");
+
+		ck_assert_ptr_nonnull(spread);
+		for (int i = 0; i < 3; i++)
+			end[i] = strtod(next, &next);
+		next = (char *)spread + strlen("spread ");
+		for (int i = 0; i < 3; i++)
+			beside[i] = strtod(next, &next);
+		if (fabs(r - hypot(end[0] - 1, end[1] - 2)) <= beside[0] + 1e-6 &&
+		    fabs(point[2] - end[2]) <= beside[2] + 1e-6)
+			return true;
+	}
+	return false;
+}
+
+/*
+ * Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling CCW": from where the tool
+ * stands, (1, 2), up to the radius less its own, from Z 4 down to the depth.
+ */
+static void expect_circles(const char *block, double outer, double depth)
+{
+	struct strbuf program = {0};
+	uint32_t state = 12;
+	struct gcode_case c;
+
+	init(&c);
+	strbuf_addf(&program, "G0 X1. Y2. Z4. F99.\n%s\nM30\n", block);
+	ck_assert_msg(case_run(&c, program.text), "%s", strbuf_text(&c.messages));
+	for (int i = 0; i < 2000; i++) {
+		const double r = between(&state, 0, outer), angle = between(&state, 0, 2 * PI);
+		const double point[3] = {1 + r * cos(angle), 2 + r * sin(angle), between(&state, depth, 4)};
+		const double outside[3] = {1 + (outer + 0.01) * cos(angle), 2 + (outer + 0.01) * sin(angle), point[2]};
+		const double below[3] = {point[0], point[1], depth - 0.01};
+
+		ck_assert(is_on_circle(strbuf_text(&c.moves), point));
+		ck_assert(!is_on_circle(strbuf_text(&c.moves), outside));
+		ck_assert(!is_on_circle(strbuf_text(&c.moves), below));
+	}
+	strbuf_release(&program);
+	case_release(&c);
+}
+
+START_TEST(circles)
+{
+	expect_circles("G12 I10. Z-2. D1", 7, -2);
+	expect_circles("G13 I5. K10. Q2. Z-2. D1", 7, -2);
+	expect_circles("G13 I5. K10. Q2. Z-2.", 10, -2);
+	expect_circles("G91 G13 I8. Z-2. L3 D1", 5, -2);
+}
+END_TEST
+
 #define BEFORE "G0 X0. Y15. Z4. F99.\n"
 #define AFTER "G40 G1 X0. Y15.\nG0 Z25.\nG0 Z25. X0.\nM30\n"
 #define OUTLINE "G1 Y20.\nX-20.\nG3 X-30. Y10. R10.\nG1 Y-20.\nX20.\nY20.\nX0.\nM99\n"
@@ -144,6 +203,10 @@ static const struct bad {
     {G150_BLOCK "\nG91 G0 Z5.", OUTLINE, "where the tool stands in the pocket of G150 is not known"},
     {G150_BLOCK "\nT1 M6", OUTLINE, "where the tool stands in the pocket of G150 is not known"},
     {G150_BLOCK "\n#1=#5002", OUTLINE, "where Y stands in the pocket of G150 is not known"},
+    {"G12 I10. Z-2. L2", OUTLINE, "L of G12 needs G91"},
+    {"G13 Z-2.", OUTLINE, "G13 needs I or K, the radius of the pocket"},
+    {"G13 I2. Z-2. D1", OUTLINE, "the pocket is smaller than the tool"},
+    {"G18 G13 I9. Z-2.", OUTLINE, "G13 needs the plane of G17"},
     {"G150 P8 Z-5. R1. Q2. J2. F300.", OUTLINE, "O8"},
 };
 
@@ -169,6 +232,7 @@ int main(void)
 	int failed;
 
 	tcase_add_test(tcase, covered);
+	tcase_add_test(tcase, circles);
 	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
