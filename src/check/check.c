@@ -235,12 +235,13 @@ static void release(struct checker *c)
 	sweep_release(&c->sweep);
 }
 
-/* mm: up to so much beyond what is required smallest clearances are found; 0: none are (pair_check_init). */
-static double measured_up_to(const struct check_options *options, const double *proven)
+static struct pair_measuring measuring_of(const struct check_options *options, const double *proven)
 {
 	if (proven)
-		return options->measure_cap > 0 ? options->measure_cap : INFINITY;
-	return options->block_clearances && options->least_clearances ? options->block_clearance_cap : 0;
+		return (struct pair_measuring){options->measure_cap > 0 ? options->measure_cap : INFINITY, false};
+	if (options->block_clearances && options->least_clearances)
+		return (struct pair_measuring){options->block_clearance_cap, true};
+	return (struct pair_measuring){0};
 }
 
 enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
@@ -268,7 +269,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.last_block = LONG_MAX;
 	start_block(&c);
 	if (options->method == CHECK_NOTHING ||
-	    (scheduler_init(&c.scheduler, scene, options, &c.asked, measured_up_to(options, proven), diag) &&
+	    (scheduler_init(&c.scheduler, scene, options, &c.asked, measuring_of(options, proven), diag) &&
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);

@@ -23,7 +23,7 @@ static bool starts_unseen(unsigned steps)
 	return !(steps & STEP_RAPID);
 }
 
-void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, double measure)
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, struct pair_measuring measuring)
 {
 	const struct scene_pair *p = &scene->pairs[pair];
 
@@ -35,21 +35,26 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 	check->found_block = check->unknown_block = check->nearest_block = -1;
 	check->maybe_inside = starts_unseen(p->steps);
 	/* The clearance of a cutter's core is of no interest. */
-	check->measure = p->status != PAIR_CUTTING ? measure : 0;
+	if (p->status != PAIR_CUTTING)
+		check->measuring = measuring;
 }
 
 void pair_check_prepare(struct pair_check *check, const struct check_options *options)
 {
 	const struct scene_pair *p = &check->scene->pairs[check->pair];
 	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	const struct pair_measuring *measuring = &check->measuring;
 	struct body_pair bodies;
 
 	if (check->methods || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
 		return;
 	check->methods = mem_zalloc(1, sizeof(*check->methods));
-	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance, check->measure > 0);
-	if (check->measure > 0 && check->measure < INFINITY)
-		strategy_cap(&check->methods->strategy, p->clearance + check->measure);
+	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance,
+		      !(measuring->up_to > 0) ? STRATEGY_PROVES
+		      : measuring->coarsely   ? STRATEGY_MEASURES_COARSELY
+					      : STRATEGY_MEASURES);
+	if (measuring->up_to > 0 && measuring->up_to < INFINITY)
+		strategy_cap(&check->methods->strategy, p->clearance + measuring->up_to);
 	sampler_init(&check->methods->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED,
 		     options->step);
 	check->methods->sampler.started = check->has_started;
@@ -324,6 +329,12 @@ static enum clearance_accuracy accuracy_of(const struct check_options *options, 
 	return rough ? CLEARANCE_ROUGH : CLEARANCE_COARSE;
 }
 
+/* Node pairs that measuring has looked at: searches for planes count, too. */
+static long looked_at(const struct pair_check *check, const struct sweep *sweep)
+{
+	return sweep->visits + check->methods->block.planes.visits;
+}
+
 /*
  * mm: what the check has proved of all steps so far, where only least clearances are measured; 0: nothing beyond what
  * is required. A pair that was found too close once has proved no more.
@@ -332,33 +343,36 @@ static double proved_so_far(const struct pair_check *check, const struct check_o
 {
 	const double proved = strategy_proven(&check->methods->strategy);
 
-	if (!options->least_clearances || check->past_limits_only || !(check->measure > 0) || isinf(proved))
+	if (!options->least_clearances || check->past_limits_only || !(check->measuring.up_to > 0) || isinf(proved))
 		return 0;
 	return proved > check->scene->pairs[check->pair].clearance ? proved : 0;
 }
 
-/* Lowers the clearance of the step's block to what is measured or was proved of all steps (0: nothing was). */
-static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, bool selected,
+/*
+ * Lowers the clearance of the step's block to what is measured or was proved of all steps (0: nothing was). `measured`:
+ * what was proved is not enough.
+ */
+static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, bool measured,
 			 double proved, enum clearance_accuracy accuracy, const struct check_options *options)
 {
 	struct pair_check_clearance *clearance = &check->clearances[check->clearance_count - 1];
 	struct block_clearance *block = &check->methods->block;
 	const double before = block->bound;
 
-	if (selected || !(proved > 0))
+	if (measured || !(proved > 0))
 		block_clearance_step(block, sweep, &step->motion, options->tolerance, accuracy);
 	else
 		block->bound = 0;
 	if (proved > 0)
 		block->bound = larger(block->bound, smaller(before, proved));
 	if (block->bound < before)
-		clearance->so_far = !selected && proved > 0;
+		clearance->so_far = !measured && proved > 0;
 }
 
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
+long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 			const struct measure_plan *plan, const struct check_options *options)
 {
-	const long rough_from = sweep->visits + plan->effort;
+	const long before = looked_at(check, sweep);
 	const double proved = proved_so_far(check, options);
 	struct block_clearance *block = &check->methods->block;
 	bool clears = false;
@@ -381,11 +395,16 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);
-		if (!clears)
-			measure_step(check, sweep, step, plan->selected[i], proved,
-				     accuracy_of(options, sweep->visits > rough_from), options);
+		if (!clears) {
+			const bool spent = looked_at(check, sweep) - before > plan->effort;
+			const enum measure_wish wish = plan->wishes[i];
+
+			measure_step(check, sweep, step, wish == MEASURE_NEAREST || (wish == MEASURE_CURVE && !spent),
+				     proved, accuracy_of(options, spent), options);
+		}
 		if (block->maybe_inside || !(block->bound > 0))
 			measure_inside(check, &step->motion);
 		check->clearances[check->clearance_count - 1].clearance = block->bound;
 	}
+	return looked_at(check, sweep) - before;
 }

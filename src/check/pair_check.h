@@ -30,12 +30,28 @@ struct pair_check_clearance {
 	bool so_far;	/* as in struct pair_clearance */
 };
 
-/* What is to be measured of a batch, with options->least_clearances; else effort and `selected` do not matter. */
+/* Where only least clearances are measured: what is wanted of a block. Else every block is measured. */
+enum measure_wish {
+	MEASURE_NOTHING,	/* the smallest clearance of all steps so far is given */
+	MEASURE_CURVE,	/* a point of the curve, while effort lasts */
+	MEASURE_NEAREST	/* it lowered the smallest clearance of a pair */
+};
+
+/* What is to be measured of a batch, with options->least_clearances; else effort and wishes do not matter. */
 struct measure_plan {
 	const double *most;	/* mm, above 0: for each step that of its block; a larger clearance is given as this */
-	/* for each step: measure its block; of others the smallest clearance of all steps so far is given */
-	const bool *selected;
-	long effort;	/* what comes after so many node pairs is measured roughly */
+	const enum measure_wish *wishes;	/* for each step that of its block */
+	/*
+	 * After so many node pairs a point of the curve is no longer measured, and what must be measured is measured
+	 * roughly.
+	 */
+	long effort;
+};
+
+/* Whether the smallest clearance of a pair is found. */
+struct pair_measuring {
+	double up_to;	/* mm: beyond what is required; INFINITY: all of it; 0: do not */
+	bool coarsely;	/* STRATEGY_MEASURES_COARSELY */
 };
 
 /* What takes the pair through the steps; large. */
@@ -51,7 +67,7 @@ struct pair_check {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
-	double measure;	/* mm: find the smallest clearance, up to so much beyond what is required; 0: do not */
+	struct pair_measuring measuring;
 	bool has_started;	/* the sampled methods need not look at where the first step begins */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long nearest_block;	/* the last block of the batch that lowered the smallest clearance; -1: none */
@@ -64,11 +80,8 @@ struct pair_check {
 	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 
-/*
- * The check is all zero before. measure: mm: find the smallest clearance (strategy_init), up to so much beyond what is
- * required; INFINITY: all of it; 0: do not. The meshes of the scene have been read (scene_build).
- */
-void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, double measure);
+/* The check is all zero before. The meshes of the scene have been read (scene_build). */
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, struct pair_measuring measuring);
 
 /*
  * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of
@@ -107,9 +120,9 @@ bool pair_check_has_clearance(const struct pair_check *check);
 
 /*
  * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Call it after
- * pair_check_run; its findings are not needed.
+ * pair_check_run; its findings are not needed. Returns how many node pairs were looked at.
  */
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
+long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 			const struct measure_plan *plan, const struct check_options *options);
 
 #endif

@@ -21,11 +21,15 @@
 #define PART_SHARE 4
 
 /*
- * Where only least clearances are measured, they may take so many node pairs, and half as many as the check itself,
- * before they are measured roughly. So the report of a short program has a sharp curve, and that of a long one costs
- * little more than the check, however near its bodies stay to each other.
+ * Where only least clearances are measured, they may take so many node pairs, and a share of those of the check itself.
+ * After that the curve shows what the check has proved. So a short program has a sharp curve, and that of a long one
+ * costs little more than the check, however near its bodies stay to each other.
  */
-#define MEASURING_EFFORT 100000L
+#define MEASURING_EFFORT 40000L
+#define MEASURING_SHARE 0.2
+
+/* This share of the price of a measured block is that in the last batch. */
+#define PRICE_SHARE 0.5
 
 /*
  * Where only least clearances are measured: every block in so many steps from the start of the program, then every
@@ -34,7 +38,7 @@
 #define SINGLE_STEPS 512L
 
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, double measure, struct diag *diag)
+		    const struct cancel *cancel, struct pair_measuring measuring, struct diag *diag)
 {
 	if (!scene_build(scene, diag))
 		return false;
@@ -50,7 +54,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		if (!scene_pair_needs_check(&scene->pairs[i]) || scene->pairs[i].stock)
 			continue;
-		pair_check_init(&scheduler->checks[scheduler->count++], scene, i, measure);
+		pair_check_init(&scheduler->checks[scheduler->count++], scene, i, measuring);
 	}
 	return true;
 }
@@ -67,7 +71,7 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->tasks);
 	free(scheduler->results);
 	free(scheduler->most);
-	free(scheduler->selected);
+	free(scheduler->wishes);
 	free(scheduler->order);
 	*scheduler = (struct scheduler){0};
 }
@@ -170,12 +174,13 @@ static void do_task(void *context, int worker, size_t i)
 	struct sweep sweep = work->scheduler->sweeps[worker];
 	long before = sweep.visits;
 
-	if (work->plan)
-		pair_check_measure(task->check, &sweep, work->batch, work->plan, work->options);
-	else
+	if (work->plan) {
+		task->visits = pair_check_measure(task->check, &sweep, work->batch, work->plan, work->options);
+	} else {
 		pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from, task->to,
 			       work->options);
-	task->visits = sweep.visits - before;
+		task->visits = sweep.visits - before;
+	}
 	work->scheduler->sweeps[worker] = sweep;
 }
 
@@ -310,27 +315,52 @@ static void lower_most(struct scheduler *scheduler, const struct batch *batch, s
 	}
 }
 
-/*
- * Which blocks are measured where only least clearances are: some at regular distances, and those that lowered the
- * smallest clearance of a pair.
- */
-static void select_blocks(struct scheduler *scheduler, const struct batch *batch)
+/* How many blocks of the batch have a number that the stride divides. */
+static long blocks_at(const struct batch *batch, long stride)
+{
+	const long first = batch->steps[0].block, last = batch->steps[batch->step_count - 1].block;
+
+	return (last + 1) / stride - first / stride;
+}
+
+/* The least distance of measured blocks that the effort left allows in this batch. */
+static long affordable_stride(const struct scheduler *scheduler, const struct batch *batch)
 {
 	long stride = 1;
 
-	scheduler->selected =
-	    mem_grow(scheduler->selected, &scheduler->selected_capacity, batch->step_count, sizeof(*scheduler->selected));
+	while (blocks_at(batch, stride) > 1 &&
+	       (double)blocks_at(batch, stride) * scheduler->block_price > (double)scheduler->spare_effort)
+		stride *= 2;
+	return stride;
+}
+
+/*
+ * Which blocks are measured where only least clearances are: some at regular distances, and those that lowered the
+ * smallest clearance of a pair. Returns how many.
+ */
+static long select_blocks(struct scheduler *scheduler, const struct batch *batch)
+{
+	long stride = affordable_stride(scheduler, batch), count = 0, last = -1;
+
+	scheduler->wishes =
+	    mem_grow(scheduler->wishes, &scheduler->wish_capacity, batch->step_count, sizeof(*scheduler->wishes));
 	for (size_t i = 0; i < batch->step_count; i++) {
 		while (batch->steps[i].number / SINGLE_STEPS >= stride)
 			stride *= 2;
-		scheduler->selected[i] = (batch->steps[i].block + 1) % stride == 0;
+		scheduler->wishes[i] = (batch->steps[i].block + 1) % stride == 0 ? MEASURE_CURVE : MEASURE_NOTHING;
 	}
 	for (size_t k = 0; k < scheduler->count; k++) {
 		const long nearest = scheduler->checks[k].nearest_block;
 
 		for (size_t i = 0; i < batch->step_count && nearest >= 0; i++)
-			scheduler->selected[i] |= batch->steps[i].block == nearest;
+			if (batch->steps[i].block == nearest)
+				scheduler->wishes[i] = MEASURE_NEAREST;
 	}
+	for (size_t i = 0; i < batch->step_count; i++) {
+		count += scheduler->wishes[i] != MEASURE_NOTHING && batch->steps[i].block != last;
+		last = batch->steps[i].block;
+	}
+	return count;
 }
 
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
@@ -340,15 +370,17 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	size_t together = options->least_clearances ? 1 : count;
 	struct measure_plan measure = {0};
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .plan = &measure};
+	long before, blocks;
 
-	select_blocks(scheduler, batch);
+	scheduler->spare_effort += (long)(MEASURING_SHARE * (double)scheduler->work);
+	before = scheduler->spare_effort;
+	blocks = select_blocks(scheduler, batch);
 	scheduler->most =
 	    mem_grow(scheduler->most, &scheduler->most_capacity, batch->step_count, sizeof(*scheduler->most));
 	for (size_t i = 0; i < batch->step_count; i++)
 		scheduler->most[i] = options->block_clearance_cap;
 	measure.most = scheduler->most;
-	measure.selected = scheduler->selected;
-	scheduler->spare_effort += scheduler->work / 2;
+	measure.wishes = scheduler->wishes;
 	/* How many are measured together does not depend on the number of threads, so neither do the clearances. */
 	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {
 		const size_t to = from + together < count ? from + together : count;
@@ -363,6 +395,9 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 		for (size_t i = from; i < to && options->least_clearances; i++)
 			lower_most(scheduler, batch, scheduler->order[i].check, options);
 	}
+	if (blocks > 0)
+		scheduler->block_price += PRICE_SHARE * ((double)(before - scheduler->spare_effort) / (double)blocks -
+							 scheduler->block_price);
 	return is_complete(scheduler);
 }
 

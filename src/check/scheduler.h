@@ -33,15 +33,16 @@ struct scheduler {
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
 	double *most;	/* mm: of each step's block: a larger clearance is of no interest (pair_check_measure) */
-	bool *selected;	/* of each step: its block is measured (measure_plan) */
-	size_t most_capacity, selected_capacity;
-	long spare_effort;	/* node pairs that measuring may still look at before it becomes rough */
+	enum measure_wish *wishes;	/* of each step (measure_plan) */
+	size_t most_capacity, wish_capacity;
+	long spare_effort;	/* node pairs that measuring may still look at (measure_plan) */
+	double block_price;	/* node pairs that a measured block takes: a running mean */
 	struct nearness *order;	/* in which pairs are measured where only the least clearance counts */
 };
 
-/* cancel is asked during a batch, from any thread. measure as in pair_check_init. False: a mesh is faulty, reported. */
+/* cancel is asked during a batch, from any thread. False: a mesh is faulty, reported. */
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, double measure, struct diag *diag);
+		    const struct cancel *cancel, struct pair_measuring measuring, struct diag *diag);
 void scheduler_release(struct scheduler *scheduler);
 
 /*

@@ -9,10 +9,17 @@
 #include "check/certified/proof.h"
 #include "motion/motion.h"
 
+/* How much of the smallest clearance is found. */
+enum strategy_measure {
+	STRATEGY_PROVES,	/* none: only what is required is proved */
+	STRATEGY_MEASURES,
+	STRATEGY_MEASURES_COARSELY	/* less of it, in less time */
+};
+
 /* The strategy changes how long the answers take, never the answers: those are the proof's (proof.h). */
 struct strategy {
 	struct pair_proof proof;
-	bool measures;	/* find the smallest clearance */
+	double measure_share;	/* of the clearance that there is so much is proved, at least nearly; 0: do not measure */
 	int steps_to_next_query;	/* steps to wait before the next distance query */
 	int backoff;	/* steps to wait after the next query that proves too little */
 	bool distance_pays;	/* false: the last step had to be swept */
@@ -24,11 +31,11 @@ struct strategy {
 };
 
 /*
- * measure: prove not only the clearance, but as much as there is, to within MEASURE_SHARE. This takes more time. The
- * strategy must not be moved afterwards.
+ * measure: prove not only the clearance, but as much as there is, to within a share. This takes more time. The strategy
+ * must not be moved afterwards.
  */
 void strategy_init(struct strategy *strategy, const struct body_pair *bodies, double clearance, double tolerance,
-		   bool measure);
+		   enum strategy_measure measure);
 void strategy_release(struct strategy *strategy);
 
 /* A strategy that measures stops at `most` mm: it then counts `most` as proven. */

@@ -1,18 +1,11 @@
 #include "report/format/seven_bit.h"
 
 #include <stdint.h>
-#include <string.h>
 
-enum { NONE = -1 };
-
-/* The index among the characters that must not stand in the text; NONE for all others. */
-static int reserved_index(unsigned group)
-{
-	static const char reserved[8] = {0, '\r', 14, 15, 26, 27, '<', 127};
-	const char *found = memchr(reserved, (int)group, sizeof(reserved));
-
-	return found ? (int)(found - reserved) : NONE;
-}
+/* The index among the characters that must not stand in the text, from 1; 0 for all others. */
+static const unsigned char reserved[128] = {
+	[0] = 1, ['\r'] = 2, [14] = 3, [15] = 4, [26] = 5, [27] = 6, ['<'] = 7, [127] = 8,
+};
 
 static unsigned group_at(const unsigned char *bytes, size_t count, size_t group)
 {
@@ -30,19 +23,18 @@ void seven_bit_add(struct strbuf *out, const void *bytes, size_t count)
 
 	for (size_t i = 0; i < groups; i++) {
 		const unsigned group = group_at(bytes, count, i);
-		const int index = reserved_index(group);
-		unsigned code;
+		unsigned index, code;
 
 		if (length > sizeof(piece) - 2) {
 			strbuf_add(out, piece, length);
 			length = 0;
 		}
-		if (index == NONE) {
+		if (!reserved[group]) {
 			piece[length++] = (char)group;
 			continue;
 		}
-		code = i + 1 < groups ? 0x100 + 128 * (unsigned)index + group_at(bytes, count, i + 1)
-				      : 0x500 + (unsigned)index;
+		index = reserved[group] - 1U;
+		code = i + 1 < groups ? 0x100 + 128 * index + group_at(bytes, count, i + 1) : 0x500 + index;
 		piece[length++] = (char)(0xc0 | code >> 6);
 		piece[length++] = (char)(0x80 | (code & 63));
 		i++;

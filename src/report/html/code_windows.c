@@ -35,14 +35,18 @@ static void scan(struct code_file *file)
 	bool within = false;	/* a line */
 	size_t count;
 
-	while ((count = fread(bytes, 1, sizeof(bytes), file->stream)) > 0) {
-		for (size_t i = 0; i < count; i++, at++) {
+	for (; (count = fread(bytes, 1, sizeof(bytes), file->stream)) > 0; at += (long)count) {
+		const char *end = bytes + count, *line_end;
+
+		for (const char *next = bytes; next < end; next = line_end) {
 			if (!within && file->lines % WINDOW_LINES == 0) {
-				add_start(file, at);
+				add_start(file, at + (next - bytes));
 				file->windows++;
 			}
 			file->lines += !within;
-			within = bytes[i] != '\n';
+			line_end = memchr(next, '\n', (size_t)(end - next));
+			within = !line_end;
+			line_end = line_end ? line_end + 1 : end;
 		}
 	}
 	add_start(file, at);

@@ -16,17 +16,28 @@
 
 /* ------------------------------------------------------------------ levels */
 
-static int write_table(struct page *page, const int64_t *values, size_t rows, size_t columns)
+static int write_table(struct page *page, const int64_t *values, size_t rows, size_t columns, enum deflate_level level)
 {
 	struct strbuf bytes = {0}, packed = {0};
 	int blob;
 
 	pack_table_add(&bytes, values, rows, columns);
-	page_pack(&packed, &bytes, DEFLATE_SMALL);
+	page_pack(&packed, &bytes, level);
 	blob = page_blob(page, &packed);
 	strbuf_release(&bytes);
 	strbuf_release(&packed);
 	return blob;
+}
+
+/* A short table that is there as a whole needs no coarse level. */
+static bool is_short(const struct recorded_table *table)
+{
+	return table->chunk_count <= SHORT_CHUNKS;
+}
+
+static enum deflate_level level_of(const struct recorded_table *table)
+{
+	return is_short(table) ? DEFLATE_SMALL : DEFLATE_FAST;
 }
 
 /* The coarse level; with `start` the first row of all comes first. */
@@ -39,7 +50,7 @@ static json_t *write_coarse(struct page *page, const struct recorded_table *tabl
 
 	memcpy(values, table->first, n * sizeof(*values));
 	memcpy(values + extra * n, table->coarse, table->coarse_rows * n * sizeof(*values));
-	json_put(object, "blob", json_integer(write_table(page, values, rows, n)));
+	json_put(object, "blob", json_integer(write_table(page, values, rows, n, level_of(table))));
 	json_put(object, "rows", json_integer((json_int_t)rows));
 	free(values);
 	return object;
@@ -69,7 +80,7 @@ static bool choose_chunks(struct recorded_table *table, const struct recorder *r
 		struct strbuf bytes = {0}, *it = &packed[order[i]];
 
 		if (recorded_table_chunk(table, order[i], &bytes))
-			page_pack(it, &bytes, table->chunk_count > SHORT_CHUNKS ? DEFLATE_FAST : DEFLATE_SMALL);
+			page_pack(it, &bytes, level_of(table));
 		strbuf_release(&bytes);
 		used += it->length;
 		if (used > budget || table->error) {
@@ -211,7 +222,8 @@ static json_t *planes_json(struct page *page, const struct recorder *recorder)
 			    : i < PLANE_DISTANCE ? RECORD_NORMAL : RECORD_CLEARANCE);
 	json_put(object, "rows", json_integer((json_int_t)recorder->plane_count));
 	json_put(object, "blob",
-		 json_integer(write_table(page, recorder->planes[0], recorder->plane_count, PLANE_COLUMNS)));
+		 json_integer(write_table(page, recorder->planes[0], recorder->plane_count, PLANE_COLUMNS,
+					  DEFLATE_SMALL)));
 	return object;
 }
 
@@ -223,12 +235,6 @@ static size_t rest_of(const struct html_contents *report, const struct page *pag
 	const size_t used = page->written + reserved + report->budget / 30;
 
 	return used < report->budget ? report->budget - used : 0;
-}
-
-/* A short table that is there as a whole needs no coarse level. */
-static bool is_short(const struct recorded_table *table)
-{
-	return table->chunk_count <= SHORT_CHUNKS;
 }
 
 /* The coarse levels of long tables, which come before all chunks. */

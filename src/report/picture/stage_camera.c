@@ -5,6 +5,7 @@
 
 #include "base/math/math_functions.h"
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "base/same_double.h"
 
 static struct camera look_from(double turn, double rise)
@@ -96,6 +97,7 @@ enum { DRAFT_WIDTH = 64, DRAFT_HEIGHT = 42 };
 /* A triangle in machine coordinates. */
 struct draft_triangle {
 	vec3 p[3];
+	double radius;	/* mm: of a ball around the first corner that holds all of it */
 	uint8_t paint;
 };
 
@@ -121,12 +123,13 @@ static bool same_place(vec3 p, vec3 q)
 
 static void add_to_draft(struct draft *draft, const vec3 p[3], double grid, enum paint_class class)
 {
-	const struct draft_triangle triangle = {{snap(p[0], grid), snap(p[1], grid), snap(p[2], grid)},
-						(uint8_t)(class * PAINT_LEVELS)};
+	struct draft_triangle triangle = {.p = {snap(p[0], grid), snap(p[1], grid), snap(p[2], grid)},
+					  .paint = (uint8_t)(class * PAINT_LEVELS)};
 	const vec3 *q = triangle.p;
 
 	if (same_place(q[0], q[1]) || same_place(q[1], q[2]) || same_place(q[2], q[0]))
 		return;
+	triangle.radius = larger(vec3_norm(vec3_sub(q[1], q[0])), vec3_norm(vec3_sub(q[2], q[0])));
 	draft->triangles = mem_grow(draft->triangles, &draft->capacity, draft->count + 1, sizeof(*draft->triangles));
 	draft->triangles[draft->count++] = triangle;
 }
@@ -153,6 +156,16 @@ static struct draft draft_of(const struct stage *stage, double grid)
 	return draft;
 }
 
+/* May the triangle be in the picture? Most are beside it. */
+static bool is_framed(const struct camera *camera, const struct draft_triangle *triangle)
+{
+	const vec3 way = vec3_sub(triangle->p[0], camera->centre);
+	const double half = 0.51 / camera->scale;
+
+	return fabs(vec3_dot(camera->right, way)) <= half + triangle->radius &&
+	       fabs(vec3_dot(camera->up, way)) <= half * DRAFT_HEIGHT / DRAFT_WIDTH + triangle->radius;
+}
+
 static double judge(const struct stage *stage, const struct draft *draft, const struct camera *camera)
 {
 	struct raster raster;
@@ -165,6 +178,8 @@ static double judge(const struct stage *stage, const struct draft *draft, const 
 	for (size_t i = 0; i < draft->count; i++) {
 		vec3 at[3];
 
+		if (!is_framed(camera, &draft->triangles[i]))
+			continue;
 		for (int k = 0; k < 3; k++)
 			at[k] = screen_place(&screen, draft->triangles[i].p[k]);
 		if (raster_may_show(&raster, at))
