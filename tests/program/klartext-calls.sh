@@ -50,6 +50,8 @@ sed -i 's/^2 .*/2    +5     +6                7/' P.PNT
 status fivecheck --parse-only k.xml q.h
 sed -i 's/^2 .*/2         +6/' P.PNT
 status fivecheck --parse-only k.xml q.h
+sed -i 's/^2 .*/2    +100000  +6/' P.PNT
+status fivecheck --parse-only k.xml q.h
 sed -i 's/MM$//' P.PNT
 status fivecheck --parse-only k.xml q.h
 

@@ -1,6 +1,6 @@
 #include "gcode/dialect/klartext/klartext_point_table.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -12,6 +12,8 @@
 
 /* Columns of one table. */
 #define COLUMNS_MAX 32
+/* mm: "Point tables", range of input. */
+#define COORDINATE_MAX 1e5
 
 enum column { COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_FADE, COLUMN_CLEARANCE, COLUMN_OTHER };
 
@@ -114,7 +116,8 @@ static bool read_value(struct table *table, size_t at, size_t length, double *va
 	if (number_read_with_comma(table->at.text, &position, value) != NUMBER_OK || position != at + length)
 		return fault(&table->at, (int)at + 1, "a number is needed here");
 	*value *= table->scale;
-	return true;
+	return fabs(*value) < COORDINATE_MAX ||
+	       fault(&table->at, (int)at + 1, "a coordinate is less than %g mm", COORDINATE_MAX);
 }
 
 /* A line of values. FADE hides a point: the control leaves it out. */
