@@ -77,3 +77,23 @@ RED = """((canvas) => {
 })(document.querySelector('.stage canvas'))"""
 READ_OUT = "Object.fromEntries([...document.querySelectorAll('.readout dl div')].map((row) => [row.children[0].textContent, Number(row.children[1].textContent)]))"
 HERE = "Number(document.querySelector('.row.here')?.dataset.line || 0)"
+# What is written too faintly (WCAG 2.2, 1.4.3), of all text that is seen and is not in a picture; controls that are off are exempt.
+WEAK_TEXT = """((lum, over) => {
+    const parse = (text) => { const n = text.match(/[\\d.]+/g).map(Number); return text.startsWith('color(') ? [n[0] * 255, n[1] * 255, n[2] * 255, n[3] ?? 1] : [n[0], n[1], n[2], n[3] ?? 1]; };
+    const ground = (e) => {
+        if (!e) return [255, 255, 255];
+        const c = parse(getComputedStyle(e).backgroundColor);
+        return c[3] >= 0.8 ? c : over(c, ground(e.parentElement));
+    };
+    const bad = [];
+    for (const e of document.querySelectorAll('body *')) {
+        const words = [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || e.matches('input:is(:not([type]), [type=number]), select, textarea');
+        if (!words || !e.checkVisibility() || !e.getClientRects().length || e.disabled || e.closest('svg')) continue;
+        const style = getComputedStyle(e), a = lum(parse(style.color)), b = lum(ground(e));
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const large = parseFloat(style.fontSize) >= 18.66;
+        if (ratio < (large ? 3 : 4.5)) bad.push(`${e.tagName}.${e.className} ${(e.value ?? e.textContent).slice(0, 20)} ${ratio.toFixed(2)}`);
+    }
+    return bad;
+})((c) => { const [r, g, b] = c.map((v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * r + 0.7152 * g + 0.0722 * b; },
+(c, d) => [0, 1, 2].map((k) => c[k] * c[3] + d[k] * (1 - c[3])))"""

@@ -13,7 +13,7 @@ import threading
 import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from bench import PHONE, TESTS, same, test, true  # noqa: E402
+from bench import PHONE, TESTS, WEAK_TEXT, same, test, true  # noqa: E402
 from driver import Browser  # noqa: E402
 
 
@@ -355,6 +355,33 @@ def learn_on_a_phone(bench):
         && !(e.textContent.trim() || e.ariaLabel || e.labels?.length)).map((e) => e.outerHTML)""")
     same("controls without a name", nameless, [])
     bench.done(page, "learn-phone")
+
+
+@test
+def contrast(bench):
+    """Text stands out from its ground: 4.5 to 1, large text 3 to 1, by day and by night."""
+    for dark in (False, True):
+        page = bench.open(dark=dark)
+        bench.example(page, "cb-head")
+        bench.check(page)
+        page.run("document.querySelectorAll('details').forEach((e) => e.open = true)")
+        page.run("document.querySelector('[name=\"Z.min\"]').value = '400'")
+        page.run("document.querySelector('#write-machine').click()")
+        page.run("await until('machine-written', 1)")
+        same(f"weak text, fault in the form, dark {dark}", page.run(WEAK_TEXT), [])
+        page.run("document.querySelector('[name=\"Z.min\"]').value = '-400'")
+        page.run("document.querySelector('#write-machine').click()")
+        page.run("await until('machine-written', 2)")
+        same(f"weak text, machine file, dark {dark}", page.run(WEAK_TEXT), [])
+        bench.done(page, f"page-dark-{dark}")
+        page = learn(bench, dark=dark)
+        same(f"weak text, home, dark {dark}", page.run(WEAK_TEXT), [])
+        jog(page, {"Z": -380, "A": -40}, 1)
+        edit(page, "G21 G90\nG1 X\nM2\n")
+        page.run("document.querySelector('#check-wall').click()")
+        page.run("await until('wall-checked', 1)")
+        same(f"weak text, findings, dark {dark}", page.run(WEAK_TEXT), [])
+        bench.done(page, f"learn-dark-{dark}")
 
 
 def main():
