@@ -47,6 +47,11 @@ static const struct program {
 	{"F6 G500 T1 M6 D2 G17\nG0 X0 Y0 Z-90\nG41 NORM G450\nG1 X10 Y0\nY20\nG40\nG0 X0 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 6 0 0 0 0\nfeed 6 20 0 0 0\nfeed 10 20 0 0 0 spread 4 4 0\n"
 	 "rapid 0 0 0 0 0 spread 4 4 0\n"},
+	/* OFFN adds to the radius, until another one. */
+	{"F6 G500 T1 M6 D2 G17 OFFN=1\nG0 X0 Y0 Z-90\nG41 NORM G450\nG1 X10 Y0\nY20\nG40 X0\nX0 Y0\n"
+	 "G41 OFFN=0 X10 Y0\nY20\nG40 X0\n",
+	 "tool 1\nrapid 0 0 0 0 0\nfeed 5 0 0 0 0\nfeed 5 20 0 0 0\nfeed 0 20 0 0 0\nfeed 0 0 0 0 0\n"
+	 "feed 6 0 0 0 0\nfeed 6 20 0 0 0\nfeed 0 20 0 0 0\n"},
 	/* Frames turn and mirror it; a mirror exchanges the sides. */
 	{TOOL "ROT Z90\nG41 NORM G450 G1 X10 Y0\nY20\nX30\nG40 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 0 5 0 0 0\nfeed -20 5 0 0 0\n"

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
@@ -123,6 +124,7 @@ static bool switch_on(struct interp *interp, int column, int side)
 		return refuse(interp, column, "the other side of the path");
 	if (!find_radius(interp, column, &radius) || !check_plane(interp, column))
 		return false;
+	radius += sinumerik->allowance;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
 		return true;
@@ -180,6 +182,28 @@ static bool switch_off(struct interp *interp, const struct sinumerik_block *bloc
 	return true;
 }
 
+/* 840D sl, "OFFN": the tool stays farther from the contour by this much, as if its radius were larger. */
+static bool set_allowance(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int column = block->address_column[SINUMERIK_OFFN];
+	const double allowance = block->address_value[SINUMERIK_OFFN] * interp->state.scale;
+
+	if (!sinumerik_block_has_address(block, SINUMERIK_OFFN) || same_double(allowance, sinumerik->allowance))
+		return true;
+	if (interp->comp.side != 0)
+		return refuse(interp, column, "another OFFN");
+	if (allowance < 0)
+		return fault(&interp->at, column, "OFFN that is negative is not supported yet: the tool would cut into "
+						  "the contour");
+	if (interp->state.unknown_modes & 1U << G_UNITS)
+		return fault(&interp->at, column,
+			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, G71, G700 or "
+			     "G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+	sinumerik->allowance = allowance;
+	return true;
+}
+
 bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -202,6 +226,8 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 		sinumerik->corner = code[SINUMERIK_CORNER];
 	if (sinumerik_block_has_address(block, SINUMERIK_DISC))
 		sinumerik->disc = disc;
+	if (!set_allowance(interp, block))
+		return false;
 	if (code[SINUMERIK_CUT] != CODE_NONE)
 		sinumerik->turns_plane = code[SINUMERIK_CUT] == SINUMERIK_CUT2DF;
 	if (code[SINUMERIK_CUTTER] == CODE_NONE)

@@ -199,6 +199,7 @@ struct sinumerik {
 	int approach;	/* NORM, KONT, or CODE_NONE: a parameter says */
 	int corner;	/* G450, G451, or CODE_NONE */
 	double disc;	/* DISC: 0 is a circle */
+	double allowance;	/* mm: OFFN */
 	bool turns_plane;	/* CUT2DF */
 	bool left_open;	/* a milling cycle has left the tool somewhere over its region */
 	struct parallel_box open;	/* then: where, about the position; cutter_comp.loose is what it reaches */

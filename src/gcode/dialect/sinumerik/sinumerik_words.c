@@ -175,7 +175,7 @@
 	REFUSED_ROW(ROW, "CUT3DF", "cutter compensation in space") \
 	REFUSED_ROW(ROW, "CUT3DFS", "cutter compensation in space") \
 	REFUSED_ROW(ROW, "CUT3DFF", "cutter compensation in space") \
-	ZERO_ROW(ROW, "OFFN", "allowance of the contour") \
+	ADDRESS_ROW(ROW, "OFFN", OFFN, "allowance of the contour, on top of the tool's radius") \
 	PLAIN_ROW(ROW, "CDOF", IGNORED, "no watch for bottlenecks") \
 	PLAIN_ROW(ROW, "CDOF2", IGNORED, "no watch for bottlenecks") \
 	PLAIN_ROW(ROW, "CDON", IGNORED, "watch for bottlenecks") \
