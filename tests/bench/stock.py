@@ -114,7 +114,8 @@ def impeller(tools, folder):
     machine, setup = (os.path.join(folder, 'impeller-' + x) for x in ('machine.xml', 'setup.xml'))
     meshes.write(os.path.join(folder, 'cone.stl'), meshes.revolve([(26.0, 0.0), (11.0, 26.0)], 96))
     copy(trunnion.MACHINE, machine, [('<controller[^>]*/>',
-                                      '<controller dialect="linuxcnc" rapid="linear"><mcode number="428" action="tcp-on"/>'
+                                      '<controller dialect="linuxcnc" rapid="linear">'
+                                      '<mcode number="428" action="tcp-on"/>'
                                       '<mcode number="429" action="tcp-off"/></controller>')])
     with open(machine) as text:
         description = text.read().replace('mesh="', 'mesh="%s/' % os.path.dirname(trunnion.MACHINE))
@@ -161,6 +162,7 @@ def row_of(tools, scene, target, job=None):
 
 def memory_rows(tools, folder, blocks):
     """Programs of a tenth and of all blocks: the memory is that of the log of cuts, and most of that is in a file."""
+    blocks = max(blocks, 1000000)   # The first 250,000 cuts stay in memory.
     peaks = []
     for count in (blocks // 10, blocks):
         program = relief(os.path.join(folder, 'long.ngc'), count)
