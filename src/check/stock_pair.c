@@ -17,8 +17,8 @@
 /* mm: distances beyond this are all alike. */
 #define FAR 1e6
 
-/* A budget that covers less than 2^-5 of what is left of a step does not bring it forward: the sweep does it better. */
-#define SHARE_HALVINGS 6
+/* A budget that covers less than half of what is left of a step does not bring it forward: the sweep does it better. */
+#define SHARE_HALVINGS 2
 
 /* Cells reach beyond the blank, and the blank beyond its mesh: bounds of motion count these points, too. */
 static void enlarge_stock(struct body_pair *bodies, bool stock_is_a, double by)

@@ -10,8 +10,9 @@
 /* Steps of the search for the time at which the cube is deepest; each leaves 0.62 of the interval. */
 #define SEARCH_STEPS 24
 
-/* Halvings of the interval in which the cube comes to be inside. */
+/* Halvings at most of the interval in which the cube comes to be inside; until the cutter moves only so much in it. */
 #define ENTRY_STEPS 15
+#define ENTRY_WAY 1e-3	/* mm */
 
 void cutter_init(struct cutter *cutter, const struct tool_solid *solid)
 {
@@ -200,13 +201,13 @@ static double deep_cube_time(const struct revolved *piece, const struct cutter_w
 
 /* The cube is inside at `inside`: the first time before it from which it is. */
 static double entry_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
-			 double depth, double inside)
+			 double depth, double change, double inside)
 {
 	double outside = 0;
 
 	if (is_cube_inside(piece, way, cube, depth, 0))
 		return 0;
-	for (int i = 0; i < ENTRY_STEPS; i++) {
+	for (int i = 0; i < ENTRY_STEPS && (inside - outside) * change > ENTRY_WAY; i++) {
 		const double middle = 0.5 * (outside + inside);
 
 		if (is_cube_inside(piece, way, cube, depth, middle))
@@ -281,16 +282,17 @@ static double piece_removes(const struct revolved *piece, const struct cutter_wa
 	if (point_distance(piece, &place, cube->centre) - near.gain > needed)
 		return INFINITY;
 	if (is_cube_inside(piece, way, cube, depth, 1))
-		return entry_time(piece, way, cube, depth, 1);
+		return entry_time(piece, way, cube, depth, near.change, 1);
 	if (is_cube_inside(piece, way, cube, depth, near.s))
-		return entry_time(piece, way, cube, depth, near.s);
+		return entry_time(piece, way, cube, depth, near.change, near.s);
 	s = deepest_time(piece, way, cube->centre, near.change, needed);
 	if (isinf(s))
 		return INFINITY;
 	if (!is_cube_inside(piece, way, cube, depth, s))
 		s = deep_cube_time(piece, way, cube, near.change, -depth);
-	return isfinite(s) && is_cube_inside(piece, way, cube, depth, s) ? entry_time(piece, way, cube, depth, s)
-									  : INFINITY;
+	if (isinf(s) || !is_cube_inside(piece, way, cube, depth, s))
+		return INFINITY;
+	return entry_time(piece, way, cube, depth, near.change, s);
 }
 
 /* The same for the ball around the cube and a cutter of several pieces. */
