@@ -140,6 +140,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:6: error: SGN of 0 is 0 on newer controls and 1 on older ones"},
 	{"CALL SELECTED PGM\n",
 	 "p.nc:2:15: error: CALL SELECTED PGM, but no SEL PGM has named a program"},
+	{"FN 19: PLC=+10/+Q3\n",
+	 "p.nc:2:4: error: FN 19: what the machine's PLC does is not known here"},
 	{"SEL PGM \"nowhere.h\"\nCALL SELECTED PGM\n",
 	 "p.nc:3:15: error: there is no file of the program nowhere.h"},
 	{"CYCL DEF 12.0\nM99\n",
