@@ -94,9 +94,9 @@ bool sinumerik_builder_refuse(struct interp *interp, const char *name, const cha
 {
 	if (measures(name))
 		return fault(&interp->at, column,
-			     "%s: where a probe stops is not known before the program runs; if it stays near its place, "
-			     "<macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> "
-			     "says how far it moves",
+			     "%s: where a probe stops is not known before the program runs; if it stays near its "
+			     "place, <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's "
+			     "<controller> says how far it moves",
 			     name, name);
 	return fault(&interp->at, column, "%s: %s is not supported yet", name, what);
 }
@@ -107,19 +107,20 @@ bool sinumerik_builder_run(struct interp *interp, const char *name, int column)
 
 	/* They write offsets and tool data. */
 	if (measures(name))
-		caution(&interp->at, column, "%s: work offsets and tools count as the setup has them, whatever it measures",
-			name);
+		caution(&interp->at, column,
+			"%s: work offsets and tools count as the setup has them, whatever it measures", name);
 	if (macro->action == MACRO_NONE)
 		return true;
 	if (macro->action == MACRO_MOVE)
 		return fault(&interp->at, column,
-			     "%s: <macro action=\"move\"/> is not supported in this dialect, only \"none\" and \"around\"",
+			     "%s: <macro action=\"move\"/> is not supported in this dialect, only \"none\" and "
+			     "\"around\"",
 			     name);
 	if (interp->state.tcp != TCP_OFF || interp->comp.side != 0 || !sinumerik_of(interp)->frame_is_even ||
 	    (interp->state.frame.on && interp->state.frame.distorts))
 		return fault(&interp->at, column,
-			     "%s moves around its place while TRAORI or CYCLE800 is in force, coordinates are scaled or "
-			     "the radius is compensated: that is not followed",
+			     "%s moves around its place while TRAORI or CYCLE800 is in force, coordinates are scaled "
+			     "or the radius is compensated: that is not followed",
 			     name);
 	if (!sinumerik_open_place_check(interp, column, name) || !go_around(interp, macro->around, column))
 		return false;

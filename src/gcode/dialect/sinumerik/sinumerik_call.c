@@ -140,8 +140,8 @@ static bool fault_missing(struct interp *interp, const char *name, int column)
 	return fault(
 	    &interp->at, column,
 	    "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
-	    "lower case) lies beside the program or in a folder of --include; if %s is the builder's and moves no axis, "
-	    "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+	    "lower case) lies beside the program or in a folder of --include; if %s is the builder's and moves no "
+	    "axis, <macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
 	    name, name, name, name);
 }
 

@@ -198,8 +198,8 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 						  "the contour");
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column,
-			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, G71, G700 or "
-			     "G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, G71, "
+			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
 	sinumerik->allowance = allowance;
 	return true;
 }
