@@ -263,7 +263,9 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 		stage.tool = first->tool;
 		stage.a = first->a;
 		stage.b = first->b;
-		stage.has_point = stage.alarming = first->a >= 0;
+		stage.moved = first->link;
+		stage.has_point = first->a >= 0;
+		stage.alarming = true;
 		stage.point = first->point;
 		stage.triangles = first->has_triangles ? first->triangles : NULL;
 	} else if (recorder->least < recorder->cap) {

@@ -27,6 +27,10 @@ test "$(fivecheck -q -a m.xml a.nc)" = "$(fivecheck -q -a --report=all.html m.xm
 # The picture rings the contact, and again in the inset that enlarges it.
 fivecheck -q --picture=a.svg m.xml a.nc >/dev/null
 test "$(grep -o '<circle' a.svg | wc -l)" = 4
+# What moves with an axis that leaves its travel is red.
+printf 'G1 F600 X9000\n' | program limit.nc
+fivecheck -q --picture=limit.svg m.xml limit.nc | grep -q 'X leaves its travel'
+grep -q 'fill="#8e0d14"' limit.svg
 fivecheck -q -f ndjson=a.ndjson --pose=a.stl m.xml a.nc
 fivecheck --clearance-report=a.csv --report=sharp.html -q m.xml a.nc >/dev/null
 check sharp.html sharp=a.csv

@@ -165,6 +165,13 @@ static int body_of_name(const struct scene *scene, const char *name)
 	return -1;
 }
 
+static int link_of_slot(const struct machine *machine, int slot)
+{
+	const struct axis *axis = machine_axis(machine, slot);
+
+	return axis ? (int)(axis - machine->axes) + 1 : 0;
+}
+
 /*
  * The pair whose bodies have these names, as the finding has them. Of a cutter and the part it is any of their pairs.
  */
@@ -275,6 +282,7 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 		.tool = finding->tool,
 		.a = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->a),
 		.b = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->b),
+		.link = finding->kind == FINDING_LIMIT ? link_of_slot(scene->machine, finding->slot) : 0,
 		.point = finding->point,
 	};
 	if (it->a >= 0 && it->b >= 0)

@@ -52,6 +52,7 @@ struct recorded_finding {
 	axis_values axes;
 	int tool;
 	int a, b;	/* bodies; -1 for a limit */
+	int link;	/* of the axis that leaves its travel; 0: no limit */
 	vec3 point;	/* machine coordinates */
 	bool has_triangles;	/* false: a limit, or one of the bodies is the stock */
 	vec3 triangles[2][3];	/* of a and of b, machine coordinates at the finding's pose */
