@@ -1,4 +1,4 @@
 // @ts-check
-// style.js - the text of style.css: bundle-web puts it here.
+// style.js - the text of stage.css and style.css: bundle-web puts it here.
 
 export const STYLE = '';

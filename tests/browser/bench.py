@@ -92,7 +92,7 @@ WEAK_TEXT = """((lum, over) => {
         const style = getComputedStyle(e), a = lum(parse(style.color)), b = lum(ground(e));
         const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
         const large = parseFloat(style.fontSize) >= 18.66;
-        if (ratio < (large ? 3 : 4.5)) bad.push(`${e.tagName}.${e.className} ${(e.value ?? e.textContent).slice(0, 20)} ${ratio.toFixed(2)}`);
+        if (ratio < (large ? 3 : 4.5)) bad.push(`${e.tagName}.${e.className} ${(e.textContent || e.value).slice(0, 20)} ${ratio.toFixed(2)}`);
     }
     return bad;
 })((c) => { const [r, g, b] = c.map((v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * r + 0.7152 * g + 0.0722 * b; },
