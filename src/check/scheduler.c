@@ -26,7 +26,7 @@
  * costs little more than the check, however near its bodies stay to each other.
  */
 #define MEASURING_EFFORT 40000L
-#define MEASURING_SHARE 0.2
+#define MEASURING_SHARE 0.15
 
 /* This share of the price of a measured block is that in the last batch. */
 #define PRICE_SHARE 0.5
