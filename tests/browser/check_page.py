@@ -264,6 +264,7 @@ def jog_sliders(bench):
     true("clear at home", "Nearest of" in page.run(JOGGED))
     page.frames()
     same("red where nothing meets", page.run(RED), 0)
+    same("frame of the distance", page.run("getComputedStyle(document.querySelector('.measure-label')).borderColor"), "rgb(11, 99, 181)")
     jog(page, {"Z": -380, "A": -40}, 1)
     true("the head meets the work", page.run(JOGGED).startswith("Collision:") and "arbor meets T1 holder" in page.run(JOGGED))
     true("red where bodies meet", page.run(RED) > 500)

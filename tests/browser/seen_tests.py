@@ -26,6 +26,8 @@ def collision(bench):
     """The example opens at its collision: in words, in red, at the very axis positions."""
     path, findings = bench.example("ac-trunnion", "collision", "--all")
     page = bench.open(path)
+    same("frames of the names", page.run("['.name-a', '.name-b'].map((name) => getComputedStyle(document.querySelector(name)).borderColor)"),
+         ["rgb(232, 38, 44)", "rgb(255, 157, 30)"])
     headline = page.run("document.querySelector('.app h1').textContent")
     for word in (findings[0]["a"], findings[0]["b"], str(findings[0]["line"])):
         true(f"{word} in the headline: {headline}", word in headline)
