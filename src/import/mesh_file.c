@@ -84,7 +84,7 @@ bool mesh_file_find(struct strbuf *found, const char *folder, const char *file, 
 	return slash ? find_below(found, file, (size_t)(slash - file), written) : find_below(found, ".", 1, written);
 }
 
-/* The first bytes of a regular file: their number, 0 if it cannot be read. Opening a FIFO must not wait for its writer. */
+/* Reads the first bytes of a regular file; returns their number. Opening a FIFO must not wait for its writer. */
 static size_t read_head(const char *path, char *bytes, size_t size)
 {
 	const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);

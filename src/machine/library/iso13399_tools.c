@@ -50,7 +50,8 @@ static const char *const harmless[] = {
 	"GAMF", "rake angle radial", "GAMP", "rake angle axial", "GAMO", "rake angle orthogonal",
 	"RMPX", "ramping angle maximum", "KAPPA", "PHI", "RHO", "xyw plane distance", "xzw plane distance",
 	"yzw plane distance", "LUX", "usable length maximum", "PL", "point length", "LN", "neck length",
-	"LH", "head length", "LB", "body length", "residual grinding length", "PDX", "plunge depth maximum", "diameter hole tolerance lower",
+	"LH", "head length", "LB", "body length", "residual grinding length",
+	"PDX", "plunge depth maximum", "diameter hole tolerance lower",
 	"diameter hole tolerance upper", "corner radius lower tolerance", "corner radius upper tolerance",
 };
 
