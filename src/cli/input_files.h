@@ -35,8 +35,8 @@ struct input_files {
 
 /*
  * Takes the time: later changes of a file are noticed. From the moment at which a file is added its size, inode and
- * times are compared as well, so that a clock that was set back hides nothing. Must not be moved afterwards: `opened` points back
- * at it.
+ * times are compared as well, so that a clock that was set back hides nothing. Must not be moved afterwards: `opened`
+ * points back at it.
  */
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
@@ -49,8 +49,8 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 void input_files_sort(struct input_files *inputs);
 
 /*
- * Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". Those of
- * the machine, the setup, tool libraries and meshes are taken from `known`, and put there; NULL: each file is read.
+ * Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". Those
+ * of the machine, the setup, tool libraries and meshes are taken from `known`, and put there; NULL: each file is read.
  */
 void input_files_digest(struct input_files *inputs, struct known_digests *known);
 

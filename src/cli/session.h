@@ -16,8 +16,9 @@ void session_free(struct session *session);
 
 /*
  * Runs a command line that checks programs; it prints what main would print. The machine is loaded by the first one,
- * and again where another one names another machine file, setup or clearance. What was loaded is believed, and its digests are kept: who changes
- * a file of the machine or the setup, or --input-root, begins a new session. argv[0] is not looked at.
+ * and again where another one names another machine file, setup or clearance. What was loaded is believed, and its
+ * digests are kept: who changes a file of the machine or the setup, or --input-root, begins a new session. argv[0] is
+ * not looked at.
  */
 enum run_status session_check(struct session *session, int argc, char **argv);
 

@@ -170,7 +170,8 @@ static bool check_data(struct interp *interp, int mode)
 	if (traits_of(interp)->g10_writes_registers != ANSWER_YES || (!parameters && !life))
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks from G10 to G11",
+		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks from G10 "
+		     "to G11",
 		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
 }
 

@@ -116,7 +116,8 @@ static void read_value(struct reading *r, const struct step_entity *entity, stru
 	for (size_t i = 0; i < sizeof(rows) / sizeof(*rows); i++) {
 		if (strcasecmp(name, rows[i].symbol) != 0 && strcasecmp(name, rows[i].name) != 0)
 			continue;
-		if (!(unit > 0) || angle != rows[i].angle || !decimal_read(text, strlen(text), &value) || !isfinite(value) || value < 0)
+		if (!(unit > 0) || angle != rows[i].angle || !decimal_read(text, strlen(text), &value) ||
+		    !isfinite(value) || value < 0)
 			leave_out(r, "this value of it is no length in mm or inch, or no angle in degrees: ", name);
 		else if (!isnan(*rows[i].size) && fabs(*rows[i].size - unit * value) > 0)
 			leave_out(r, "it has two values of: ", name);

@@ -152,7 +152,8 @@ static bool agrees(const struct element *element, vec3 end)
 	    (element->has_y && fabs(end.y - element->y) > AGREEMENT))
 		return false;
 	polar = end;
-	return !element->free->has[KLARTEXT_FREE_PR] || (has_end(element, &polar) && vec3_norm(vec3_sub(polar, end)) <= AGREEMENT);
+	return !element->free->has[KLARTEXT_FREE_PR] ||
+	       (has_end(element, &polar) && vec3_norm(vec3_sub(polar, end)) <= AGREEMENT);
 }
 
 static bool begin(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
