@@ -14,6 +14,7 @@
 #include "report/html/html_report.h"
 #include "report/html/index_page.h"
 #include "report/html/report_data.h"
+#include "report/html/shown_body.h"
 #include "report/output.h"
 #include "report/picture/picture.h"
 #include "report/verdict.h"
@@ -271,14 +272,20 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 	} else if (recorder->least < recorder->cap) {
 		stage.axes = recorder->least_at.axes;
 		stage.tool = recorder->least_at.tool;
-		stage.a = recorder_body(scene, scene->pairs[recorder->least_pair].a);
-		stage.b = recorder_body(scene, scene->pairs[recorder->least_pair].b);
+		stage.a = shown_body(scene, scene->pairs[recorder->least_pair].a);
+		stage.b = shown_body(scene, scene->pairs[recorder->least_pair].b);
 		stage.has_point = recorder_nearest_point(recorder, &stage.point);
 	}
 	return stage;
 }
 
-/* One line below the picture. */
+/* mm, as it is shown: never more than was proved. */
+static double shown(double clearance)
+{
+	return floor(clearance * 1e3) / 1e3;
+}
+
+/* One line below the picture. The clearances are bounds: which block is the nearest is known within their accuracy. */
 static void add_title(struct strbuf *out, const struct program_reports *reports, const struct recorder *recorder,
 		      const struct report_program *program)
 {
@@ -292,9 +299,12 @@ static void add_title(struct strbuf *out, const struct program_reports *reports,
 	if (recorder->least < recorder->cap) {
 		const struct scene_pair *pair = &reports->scene->pairs[recorder->least_pair];
 
-		strbuf_addf(out, "; nearest, in line %ld: %s and %s, at least %.3f mm apart", recorder->least_at.line,
+		strbuf_addf(out, "; smallest clearance %s, in line %ld: %s and %s, at least %.3f mm apart",
+			    recorder->sampled ? "measured" : "proved", recorder->least_at.line,
 			    reports->scene->bodies[pair->a].body->name, reports->scene->bodies[pair->b].body->name,
-			    floor(recorder->least * 1e3) / 1e3);
+			    shown(recorder->least));
+		if (recorder->sampled)
+			strbuf_addf(out, "; all blocks: at least %.3f mm", shown(fmin(recorder->bound, recorder->least)));
 	}
 }
 

@@ -51,6 +51,25 @@ status fivecheck -q -a -o /dev/null --clearance=5 --report=near.html near.xml ne
 status fivecheck -q -a -o /dev/null --clearance=5 --clearance-report=near.csv near.xml near.nc
 check near.html clearance=near.csv
 
+# Cutter and part are not kept apart: in the block where the cutter is too deep the curve falls to 0 all the same.
+box block -30 -30 0 30 30 20
+setup deep.xml <<'XML'
+  <work_offset name="G54" Z="-100"/>
+  <part name="block" mesh="block.stl" gouge="0.2"/>
+  <tool number="1" length="60"><cutter><section length="60" diameter="10"/></cutter></tool>
+XML
+printf 'T1 M6\nM3 S1000\nG0 X-60\nG43 H1 Z60\nZ20\nG1 X60 F1000\nZ30\nX0\nZ10\nZ40\nG0 X-60\nZ10\nX60\n' >deep.nc
+status fivecheck -q -a -o /dev/null --report=deep.html -s deep.xml m.xml deep.nc
+check deep.html curve
+# What a bound is called by: of a long program, in which not every block is measured, and of a short one.
+caption() {
+	grep -o 'clear; smallest[^<]*' "$1" | sed 's/line [0-9]*/line N/; s/[0-9.]* mm/D mm/g; q'
+}
+caption long.html
+sed -n 1,9p long.nc >short.nc
+fivecheck -q --report=short.html -o /dev/null m.xml short.nc
+caption short.html
+
 # Straight moves have one row each in --dump-path and here, whatever the tolerance.
 program b.nc <<'NC'
 G0 X10 C45

@@ -283,6 +283,15 @@ def check_code(report, name):
     print(f"code: {report.head['code']['mode']}, {sum(w['lines'] for w in entry['windows'])} of {entry['lines']} lines")
 
 
+def check_curve(report):
+    """The curve of clearance is not above a finding."""
+    values = report.chunks("clearance")
+    for finding in report.head["findings"]:
+        row = next(i for i, time in enumerate(values["time"]) if time >= finding["time"] - 1e-5)
+        assert values["least"][row] <= finding["clearance"] + 1e-9, (finding["kind"], values["least"][row])
+        print(f"{finding['kind']}: the curve is at {values['least'][row]:.3f} mm")
+
+
 def check_planes(report):
     """A plane lies beside its two triangles' midpoint: half of `distance` from either body along its normal."""
     planes = report.head["planes"]
@@ -295,7 +304,8 @@ def check_planes(report):
 
 
 CHECKS = {"policy": check_policy, "findings": check_findings, "path": check_path, "pose": check_pose, "contact": check_contact,
-          "clearance": check_clearance, "long-clearance": check_long_clearance, "sharp": check_sharp, "code": check_code, "planes": check_planes}
+          "clearance": check_clearance, "long-clearance": check_long_clearance, "sharp": check_sharp, "code": check_code,
+          "planes": check_planes, "curve": check_curve}
 
 
 def main():

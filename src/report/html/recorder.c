@@ -10,6 +10,7 @@
 #include "motion/motion_modes.h"
 #include "report/format/format_units.h"
 #include "report/html/report_data.h"
+#include "report/html/shown_body.h"
 #include "report/writers/ndjson.h"
 #include "report/writers/text.h"
 
@@ -127,7 +128,7 @@ static void on_block(struct recorder *recorder, const struct motion_block *block
 	const long number = ++recorder->blocks;
 
 	recorder->ends[number % BLOCK_ENDS] = (struct block_end){
-		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool,
+		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool, INFINITY, -1,
 	};
 	recorder->block_from = recorder->now;
 }
@@ -147,43 +148,11 @@ static bool on_event(void *context, const struct motion_event *event)
 
 /* --------------------------------------------------------------- findings */
 
-int recorder_body(const struct scene *scene, int body)
-{
-	for (int i = 0; (size_t)body >= scene->body_count && (size_t)i < scene->body_count; i++) {
-		if (scene->bodies[i].body->profile == scene->bodies[body].body->profile)
-			return i;
-	}
-	return body;
-}
-
-static int body_of_name(const struct scene *scene, const char *name)
-{
-	for (size_t i = 0; name && i < scene->body_count; i++) {
-		if (!strcmp(scene->bodies[i].body->name, name))
-			return (int)i;
-	}
-	return -1;
-}
-
 static int link_of_slot(const struct machine *machine, int slot)
 {
 	const struct axis *axis = machine_axis(machine, slot);
 
 	return axis ? (int)(axis - machine->axes) + 1 : 0;
-}
-
-/*
- * The pair whose bodies have these names, as the finding has them. Of a cutter and the part it is any of their pairs.
- */
-static const struct scene_pair *pair_of(const struct scene *scene, int a, int b)
-{
-	for (size_t i = 0; i < scene->pair_count; i++) {
-		const struct scene_pair *pair = &scene->pairs[i];
-
-		if (recorder_body(scene, pair->a) == a && recorder_body(scene, pair->b) == b)
-			return pair;
-	}
-	return NULL;
 }
 
 /* The pose of a body's mesh. */
@@ -210,7 +179,7 @@ static bool nearest_of(struct recorder *recorder, const struct scene_pair *pair,
 
 static void add_triangles(struct recorder *recorder, struct recorded_finding *finding)
 {
-	const struct scene_pair *pair = pair_of(recorder->scene, finding->a, finding->b);
+	const struct scene_pair *pair = shown_pair(recorder->scene, finding->a, finding->b);
 	struct nearest_triangles nearest;
 	xform pose;
 
@@ -242,6 +211,20 @@ static long block_of(const struct recorder *recorder, const struct finding *find
 	return found;
 }
 
+/* The curve must not pass above a finding: of a cutter in the part, no clearance is measured. */
+static void bound_block(struct recorder *recorder, const struct finding *finding, long number)
+{
+	const struct scene *scene = recorder->scene;
+	struct block_end *end = &recorder->ends[number % BLOCK_ENDS];
+	const struct scene_pair *pair;
+
+	if (!number || finding->kind == FINDING_LIMIT || finding->clearance >= end->found)
+		return;
+	pair = shown_pair(scene, shown_body_named(scene, finding->a), shown_body_named(scene, finding->b));
+	end->found = finding->clearance;
+	end->found_pair = pair ? pair - scene->pairs : -1;
+}
+
 static char *text_of(struct strbuf *text)
 {
 	char *copy = mem_strndup(strbuf_text(text), text->length);
@@ -253,10 +236,12 @@ static char *text_of(struct strbuf *text)
 void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style)
 {
 	const struct scene *scene = recorder->scene;
+	const long block = block_of(recorder, finding);
 	struct strbuf message = {0}, text = {0};
 	struct recorded_finding *it;
 
 	style.colour = false;
+	bound_block(recorder, finding, block);
 	if (recorder->finding_count == FINDINGS_MAX) {
 		recorder->findings_left_out++;
 		return;
@@ -274,14 +259,14 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 		.kind = finding->kind,
 		.status = style.status,
 		.line = finding->line,
-		.block = block_of(recorder, finding),
+		.block = block,
 		.time = finding->time,
 		.stock_time = finding->stock_time,
 		.fraction = finding->fraction,
 		.axes = finding->axes,
 		.tool = finding->tool,
-		.a = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->a),
-		.b = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->b),
+		.a = finding->kind == FINDING_LIMIT ? -1 : shown_body_named(scene, finding->a),
+		.b = finding->kind == FINDING_LIMIT ? -1 : shown_body_named(scene, finding->b),
 		.link = finding->kind == FINDING_LIMIT ? link_of_slot(scene->machine, finding->slot) : 0,
 		.point = finding->point,
 	};
@@ -397,6 +382,7 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 	if (!block->steps)
 		return;
 	for (size_t i = 0; i < block->clearance_count; i++) {
+		recorder->sampled |= block->clearances[i].so_far;
 		if (block->clearances[i].clearance >= least)
 			continue;
 		least = block->clearances[i].clearance;
@@ -404,9 +390,11 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 		so_far = block->clearances[i].so_far;
 	}
 	row[CLEARANCE_TIME] = whole(end->to, RECORD_TIME);
-	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)floor(least / RECORD_CLEARANCE);
-	row[CLEARANCE_PAIR] = pair < recorder->scene->pair_count ? (int64_t)pair : -1;
+	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)floor(fmin(least, end->found) / RECORD_CLEARANCE);
+	row[CLEARANCE_PAIR] = end->found < least ? end->found_pair
+			      : pair < recorder->scene->pair_count ? (int64_t)pair : -1;
 	recorded_table_add(&recorder->clearance, row);
+	recorder->bound = fmin(recorder->bound, least);
 	/* Where the bodies are at such a block the clearance is not measured, and another pair may be the nearest. */
 	if (pair == recorder->scene->pair_count || so_far)
 		return;
@@ -443,6 +431,7 @@ void recorder_init(struct recorder *recorder, struct scene *scene, const char *p
 		.scene = scene,
 		.cap = cap,
 		.least = cap,
+		.bound = cap,
 		.position = machine_home(scene->machine),
 		.tool = scene->setup ? scene->setup->initial_tool : 0,
 		.ends = mem_zalloc(BLOCK_ENDS, sizeof(struct block_end)),

@@ -65,6 +65,8 @@ struct block_end {
 	double from, to;	/* s */
 	axis_values axes;
 	int tool;
+	double found;	/* mm: the smallest distance of two bodies in a finding of the block; infinite without one */
+	int64_t found_pair;	/* their pair in the scene; -1: not known */
 };
 
 /* Blocks between being read and being checked are fewer. */
@@ -112,6 +114,8 @@ struct recorder {
 	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
+	double bound;	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
+	bool sampled;	/* some blocks were not measured */
 	struct plane_wish *wishes;	/* for planes, in the order of time */
 	size_t wish_count, wish_capacity, wishes_forced;
 	long plane_stride;	/* every so many blocks a plane is wished for */
@@ -130,9 +134,6 @@ void recorder_block(struct recorder *recorder, const struct check_block *block);
 
 /* Completes the tables. False: a temporary file failed; *error is its errno. */
 bool recorder_close(struct recorder *recorder, int *error);
-
-/* The index of the body in the report: of a core, that of its cutter. */
-int recorder_body(const struct scene *scene, int body);
 
 /* The first finding that fails the run, else the first one; NULL: there is none. */
 const struct recorded_finding *recorder_first(const struct recorder *recorder);

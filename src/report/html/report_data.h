@@ -114,7 +114,8 @@
  * rounded down; `most` is the largest of the bounds that were merged, so least = most for a single block). The bound is
  * within 0.3 mm of the smallest distance, or at least 60 % of it, as far as that can be had for about the effort of the
  * check; elsewhere at least a tenth of it; with --clearance-report 85 %. Values at the cap mean "the cap or more".
- * Besides the table's keys:
+ * In the block of a finding `least` is at most the distance that the finding tells, 0 where bodies meet: of a cutter
+ * and the part, which are not kept apart, no clearance is measured otherwise. Besides the table's keys:
  *   cap         mm
  *   start       s: where the first interval begins
  *

@@ -11,6 +11,7 @@
 #include "report/html/pack_mesh.h"
 #include "report/html/page.h"
 #include "report/html/recorder.h"
+#include "report/html/shown_body.h"
 #include "report/html/turned.h"
 
 const char *scene_pack_role(enum body_role role)
@@ -99,8 +100,8 @@ static json_t *pairs_of(const struct scene *scene)
 		const struct scene_pair *pair = &scene->pairs[i];
 		json_t *object = json_object();
 
-		json_put(object, "a", json_integer(recorder_body(scene, pair->a)));
-		json_put(object, "b", json_integer(recorder_body(scene, pair->b)));
+		json_put(object, "a", json_integer(shown_body(scene, pair->a)));
+		json_put(object, "b", json_integer(shown_body(scene, pair->b)));
 		json_put(object, "status",
 			 json_string(pair->status == PAIR_CUTTING ? "cutting" : pair_status_name(pair->status)));
 		json_put(object, "clearance", json_real(pair->clearance));

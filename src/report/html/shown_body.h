@@ -1,0 +1,16 @@
+/* shown_body.h - the bodies and pairs of a scene as a report shows them: the core of a cutter counts as the cutter. */
+#ifndef FIVECHECK_REPORT_HTML_SHOWN_BODY_H
+#define FIVECHECK_REPORT_HTML_SHOWN_BODY_H
+
+#include "scene/scene.h"
+
+/* The index of the body in the report: of a core, that of its cutter. */
+int shown_body(const struct scene *scene, int body);
+
+/* The index of the body of that name; -1: there is none, or the name is NULL. */
+int shown_body_named(const struct scene *scene, const char *name);
+
+/* The pair of these bodies, as a finding has them; of a cutter and the part any of their pairs. NULL: there is none. */
+const struct scene_pair *shown_pair(const struct scene *scene, int a, int b);
+
+#endif
