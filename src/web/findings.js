@@ -15,11 +15,22 @@ const KINDS = {
 /** Cards that are made at once; the rest when asked for. */
 const FIRST_CARDS = 50;
 
+/** @type {Object<string, string>} */
+const VERBS = {clearance: 'comes too near to', 'start-overlap': 'overlaps', 'rapid-contact': 'enters', gouge: 'cuts too deep into'};
+
+/** The bodies with their sides, the one that acts first: the cutter, which the check names last. @param {Finding} finding @returns {{name: string, side: string}[]} */
+function actors({kind, a, b}) {
+	const both = [{name: a ?? '', side: 'a'}, {name: b ?? '', side: 'b'}];
+	return kind === 'gouge' || kind === 'rapid-contact' ? both.reverse() : both;
+}
+
+/** @param {Finding} finding */
+const verbOf = ({kind}) => VERBS[kind] || 'meets';
+
 /** @param {Finding} finding what meets what, in a few words */
 export function findingTitle(finding) {
 	if (finding.kind === 'limit') return `${finding.axis} ${finding.path_tolerance ? 'may leave' : 'leaves'} its travel`;
-	const verb = finding.kind === 'clearance' ? 'comes too near to' : finding.kind === 'gouge' ? 'cuts into' : finding.kind === 'start-overlap' ? 'overlaps' : 'meets';
-	return `${finding.a} ${verb} ${finding.b}`;
+	return actors(finding).map(({name}) => name).join(` ${verbOf(finding)} `);
 }
 
 /** @param {Finding} finding */
@@ -27,6 +38,9 @@ export const kindName = (finding) => KINDS[finding.kind] || finding.kind;
 
 /** How an axis' value is written: mm and degrees as a control shows them. @param {number} value */
 export const axisValue = (value) => fixed(value, 3);
+
+/** A length of the setup, as it was written. @param {number} mm */
+const shortest = (mm) => String(Number(mm.toFixed(6)));
 
 /** The axes that move in the block of a finding. @param {Model} model @param {Finding} finding */
 async function movesOf(model, finding) {
@@ -47,6 +61,8 @@ function advice({bodies}, finding, moves) {
 	const before = turning ? `before ${turning} ${turning.length > 1 ? 'turn' : 'turns'}` : 'before this block';
 	if (finding.kind === 'limit') return 'shift the work offset or the part, or change the tool length, so that the axis stays within its travel.';
 	if (finding.kind === 'start-overlap') return 'look at the setup: something stands in something else before anything moves.';
+	if (finding.kind === 'gouge') return 'compare the cutter in the setup with the tool table, then the work offset; if both are right, the program leads the cutter too deep.';
+	if (finding.kind === 'rapid-contact') return `retract the tool ${before}; where it is to cut, it must feed, with the spindle on.`;
 	if (roles.some((role) => role === 'holder' || role === 'shank')) return `retract the tool farther ${before}, or let it stick out more.`;
 	if (roles.includes('cutter')) return `retract the tool ${before}, or move what is in the cutter\u2019s way.`;
 	return `retract ${before}, or take another way there.`;
@@ -132,8 +148,11 @@ export class FindingsView {
 	/** @param {Finding} finding */
 	remarks(finding) {
 		const text = [];
+		const pair = this.model.pairs.find(({a, b}) => finding.bodies && a === finding.bodies[0] && b === finding.bodies[1]);
+		const required = finding.kind === 'clearance' && pair?.clearance;
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
-		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
+		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here${required ? `; more than ${shortest(required)} mm is required` : ''}.`);
+		else if (finding.allowed_depth) text.push(`The cutter may enter it ${shortest(finding.allowed_depth)} mm deep, and is deeper.`);
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return [this.callers(finding), ...text.map((line) => h('p', {}, line))];
 	}
@@ -158,6 +177,6 @@ export class FindingsView {
 /** The title with the bodies in the colours of the picture. @param {Finding} finding */
 function titleParts(finding) {
 	if (!finding.a || !finding.b) return [findingTitle(finding)];
-	const middle = findingTitle(finding).slice(finding.a.length, -finding.b.length);
-	return [h('span.swatch.swatch-a'), finding.a, middle, h('span.swatch.swatch-b'), finding.b];
+	const [first, second] = actors(finding);
+	return [h(`span.swatch.swatch-${first.side}`), first.name, ` ${verbOf(finding)} `, h(`span.swatch.swatch-${second.side}`), second.name];
 }

@@ -40,6 +40,7 @@
  * @property {number} time
  * @property {Vec3|null} point
  * @property {number|null} clearance
+ * @property {number} [allowed_depth]	mm, of a cutter in the part or the stock
  * @property {string|null} block
  * @property {{file: string, line: number, column: number}[]} [callers]	of a subprogram: the call of it, the call of its caller ...
  * @property {string} [accepted]

@@ -50,6 +50,6 @@ export function proofSentence(model, time) {
 	if (row < 0 || !model.planes) return 'Proof: no bodies are near each other here; each pair is farther apart than is measured.';
 	const pair = model.pairs[model.planes.pair[row]];
 	const name = (/** @type {number} */ body) => model.bodies[body].name;
-	return `Proof: the nearest bodies are ${name(pair.a)} and ${name(pair.b)}; their nearest triangles were ${model.planes.distance[row].toFixed(3)} mm ` +
+	return `Proof: ${name(pair.a)} and ${name(pair.b)} have the smallest clearance that is proved here; their nearest triangles were ${model.planes.distance[row].toFixed(3)} mm ` +
 		`apart at ${model.planes.time[row].toFixed(2)} s. This plane lies half-way between them and moves with ${name(pair.a)}.`;
 }

@@ -377,20 +377,24 @@ export class Stage {
 		const eye = this.camera.eye(), wanted = Math.min(110, width * 0.2);
 		const step = 3 * Math.max(1, Math.floor(positions.length / 3 / 250));
 		/** @type {{at: Vec3, seen: Vec3, cost: number}[]} */
-		const found = [];
+		const beside = [];
+		/** Of a small body, all of which may be within the ring. */
+		const within = /** @type {typeof beside} */ ([]);
 		for (let v = 0; v < positions.length; v += step) {
 			const at = place(this.placed.matrix(body), [positions[v], positions[v + 1], positions[v + 2]]);
 			const seen = this.camera.project(at, width, height);
 			const away = Math.hypot(seen[0] - x, seen[1] - y);
-			if (seen[2] <= 0 || away < 36 || seen[0] < 20 || seen[0] > width - 20 || seen[1] < 40 || seen[1] > height - 40) continue;
-			found.push({at, seen, cost: Math.abs(away - wanted)});
+			if (seen[2] <= 0 || seen[0] < 20 || seen[0] > width - 20 || seen[1] < 40 || seen[1] > height - 40) continue;
+			(away < 36 ? within : beside).push({at, seen, cost: Math.abs(away - wanted)});
 		}
-		found.sort((p, q) => p.cost - q.cost);
 		const solid = this.placed.all().filter((other) => !this.ghosts.has(other));
-		for (const {at, seen} of found.slice(0, 40)) {
-			const to = sub(at, eye);
-			const hit = this.placed.hit(eye, unit(to), norm(to) + 1, solid);
-			if (hit && hit.body === body && hit.distance > norm(to) - 2) return seen;
+		for (const found of [beside, within]) {
+			found.sort((p, q) => p.cost - q.cost);
+			for (const {at, seen} of found.slice(0, 40)) {
+				const to = sub(at, eye);
+				const hit = this.placed.hit(eye, unit(to), norm(to) + 1, solid);
+				if (hit && hit.body === body && hit.distance > norm(to) - 2) return seen;
+			}
 		}
 		return null;
 	}

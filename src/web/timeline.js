@@ -165,6 +165,7 @@ export class Timeline {
 		this.bands(pen, this.model.tools, tall - BAND, ['tool-1', 'tool-2']);
 		this.curve(pen, BAND + 3, tall - BAND - 3);
 		this.unchecked(pen, tall);
+		this.uncheckedName(pen, tall / 2, this.scaleNames(pen, BAND + 3, tall - BAND - 3));
 		for (const finding of this.model.findings) {
 			const x = this.x(finding.time);
 			if (x < -6 || x > w + 6) continue;
@@ -217,10 +218,17 @@ export class Timeline {
 			pen.lineTo(x + tall, 0);
 		}
 		pen.stroke();
-		pen.fillStyle = cssColour('muted');
-		const text = 'not checked: the check ended at the first finding';
-		pen.fillText(right - left > pen.measureText(text).width + 12 ? text : 'not checked', left + 8, tall / 2);
 		pen.restore();
+	}
+
+	/** Its name, where there is room for it. @param {CanvasRenderingContext2D} pen @param {number} y @param {number} free where the names of the scale end */
+	uncheckedName(pen, y, free) {
+		const {checked, duration: end} = this.model.path;
+		if (checked >= end - 1e-4) return;
+		const left = Math.max(free, this.x(checked)) + 8;
+		const text = ['not checked: the check ended at the first finding', 'not checked'].find((it) => left + pen.measureText(it).width < this.width() - 4);
+		pen.fillStyle = cssColour('muted');
+		if (text) pen.fillText(text, left, y);
 	}
 
 	/** @param {CanvasRenderingContext2D} pen @param {number} top @param {number} bottom */
@@ -250,12 +258,20 @@ export class Timeline {
 		fill.lineTo(w, bottom);
 		pen.fill(fill);
 		pen.stroke();
+	}
+
+	/** What the greatest and the least height mean; returns where the words end. @param {CanvasRenderingContext2D} pen @param {number} top @param {number} bottom */
+	scaleNames(pen, top, bottom) {
+		const {clearance} = this.model;
+		if (!clearance) return 0;
+		const most = `at least ${clearance.cap} mm apart`;
 		pen.lineWidth = 3;
 		pen.strokeStyle = cssColour('panel');
 		pen.fillStyle = cssColour('muted');
-		for (const [text, place] of /** @type {[string, number][]} */ ([[`at least ${clearance.cap} mm apart`, top + 8], ['0', bottom - 6]])) {
+		for (const [text, place] of /** @type {[string, number][]} */ ([[most, top + 8], ['0', bottom - 6]])) {
 			pen.strokeText(text, 5, place);
 			pen.fillText(text, 5, place);
 		}
+		return 5 + pen.measureText(most).width;
 	}
 }

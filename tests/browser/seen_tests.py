@@ -102,6 +102,23 @@ def limit(bench):
 
 
 @test
+def words(bench):
+    """A cutter enters the material, not the material the cutter; both are named in the picture of a phone; what was required is said."""
+    path, findings = bench.report("stock-rapid", "machines/ac-trunnion/machine.xml", "examples/stock/setup.xml", "examples/stock/rapid.nc")
+    same("finding", [findings[0][key] for key in ("kind", "a", "b")], ["rapid-contact", "block", "T1 cutter"])
+    page = bench.open(path, **PHONE)
+    true("what enters what", "T1 cutter enters block" in page.run("document.querySelector('.app h1').textContent"))
+    true("how deep it may", "0.25 mm deep" in page.run("document.querySelector('.card').textContent"))
+    same("names", page.run("[...document.querySelectorAll('.label')].map((label) => label.textContent).sort()"), ["T1 cutter", "block"])
+    true("the buttons of the card can be reached", page.run(
+        "document.querySelector('.card .actions').getBoundingClientRect().bottom <= document.querySelector('.findings').getBoundingClientRect().bottom"))
+    bench.done(page, "rapid-phone")
+    page = bench.open(bench.example("ac-trunnion", "clear", "--clearance=5")[0])
+    true("the distance that is required", "more than 5 mm is required" in page.run("document.querySelector('.card').textContent"))
+    bench.done(page, "clearance-desk")
+
+
+@test
 def poses(bench):
     """Every body stands at the finding where --pose says, to the accuracy that the report states."""
     path, _ = bench.example("ac-trunnion", "collision", "--all")
