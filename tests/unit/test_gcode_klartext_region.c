@@ -145,6 +145,20 @@ static const struct klartext_program regions[] = {
 	 "rapid X 10..40 Y 60..60 Z 102..200\n"
 	 "feed X 40..40 Y 60..60 Z 90..90\n"
 	 "rapid X 10..40 Y 20..60 Z 102..250\n"},
+	/* The same of pockets, which leave the tool anywhere over themselves. */
+	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q200=2 Q203=100 Q201=-20 Q204=50 Q207=500\n"
+	       "PATTERN DEF FRAME1 (X+100 Y+20 DX+300 DY+400 NUMX2 NUMY2 ROT+0 Z+0)\nCYCL CALL PAT\nL Y-90 F500\n",
+	 "tool 1\n"
+	 "rapid X 10..400 Y 10..420 Z 200..250\n"
+	 "feed X 75..125 Y 10..30 Z 180..202\n"
+	 "rapid X 75..425 Y 10..30 Z 202..250\n"
+	 "feed X 375..425 Y 10..30 Z 180..202\n"
+	 "rapid X 75..425 Y 10..430 Z 202..250\n"
+	 "feed X 75..125 Y 410..430 Z 180..202\n"
+	 "rapid X 75..425 Y 410..430 Z 202..250\n"
+	 "feed X 375..425 Y 410..430 Z 180..202\n"
+	 "rapid X 75..425 Y 10..430 Z 202..250\n"
+	 "feed X 75..425 Y -300..430 Z 250..250\n"},
 	/* In turned coordinates the region lies across the axes. */
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
 	 "tool 1\n"

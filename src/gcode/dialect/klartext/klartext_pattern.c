@@ -121,16 +121,27 @@ static bool go_within(const struct visit *visit, double half_x, double half_y, d
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 
+/* How far beside its place the tool may stand, along the programmed X and Y: a region leaves it anywhere over itself. */
+static void find_aside(const struct interp *interp, double aside[2])
+{
+	const double *loose = interp->comp.loose;
+	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
+
+	for (int i = 0; i < 2; i++)
+		aside[i] = most > 0 && klartext_of(interp)->left_open ? vec3_norm(klartext_of(interp)->open.half[i])
+									: most;
+}
+
 /*
  * The way from point to point in any order: all of the rectangle about them and the tool, at the height between them.
- * Behind the last point the tool stands over any of them at a height of `end`.
+ * Behind the last point the tool stands over any of them at a height of `end`, and as far aside as the cycle leaves it.
  */
 static bool cover_rectangle(const struct visit *visit, bool ends, double end)
 {
 	struct interp *interp = visit->interp;
 	const struct klartext_points *points = &klartext_of(interp)->points;
 	vec3 low = klartext_frame_point(interp), high = low;
-	double half_x, half_y;
+	double half_x, half_y, aside[2];
 
 	if (klartext_frame_is_scaled(interp))
 		return fault(&interp->at, visit->column,
@@ -139,10 +150,12 @@ static bool cover_rectangle(const struct visit *visit, bool ends, double end)
 		low = vec3_min(low, points->items[i]);
 		high = vec3_max(high, points->items[i]);
 	}
+	find_aside(interp, aside);
 	if (!go_to(visit, (vec3){(low.x + high.x) / 2, (low.y + high.y) / 2, visit->height}))
 		return false;
-	half_x = (high.x - low.x) / 2;
-	half_y = (high.y - low.y) / 2;
+	memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
+	half_x = (high.x - low.x) / 2 + aside[0];
+	half_y = (high.y - low.y) / 2 + aside[1];
 	if (!go_within(visit, half_x, half_y, ends ? end : visit->height))
 		return false;
 	if (ends)
