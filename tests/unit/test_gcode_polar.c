@@ -98,6 +98,32 @@ START_TEST(curves)
 }
 END_TEST
 
+/* A control that rounds corners leaves the path in the plane: at 10 mm from the centre 0.1 mm are 0.573 degrees. */
+START_TEST(rounded)
+{
+	static const char beside[] = "turned by 0.0000 0.0000 ";
+	struct gcode_case c;
+	const char *row;
+	double turn;
+
+	init(&c);
+	c.config.controller.path_tolerance = 0.1;
+	c.show_turn_spread = true;
+	ck_assert_msg(case_run(&c, "G0 X10. F60.\nG12.1\nG1 X10. C0.1\nG13.1\nM30\n"), "%s", strbuf_text(&c.messages));
+	row = strstr(strstr(strbuf_text(&c.moves), "feed"), beside);
+	ck_assert_ptr_nonnull(row);
+	turn = strtod(row + strlen(beside), NULL);
+	ck_assert_double_ge(turn, 0.573);
+	ck_assert_double_le(turn, 0.58);
+	case_release(&c);
+	init(&c);
+	c.config.controller.path_tolerance = 0.1;
+	ck_assert(!case_run(&c, "G0 X10. F60.\nG12.1\nG1 X0.05\nG13.1\nM30\n"));
+	ck_assert(strstr(strbuf_text(&c.messages), "leads so near to the centre of the rotary axis that the control"));
+	case_release(&c);
+}
+END_TEST
+
 /* The last line of the moves. */
 static void expect_end(const char *program, const char *last)
 {
@@ -195,6 +221,7 @@ int main(void)
 	int failed;
 
 	tcase_add_test(tcase, curves);
+	tcase_add_test(tcase, rounded);
 	tcase_add_test(tcase, ends);
 	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
 	tcase_add_test(tcase, asked);

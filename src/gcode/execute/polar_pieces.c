@@ -95,19 +95,33 @@ static void spread_of(const struct curve *curve, double nearest, double dt, doub
 	*turn = *beside / nearest;
 }
 
+/* mm: how far a control that rounds corners may leave the path, which lies in the plane. */
+static double rounding_of(const struct interp *interp, const struct canon_move *move)
+{
+	return move->blend && move->blend_tolerance > 0 ? move->blend_tolerance
+							: interp->config->controller.path_tolerance;
+}
+
 static bool tell_piece(struct interp *interp, const struct canon_move *move, const struct curve *curve, double t,
 		       double next)
 {
 	struct polar_interpolation *polar = &interp->state.polar_interpolation;
 	const double part = (next - t) / (1 - t), before = math_hypot(polar->at[0], polar->at[1]);
+	const double rounding = rounding_of(interp, move);
 	struct canon_move piece = *move;
-	double point[2], radius, beside, turn;
+	double point[2], radius, nearest, beside, turn;
 
 	point_of(curve, next, point);
 	radius = math_hypot(point[0], point[1]);
 	polar->angle += math_atan2(polar->at[0] * point[1] - polar->at[1] * point[0],
 				   polar->at[0] * point[0] + polar->at[1] * point[1]);
-	spread_of(curve, fmin(before, radius) - curve->rate * (next - t) / 2, next - t, &beside, &turn);
+	nearest = fmin(before, radius) - curve->rate * (next - t) / 2;
+	if (!(nearest > rounding))
+		return fault(&interp->at, 1,
+			     "line %ld leads so near to the centre of the rotary axis that the control, which may leave "
+			     "the path (path_tolerance), may pass it on either side",
+			     move->line);
+	spread_of(curve, nearest, next - t, &beside, &turn);
 	piece.kind = CANON_FEED;
 	piece.feed = feed_of(&move->feed, curve, next - t);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -116,6 +130,8 @@ static bool tell_piece(struct interp *interp, const struct canon_move *move, con
 	piece.end.v[SLOT_Y] = polar->told.v[SLOT_Y];
 	piece.end.v[polar->rotary] = polar->angle;
 	piece.spread[SLOT_X] += beside;
+	/* X gets its part of the rounding with the path tolerance. */
+	turn += math_atan2(rounding, sqrt(nearest * nearest - rounding * rounding));
 	piece.turn_spread[polar->rotary - SLOT_A] += turn;
 	polar->told = piece.end;
 	polar->at[0] = point[0];

@@ -121,7 +121,7 @@ static bool go_within(const struct visit *visit, double half_x, double half_y, d
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 
-/* How far beside its place the tool may stand, along the programmed X and Y: a region leaves it anywhere over itself. */
+/* How far beside its place the tool may stand, along the programmed X and Y: a region leaves it anywhere over it. */
 static void find_aside(const struct interp *interp, double aside[2])
 {
 	const double *loose = interp->comp.loose;
