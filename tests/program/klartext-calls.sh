@@ -54,6 +54,13 @@ sed -i 's/^2 .*/2    +100000  +6/' P.PNT
 status fivecheck --parse-only k.xml q.h
 sed -i 's/MM$//' P.PNT
 status fivecheck --parse-only k.xml q.h
+# A value whose column is doubtful: two below one name, a name twice, tabs.
+printf 'BEGIN P.PNT MM\nNR X Y Z\n0 1 2 3\n[END]\n' >P.PNT
+status fivecheck --parse-only k.xml q.h
+printf 'BEGIN P.PNT MM\nX    Y    X\n1    2    3\n[END]\n' >P.PNT
+status fivecheck --parse-only k.xml q.h
+printf 'BEGIN P.PNT MM\nNR\tX\tY\n1\t1\t2\n[END]\n' >P.PNT
+status fivecheck --parse-only k.xml q.h
 
 # The fault stands two calls deep.
 printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0\n2 END PGM SUB MM\n' >sub.h

@@ -183,6 +183,11 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:13: error: polar coordinates of FK need FPOL before them"},
 	{"F100\nFL IX+5 Y+1\n",
 	 "p.nc:3:4: error: FK reads absolute coordinates of X and Y; increments and Z are not supported yet"},
+	/* Along which direction a tangential element goes on behind a change of coordinates is not known. */
+	{"L X+5 F100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFLT LEN5\n",
+	 "p.nc:5:9: error: a tangential element needs a path block before it that moves in the plane"},
+	{"L X+5 F100\nCYCL DEF 8.0\nCYCL DEF 8.1 X\nCT X+5 Y+5\n",
+	 "p.nc:5:4: error: CT needs a path block before it that moves in the plane, to start in its direction"},
 	{"F100\nFLT LEN5\n",
 	 "p.nc:3:9: error: a tangential element needs a path block before it that moves in the plane"},
 	{"F100\nFC R+5 DR+ X+10 Y+0\n",

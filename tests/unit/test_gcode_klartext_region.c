@@ -206,6 +206,18 @@ static const struct {
 	/* F is the feed rate between the points. */
 	{START DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nL Z+20 FMAX\nCYCL CALL PAT F500\n",
 	 START DRILL "L Z+20 FMAX\nL Z+20 F500\nL X+1 Y+2 F500 M99\nL Z+20 F500\nL X+9 Y+2 F500 M99\n"},
+	/* Without F the one that was programmed last counts, whatever a cycle's own is. */
+	{START "L X+5 F700\nL Z+20 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nCYCL CALL PAT\n",
+	 START "L X+5 F700\nL Z+20 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nCYCL CALL PAT F700\n"},
+	/* Cycles of data are not called. */
+	{START DRILL "CYCL DEF 271 OCM CONTOUR DATA Q203=+0 Q201=-20\nCYCL DEF 270 DATA Q390=1\nL X+1 Y+2 FMAX\n"
+	 DRILL "M99\n",
+	 START DRILL "L X+1 Y+2 FMAX M99\n"},
+	{START DRILL "CYCL DEF 271 OCM CONTOUR DATA Q371=+0\nL X+1 Y+2 FMAX M99\n",
+	 START DRILL "L X+1 Y+2 FMAX M99\n"},
+	/* APPR goes to its helper point as the positioning block before went, also where a cycle stands between. */
+	{START "L X+1 Y+2 FMAX\n" DRILL "M99\nAPPR LT X+20 Y+0 LEN10 RR F100\nL X+50 Y+0\nDEP LN LEN5\n",
+	 START "L X+1 Y+2 FMAX\n" DRILL "M99\nL X+10 Y-5 FMAX\nL X+20 Y+0 RR F100\nL X+50\nDEP LN LEN5\n"},
 	{START DRILL "PATTERN DEF CIRC1 (X+1 Y+2 D+20 START+0 NUM4)\nL Z+20 FMAX\nCYCL CALL PAT\n",
 	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+11", "+2") "L Z+20 FMAX\n" AT("+1", "+12") "L Z+20 FMAX\n"
 	 AT("-9", "+2") "L Z+20 FMAX\n" AT("+1", "-8")},
@@ -333,6 +345,32 @@ START_TEST(probe_cycle)
 }
 END_TEST
 
+/* Where a cycle of the control has left the tool is open until X and Y, and Z, are commanded. */
+START_TEST(left_by_cycle)
+{
+	static const struct builder_macro macro = {225, 0, MACRO_AROUND, {5, 20, 10}, NULL};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.macros = &macro;
+	c.config.controller.macro_count = 1;
+	c.show_spread = true;
+	ck_assert_msg(klartext_run(&c, "CYCL DEF 225 ENGRAVING Q513=+10\nL X+11 Y+0 Z+0 FMAX M99\nL IX+1 FMAX\n"
+				       "L X+20 Y+1 FMAX M99\nL X+0 Y+0 FMAX\nL Z+50 FMAX\nL X+1 FMAX\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "rapid 11 0 0 0 0\nrapid 11 -20 0 0 0 spread 5 0 10\nrapid 11 20 0 0 0 spread 5 0 10\n"
+			 "rapid 11 0 0 0 0 spread 5 0 10\nrapid 12 0 0 0 0 spread 5 20 10\n"
+			 "rapid 20 1 0 0 0 spread 5 20 10\nrapid 20 -19 0 0 0 spread 5 0 20\n"
+			 "rapid 20 21 0 0 0 spread 5 0 20\nrapid 20 1 0 0 0 spread 5 0 20\n"
+			 "rapid 0 0 0 0 0 spread 5 20 10\nrapid 0 0 50 0 0 spread 0 0 10\nrapid 1 0 50 0 0\n");
+	ck_assert(!klartext_run(&c, "TOOL CALL 1 Z\nCYCL DEF 225 ENGRAVING Q513=+10\nL X+1 Y+0 Z+0 FMAX M99\n"
+				    "L X+9 Y+0 FMAX\nL X+20 RL F100\n"));
+	ck_assert(strstr(strbuf_text(&c.messages), "at which height a cycle has left the tool"));
+	case_release(&c);
+}
+END_TEST
+
 /* A cycle of the control that is not followed: where it is called it moves as far as the machine file says. */
 START_TEST(bounded_cycle)
 {
@@ -348,7 +386,7 @@ START_TEST(bounded_cycle)
 		      "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 11 -20 0 0 0 spread 5 0 10\n"
 						"rapid 11 20 0 0 0 spread 5 0 10\nrapid 11 0 0 0 0 spread 5 0 10\n"
-						"rapid 12 0 0 0 0\n");
+						"rapid 12 0 0 0 0 spread 5 20 10\n");
 	case_release(&c);
 }
 END_TEST
@@ -364,6 +402,7 @@ int main(void)
 	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, probe_cycle);
+	tcase_add_test(tcase, left_by_cycle);
 	tcase_add_test(tcase, bounded_cycle);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

@@ -187,6 +187,7 @@ static const struct bad {
     {"G150 P7 Z-5. R1. Q2. J2. I2.", OUTLINE, "G150 needs I or J"},
     {"G150 P7 Z-5. R1. Q-2. J2.", OUTLINE, "G150 needs a Q"},
     {"G150 P7 Z-5. R-6. Q2. J2.", OUTLINE, "G150 needs an R above Z"},
+    {G150_BLOCK "\nG0 Z20.\nG68 X0. Y0. R90.", OUTLINE, "before the coordinates change"},
     {"G91 " G150_BLOCK, OUTLINE, "G150 needs the plane of G17 and G90"},
     {"G18 " G150_BLOCK, OUTLINE, "G150 needs the plane of G17 and G90"},
     {"G68 X0 Y0 R9.\n" G150_BLOCK, OUTLINE, "G150 in changed coordinates"},

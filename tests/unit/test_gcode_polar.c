@@ -1,9 +1,13 @@
 /* test_gcode_polar.c - polar coordinate interpolation (G12.1) against points of its plane; its faults. */
 #include "gcode_case.h"
 
+static const struct builder_macro around = {9810, 0, MACRO_AROUND, {5, 5, 5}, NULL};
+
 static void init(struct gcode_case *c)
 {
 	case_init(c);
+	c->config.controller.macros = &around;
+	c->config.controller.macro_count = 1;
 	c->config.dialect = &dialect_fanuc;
 	c->config.controller.length_moves = ANSWER_NO;
 	c->config.controller.polar_axis = SLOT_C;
@@ -161,6 +165,7 @@ static const struct bad {
 	const char *block, *message;
 } bads[] = {
     {"G0 C5.", "p.nc:3:1: error: G0 under polar coordinate interpolation (G12.1), which needs feed moves"},
+    {"M98 P9810", "p.nc:3:1: error: a rapid, as of a macro of the machine's builder, under polar coordinate interpolation"},
     {"G81 Z-1. R1.", "G81 under polar coordinate interpolation (G12.1), which needs feed moves"},
     {"G28 Z0.", "G28 under polar coordinate interpolation (G12.1); G13.1 first"},
     {"G55", "G55 under polar coordinate interpolation (G12.1); G13.1 first"},

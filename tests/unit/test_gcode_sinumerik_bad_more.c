@@ -42,6 +42,11 @@ static const struct refused_program programs[] = {
 	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in "
 	 "a folder of --include; if L100 is the builder's and moves no axis, <macro program=\"100\" "
 	 "action=\"none\"/> in the machine's <controller> says so"},
+	/* Another program than L9. */
+	{"L009\n", 1, 1,
+	 "L009 is neither a word that is known nor a subprogram: no file L009.SPF (or .spf, .MPF, .mpf, "
+	 "in upper or lower case) lies beside the program or in a folder of --include; if L009 is the builder's "
+	 "and moves no axis, <macro program=\"L009\" action=\"none\"/> in the machine's <controller> says so"},
 	{"L\n", 1, 1,
 	 "L without a number"},
 	{"X1 NOSUCH\n", 1, 4,

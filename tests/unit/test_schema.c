@@ -323,6 +323,35 @@ START_TEST(elements)
 }
 END_TEST
 
+/* What stands in <controller>, in any order, each of these by both alike. */
+static const struct {
+	const char *within;
+	bool good;
+} controllers[] = {
+	{"<macro program='9810' action='none'/><tool_change/><macro code='107' action='none'/>", true},
+	{"<tool_change/><mcode number='90' action='ignore'/><tool_change/>", false},
+	{"<macro action='none'/>", false},
+};
+
+START_TEST(controller)
+{
+	struct strbuf text = {0};
+	struct tally tally = {0};
+	xmlDoc *doc;
+
+	strbuf_addf(&text,
+		    "<machine version='1'><controller dialect='klartext'>%s</controller>"
+		    "<base><axis name='X' type='linear' direction='1 0 0' rate_max='6000'/></base></machine>",
+		    controllers[_i].within);
+	doc = xmlReadMemory(strbuf_text(&text), (int)text.length, NULL, NULL, 0);
+	judge(MACHINE_FILE, doc, "a controller", &tally);
+	ck_assert_int_eq(tally.refused_by_schema, !controllers[_i].good);
+	ck_assert_int_eq(tally.refused_by_reader, !controllers[_i].good);
+	xmlFreeDoc(doc);
+	strbuf_release(&text);
+}
+END_TEST
+
 START_TEST(good_files)
 {
 	enum kind kind = (enum kind)_i;
@@ -346,6 +375,7 @@ int main(void)
 	load_schemas();
 	tcase_add_checked_fixture(tcase, start, finish);
 	tcase_add_loop_test(tcase, good_files, 0, KINDS);
+	tcase_add_loop_test(tcase, controller, 0, (int)(sizeof(controllers) / sizeof(controllers[0])));
 	tcase_add_loop_test(tcase, attributes, 0, KINDS);
 	tcase_add_loop_test(tcase, elements, 0, KINDS);
 	suite_add_tcase(suite, tcase);

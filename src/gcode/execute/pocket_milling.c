@@ -33,6 +33,23 @@ static bool check_outline_block(struct interp *interp)
 	return true;
 }
 
+/* In turned, mirrored or scaled coordinates a word does not lead one axis of the machine alone to its place. */
+static bool changes_coordinates(const struct block *block)
+{
+	static const int groups[] = {G_ROTATION, G_MIRROR, G_SCALING, G_POLAR, G_DYNAMIC, G_LENGTH};
+	static const int harmless[] = {G69, G50, G50_1, G100, G15, G255, G43, G49};
+
+	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
+		bool known = block->g[groups[i]] == CODE_NONE;
+
+		for (size_t k = 0; k < sizeof(harmless) / sizeof(harmless[0]); k++)
+			known |= block->g[groups[i]] == harmless[k];
+		if (!known)
+			return true;
+	}
+	return false;
+}
+
 /* The tool stands somewhere in the pocket, and G41 of G150 may still be on. */
 static bool check_block_behind(struct interp *interp)
 {
@@ -42,6 +59,10 @@ static bool check_block_behind(struct interp *interp)
 
 	if (block->g[G_CUTTER] == G40)
 		pocket->compensated = false;
+	if (changes_coordinates(block))
+		return fault(&interp->at, 1,
+			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by G0 or "
+			     "G1 before the coordinates change");
 	if (block->words == 0 || (block->motion == CODE_NONE && block->g[G_NONMODAL] == CODE_NONE &&
 				  block->m[M_TOOL] == CODE_NONE))
 		return true;

@@ -153,6 +153,10 @@ bool polar_pieces_tell(struct interp *interp, const struct canon_move *move)
 	struct curve curve;
 	double t = 0;
 
+	if (polar->on && move->kind == CANON_RAPID)
+		return fault(&interp->at, 1,
+			     "a rapid, as of a macro of the machine's builder, under polar coordinate interpolation (G12.1), "
+			     "which needs feed moves; G13.1 first");
 	if (!polar->on || (move->kind != CANON_FEED && move->kind != CANON_ARC))
 		return canon_tell_move(interp->sink, move);
 	if (move->spread[SLOT_X] > 0 || move->spread[SLOT_Y] > 0)

@@ -189,7 +189,7 @@ bool klartext_approach_read(struct lexer *lexer)
 	approach->kind = kind;
 	approach->words = way_words(&words);
 	approach->path = path;
-	approach->rapid_before = klartext->last.known && klartext->last.rapid;
+	approach->rapid_before = klartext->last.rapid;
 	approach->line = interp->at.line;
 	klartext->programmed = point;
 	klartext_move_put(interp, point);

@@ -19,8 +19,6 @@ static const struct {
     {39, "cylinder surface"},
     {225, "engraving"},
     {231, "ruled surface"},
-    {270, "data of a contour train"},
-    {271, "contour data of OCM"},
     {272, "roughing of OCM"},
     {273, "floor finishing of OCM"},
     {274, "side finishing of OCM"},
@@ -103,12 +101,23 @@ static void measure(struct interp *interp, const struct klartext_cycle *cycle)
 }
 
 /* Where coordinates are turned, the cycle may go along their axes or along the machine's: both boxes are covered. */
-static bool go_around(struct interp *interp, const double around[3], int column)
+static bool go_around(struct interp *interp, const double around[3], bool ends_there, int column)
 {
 	const vec3 turned = klartext_frame_box(interp, around);
 	const double both[3] = {larger(around[0], turned.x), larger(around[1], turned.y), larger(around[2], turned.z)};
+	double *loose = interp->comp.loose;
 
-	return moves_around_go(interp, both, column);
+	if (!moves_around_go(interp, both, column))
+		return false;
+	if (ends_there)
+		return true;
+	/* Its parameters say at which height it ends, which is the same each time. */
+	loose[SLOT_X] += both[0];
+	loose[SLOT_Y] += both[1];
+	loose[SLOT_Z] = larger(both[2], klartext_of(interp)->left_open ? loose[SLOT_Z] : 0);
+	klartext_of(interp)->left_open = false;
+	klartext_of(interp)->height_open = both[2] > 0;
+	return true;
 }
 
 bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle)
@@ -127,5 +136,6 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 			     cycle->number);
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
-	return go_around(interp, macro->around, cycle->column);
+	/* The control's own cycles end over what they have milled, and not where they are called. */
+	return go_around(interp, macro->around, !find_called(cycle->number), cycle->column);
 }

@@ -120,7 +120,9 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	int column = words->comp_column;
 	double radius = 0;
 
-	if (!check_start(interp, column) || !find_radius(interp, column, &radius))
+	if (!check_start(interp, column) || !find_radius(interp, column, &radius) ||
+	    (klartext_of(interp)->height_open &&
+	     !klartext_comp_check_known(interp, column, "radius compensation")))
 		return false;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
@@ -333,11 +335,18 @@ bool klartext_comp_go(struct interp *interp, const struct klartext_target *targe
 void klartext_comp_settle(struct interp *interp, const struct klartext_words *words)
 {
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y;
+	const unsigned given = words->axes & ~words->increments;
+	struct klartext *klartext = klartext_of(interp);
 	double *loose = interp->comp.loose;
 
-	if ((words->axes & ~words->increments & plane) == plane) {
-		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
-		klartext_of(interp)->left_open = false;
+	if (klartext->height_open && given & 1U << SLOT_Z && (!klartext->frame.tilted || (given & plane) == plane)) {
+		klartext->height_open = false;
+		loose[SLOT_Z] = 0;
+	}
+	if ((given & plane) == plane && !(klartext->height_open && klartext->frame.tilted)) {
+		loose[SLOT_X] = loose[SLOT_Y] = 0;
+		loose[SLOT_Z] = klartext->height_open ? loose[SLOT_Z] : 0;
+		klartext->left_open = false;
 	}
 }
 
@@ -354,6 +363,11 @@ bool klartext_comp_check_known(struct interp *interp, int column, const char *wh
 {
 	const double *loose = interp->comp.loose;
 
+	if (klartext_of(interp)->height_open)
+		return fault(&interp->at, column,
+			     "%s while it is not known at which height a cycle has left the tool; move X and Y, and Z "
+			     "first",
+			     what);
 	return !(loose[SLOT_X] + loose[SLOT_Y] > 0) || fault(&interp->at, column,
 							     "%s while it is not known where the tool stands in X and "
 							     "Y: behind R0 without a move in the plane, DEP, "

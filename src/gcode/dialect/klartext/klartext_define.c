@@ -118,6 +118,8 @@ static const struct cycle_row rows[] = {
     {264, USE_CALLED, NULL},
     {265, USE_CALLED, NULL},
     {267, USE_CALLED, NULL},
+    {270, USE_IGNORED, NULL}, /* data for cycle 25 */
+    {271, USE_IGNORED, NULL}, /* data for cycles 272 to 274 and 277 */
 };
 
 static const struct cycle_row *find_row(int number)

@@ -31,6 +31,12 @@ static vec3 times(vec3 a, vec3 b)
 	return (vec3){a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
+static bool is_same_turn(const mat3 *a, const mat3 *b)
+{
+	return vec3_norm(vec3_sub(a->x, b->x)) + vec3_norm(vec3_sub(a->y, b->y)) + vec3_norm(vec3_sub(a->z, b->z)) <=
+	       DIRECTION_TOLERANCE;
+}
+
 void klartext_frame_update(struct interp *interp)
 {
 	struct klartext_frame *frame = &klartext_of(interp)->frame;
@@ -48,6 +54,9 @@ void klartext_frame_update(struct interp *interp)
 		frame->origin = mat3_apply(&frame->tilt, frame->origin);
 		turn = mat3_mul(&frame->tilt, &turn);
 	}
+	/* A tangential circle or line would go on along a direction of the coordinates before. */
+	if (!is_same_turn(&frame->turn, &turn))
+		klartext_of(interp)->last.known = false;
 	frame->turn = turn;
 	frame->origin = vec3_add(frame->origin, frame->shift);
 	frame->any = frame->tilted || klartext_frame_is_inner(frame) || !is_zero(frame->shift);

@@ -20,8 +20,9 @@
 /* ------------------------------------------------------------------- words */
 
 /* What other elements are named for, which this reader does not solve. */
-static const char *const relations[] = {"RX",  "RY",  "RAN", "RPR", "RPA", "RCCX", "RCCY", "RCCPR", "RCCPA", "PAR", "DP",
-					"PDX", "PDY", "PX",  "PY",  "P1X", "P1Y",  "P2X",  "P2Y",   "P3X",   "P3Y", NULL};
+static const char *const relations[] = {"RX",  "RY",  "RAN", "RPR", "RPA", "RCCX", "RCCY", "RCCPR",
+					"RCCPA", "PAR", "DP",  "PDX", "PDY", "PX",  "PY",  "P1X",
+					"P1Y", "P2X", "P2Y", "P3X", "P3Y", NULL};
 
 /* Takes one word of FK; *taken: there was one. False: reported. */
 static bool take_word(struct lexer *lexer, struct klartext_free *free, bool *taken)

@@ -112,13 +112,15 @@ static bool call_pattern(struct lexer *lexer, int column)
 	struct interp *interp = lexer->context;
 	struct klartext_words words;
 	struct canon_feed feed;
-	bool rapid = true;
+	bool rapid;
 
 	if (!klartext_words_read(lexer, &words))
 		return false;
 	if (words.axes)
 		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates");
-	if (words.feed && !klartext_move_feed(interp, &words, &rapid, &feed))
+	/* "If you do not enter a feed rate, the control uses the last programmed feed rate"; a rapid where there is none. */
+	rapid = !words.feed && !(interp->state.feed_linear > 0);
+	if (!rapid && !klartext_move_feed(interp, &words, &rapid, &feed))
 		return false;
 	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column, rapid ? NULL : &feed) &&
 	       klartext_m_end(interp, &words);

@@ -36,7 +36,9 @@ static bool next_line(struct table *table)
 		return fault(&table->at, 1, "the point table ends or cannot be read here: its last line is [END]");
 	table->at.line = table->reader->line;
 	table->at.text = text;
-	return true;
+	return !strchr(text, '\t') ||
+	       fault(&table->at, (int)(strchr(text, '\t') - text) + 1,
+		     "the columns of a point table are told by blanks: a tab hides below which name a value stands");
 }
 
 /* The next word from *position on; 0: none. */
@@ -90,6 +92,8 @@ static bool read_names(struct table *table)
 			return fault(&table->at, (int)at + 1, "a point table has at most %d columns", COLUMNS_MAX);
 		table->kind[table->count] = kind_of(text + at, length);
 		table->start[table->count] = at;
+		if (has[table->kind[table->count]] && table->kind[table->count] != COLUMN_OTHER)
+			return fault(&table->at, (int)at + 1, "this column stands twice in the point table");
 		has[table->kind[table->count++]] = true;
 	}
 	return (has[COLUMN_X] && has[COLUMN_Y]) ||
@@ -127,11 +131,15 @@ static bool read_row(struct table *table)
 	double value[3] = {0, 0, 0};
 	bool has[COLUMN_OTHER + 1] = {false}, hidden = false;
 	size_t at = 0, length;
-	int i;
+	int i, before = -1;
 
 	for (; (length = take_word(text, &at)) > 0; at += length) {
 		if (!find_column(table, at, length, &i))
 			return false;
+		/* Blanks within a name, which is no size, do not count. */
+		if (i == before && (table->kind[i] != COLUMN_OTHER || i == 0))
+			return fault(&table->at, (int)at + 1, "two values stand below the name of one column");
+		before = i;
 		if (table->kind[i] <= COLUMN_Z && !read_value(table, at, length, &value[table->kind[i]]))
 			return false;
 		if (table->kind[i] == COLUMN_CLEARANCE)

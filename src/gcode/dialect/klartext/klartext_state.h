@@ -234,6 +234,7 @@ struct klartext {
 	struct klartext_free free;
 	struct klartext_corner corner;
 	struct klartext_approach approach;
+	bool height_open; /* a cycle that is not followed has left the tool at a height that no word has set since */
 	bool left_open; /* a milling cycle has left the tool anywhere in the box `open`; cutter_comp.loose covers it */
 	struct parallel_box open;
 	bool looks_ahead; /* M120 LA: radius compensation leaves out what the tool cannot reach */

@@ -79,7 +79,7 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 					    &target.v[slot]))
 			return false;
 	}
-	klartext_of(interp)->last.known = false;
+	klartext_of(interp)->last = (struct klartext_path){.rapid = rapid};
 	klartext_of(interp)->moved = true;
 	if (!motion_commands_go(interp, &target, &move) || !tool_length_resume(interp, column, &suspended))
 		return false;

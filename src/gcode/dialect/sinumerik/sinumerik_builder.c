@@ -14,9 +14,10 @@
 /* Auxiliary functions with larger numbers count as H, whose numbers have no end. */
 #define H_MAX 99999999.0
 
+/* L9 and L009 are different programs: the second one has a name and no number. */
 long sinumerik_builder_number(const char *name)
 {
-	const bool numbered = name[0] == 'L' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
+	const bool numbered = name[0] == 'L' && name[1] && name[1] != '0' && name[1 + strspn(name + 1, "0123456789")] == '\0';
 
 	return numbered ? strtol(name + 1, NULL, 10) : 0;
 }
