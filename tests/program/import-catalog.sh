@@ -69,6 +69,10 @@ one ball.p21
 split 'tool item' "$drill" | sed "s/'DMM'/'DCONMS'/" >drill.p21
 one drill.p21
 sed -n '/<tool /p' out-mill.p21/setup.xml
+echo "a neck that is said to reach into the shank ends where the shank begins:"
+catalog DIN4000-82 1 A1=12 A5=11 B2=26 B9=60 B5=83 C3=12 C4=45 >into.xml
+fivecheck import --number-tools --output out-into into.xml 2>/dev/null
+sed -n '/<shank/,/shank>/p' out-into/setup.xml
 echo "left out:"
 left() { # reads a file
 	cat >bad.x
@@ -88,6 +92,7 @@ catalog DIN4000-82 1 A1=12 B2=20 B5=80 C3=12 G2=1 | left
 catalog DIN4000-82 1 A1=12 B2=20 B5=80 C3=12 G6=80 | left
 catalog DIN4000-82 6 A1=12 B2=20 B5=80 C3=12 G4=5 | left
 catalog DIN4000-81 1 A11=12 B6=20 B5=80 C3=12 | left
+catalog DIN4000-82 1 A1=12 A5=11 B2=26 B9=90 B5=83 C3=12 | left
 split 'adaptive item' "$mill" | left
 split 'cutting item' "$mill" | left
 split 'tool item' "$mill|'thread pitch', \$, #5, '1'" | left

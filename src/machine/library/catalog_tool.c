@@ -77,6 +77,8 @@ static const char *judge(const struct catalog_tool *t)
 		return "it is a ball nose mill, but its radius is not half of its diameter";
 	if (given(t->neck_diameter) > fmax(t->diameter, t->shank_diameter) + ROUNDED)
 		return "its neck is thicker than cutter and shank";
+	if (given(t->neck_diameter) > 0 && given(t->neck_end) > t->overall_length + ROUNDED)
+		return "its neck is longer than the tool";
 	if (t->shape == CATALOG_BALL_MILL && t->cutting_length < radius - ROUNDED)
 		return "its cutting edges end within its ball";
 	return NULL;
@@ -109,18 +111,18 @@ static void add_cutter(struct tool_outline *tool, const struct catalog_tool *t)
 
 /*
  * Between the edges and the shank the tool is a neck or runs out to the shank: its neck counts only as far as it is
- * known to go. What lies between is taken as thick as the thicker of cutter and shank.
+ * known to go, and not into the shank. What lies between is taken as thick as the thicker of cutter and shank.
  */
 static void add_shank(struct tool_outline *tool, const struct catalog_tool *t)
 {
-	const double neck = given(t->neck_diameter), neck_end = neck > 0 ? given(t->neck_end) : 0;
-	const double known = given(t->shank_length), radius = t->shank_diameter / 2;
+	const double known = given(t->shank_length), radius = t->shank_diameter / 2, neck = given(t->neck_diameter);
+	const double neck_end = neck > 0 ? fmin(given(t->neck_end), t->overall_length - known) : 0;
 	const double most = fmax(t->diameter, t->shank_diameter) / 2;
 	double from = t->cutting_length, shank = fmax(t->overall_length - known, from);
 
 	if (neck_end > from) {
-		tool_profile_add(&tool->shank, from, neck / 2, fmin(neck_end, t->overall_length), neck / 2);
-		from = fmin(neck_end, t->overall_length);
+		tool_profile_add(&tool->shank, from, neck / 2, neck_end, neck / 2);
+		from = neck_end;
 		shank = fmax(shank, from);
 	}
 	if (most > radius)
