@@ -36,6 +36,7 @@ struct scheduler {
 	enum measure_wish *wishes;	/* of each step (measure_plan) */
 	size_t most_capacity, wish_capacity;
 	long spare_effort;	/* node pairs that measuring may still look at (measure_plan) */
+	long short_effort;	/* as many more, if the program turns out to be short */
 	double block_price;	/* node pairs that a measured block takes: a running mean */
 	struct nearness *order;	/* in which pairs are measured where only the least clearance counts */
 };
