@@ -200,6 +200,10 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 		return fault(&interp->at, column,
 			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, G71, "
 			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+	if (!same_double(interp->state.scale, sinumerik->feed_scale) && !same_double(allowance, 0))
+		return fault(&interp->at, column,
+			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is not "
+			     "known here; write G700 or G710");
 	sinumerik->allowance = allowance;
 	return true;
 }
