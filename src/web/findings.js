@@ -151,7 +151,7 @@ export class FindingsView {
 		const pair = this.model.pairs.find(({a, b}) => finding.bodies && a === finding.bodies[0] && b === finding.bodies[1]);
 		const required = finding.kind === 'clearance' && pair?.clearance;
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
-		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here${required ? `; more than ${shortest(required)} mm is required` : ''}.`);
+		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`${fixed(finding.clearance, 3)} mm apart here${required ? `; required: more than ${shortest(required)} mm` : ''}.`);
 		else if (finding.allowed_depth) text.push(`The cutter may enter it ${shortest(finding.allowed_depth)} mm deep, and is deeper.`);
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return [this.callers(finding), ...text.map((line) => h('p', {}, line))];

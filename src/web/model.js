@@ -53,7 +53,7 @@
  * @property {number} [path_tolerance]	of a limit: the axis may be so far beside its path, which stays inside
  * @property {[number, number]|null} bodies	indices
  * @property {number} [tool]
- * @property {[number[][], number[][]]|null} [triangles]	of a and of b, nine numbers each, as they stand at the finding
+ * @property {[number[], number[]]|null} [triangles]	of a and of b, nine numbers each, as they stand at the finding
  *
  * @typedef {Object} Pair
  * @property {number} a	index of a body

@@ -188,7 +188,7 @@ export class Stage {
 		const {bodies, point, radius} = this.focus();
 		const plane = this.plane();
 		if (plane || (finding?.point && bodies.length === 2)) {
-			goal.lookFrom(bestDirection(this.placed, point, bodies, plane ? plane.normal : normalOf(finding?.triangles?.[0][0])));
+			goal.lookFrom(bestDirection(this.placed, point, bodies, plane ? plane.normal : normalOf(finding?.triangles?.[0])));
 			goal.fit(point, radius, this.aspect());
 		} else {
 			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
@@ -366,9 +366,10 @@ export class Stage {
 		const out = Math.min(90, width * 0.17);
 		const right = anchor[0] > x || (anchor[0] === x && side.endsWith('b'));
 		const to = [anchor[0] + (right ? out : -out), anchor[1] + (anchor[1] - y) / length * 30];
-		this.overlay.line(`leader leader-${side}`, anchor, to);
+		// The label may stand elsewhere, to stay within the picture; the line ends at it.
+		const {left, top, right: end, bottom} = this.overlay.label(`name-${side}`, this.placed.bodies[body].name, to[0], to[1]);
+		this.overlay.line(`leader leader-${side}`, anchor, [(left + end) / 2, (top + bottom) / 2]);
 		this.overlay.dot('anchor', anchor[0], anchor[1], 3.5);
-		this.overlay.label(`name-${side}`, this.placed.bodies[body].name, to[0], to[1]);
 	}
 
 	/** Where a body is seen, beside the ring: among some of its vertices. @param {number} body @param {number} x @param {number} y @param {number} width @param {number} height */

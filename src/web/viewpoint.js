@@ -51,9 +51,10 @@ export function bestDirection(placed, point, focus, normal) {
 	return best;
 }
 
-/** The normal of a triangle of nine numbers. @param {number[]|undefined} t @returns {Vec3|null} */
+/** The normal of a triangle of nine numbers; null if it has none. @param {number[]|undefined} t @returns {Vec3|null} */
 export function normalOf(t) {
-	return t ? unit(cross([t[3] - t[0], t[4] - t[1], t[5] - t[2]], [t[6] - t[0], t[7] - t[1], t[8] - t[2]])) : null;
+	const square = t ? cross([t[3] - t[0], t[4] - t[1], t[5] - t[2]], [t[6] - t[0], t[7] - t[1], t[8] - t[2]]) : null;
+	return square && norm(square) > 0 ? unit(square) : null;
 }
 
 /**
