@@ -368,6 +368,13 @@ START_TEST(left_by_cycle)
 				    "L X+9 Y+0 FMAX\nL X+20 RL F100\n"));
 	ck_assert(strstr(strbuf_text(&c.messages), "at which height a cycle has left the tool"));
 	case_release(&c);
+	klartext_case(&c);
+	c.config.controller.macros = &macro;
+	c.config.controller.macro_count = 1;
+	ck_assert(!klartext_run(&c, "TOOL CALL 1 Z\nCYCL DEF 225 ENGRAVING Q513=+10\nL X+1 Y+0 Z+0 FMAX M99\n" DRILL
+				    "PATTERN DEF POS1 (X+1 Y+2 Z+0)\nCYCL CALL PAT\n"));
+	ck_assert(strstr(strbuf_text(&c.messages), "CYCL CALL PAT while it is not known at which height a cycle has left"));
+	case_release(&c);
 }
 END_TEST
 

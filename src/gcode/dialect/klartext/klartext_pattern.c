@@ -5,6 +5,7 @@
 
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -220,7 +221,9 @@ bool klartext_pattern_call(struct interp *interp, int column, const struct canon
 	if (klartext->points.count == 0)
 		return fault(&interp->at, column,
 			     "CYCL CALL PAT, but neither PATTERN DEF nor SEL PATTERN has given points");
-	if (!klartext_cycle_check_values(interp, column, true))
+	/* The way between the points is at least as high as the tool stands now. */
+	if (!klartext_cycle_check_values(interp, column, true) ||
+	    (klartext->height_open && !klartext_comp_check_known(interp, column, "CYCL CALL PAT")))
 		return false;
 	if (klartext->cycle.number && klartext->cycle.by_q) {
 		if (!klartext_parameter_length(&call, 203, &surface) || !klartext_parameter_length(&call, 204, &second))
