@@ -21,12 +21,13 @@
 #define PART_SHARE 4
 
 /*
- * Where only least clearances are measured, they may take a share of the node pairs that the check itself takes, and so
- * many more in a program that has fewer than so many steps up to its first change of tools. After that the curve shows
- * what the check has proved. So a short program has a sharp curve, and that of a long one costs little more than the
- * check, however near its bodies stay to each other.
+ * Where only least clearances are measured, they may take so many node pairs and a share of those that the check itself
+ * takes, and many more in a program that has fewer than so many steps up to its first change of tools. After that the
+ * curve shows what the check has proved. So a short program has a sharp curve, and that of a long one costs little more
+ * than the check, however near its bodies stay to each other.
  */
-#define MEASURING_EFFORT 2000000L
+#define MEASURING_EFFORT 40000L
+#define SHORT_EFFORT 2000000L
 #define SHORT_PROGRAM 1000L
 #define MEASURING_SHARE 0.15
 
@@ -45,7 +46,8 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 	if (!scene_build(scene, diag))
 		return false;
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1,
-					.short_effort = MEASURING_EFFORT};
+					.spare_effort = MEASURING_EFFORT,
+					.short_effort = SHORT_EFFORT};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
