@@ -1,6 +1,8 @@
 /* test_gcode_cylinder.c - cylindrical interpolation (G7.1) against arcs of the developed surface; its faults. */
 #include "gcode_case.h"
 
+#include "base/same_double.h"
+
 static void init(struct gcode_case *c)
 {
 	case_init(c);
@@ -70,6 +72,27 @@ START_TEST(lines)
 }
 END_TEST
 
+/* A control that rounds corners leaves the path on the surface: 0.1 mm are 0.573 degrees about a radius of 10. */
+START_TEST(rounded)
+{
+	static const char beside[] = "turned by 0.0000 0.0000 ";
+	struct gcode_case c;
+	const char *row;
+
+	init(&c);
+	c.config.controller.path_tolerance = 0.1;
+	c.show_turn_spread = true;
+	ck_assert_msg(case_run(&c, "F60. G7.1 C10.\nG1 C90.\nG7.1 C0\nG1 C0.\nM30\n"), "%s", strbuf_text(&c.messages));
+	row = strstr(strbuf_text(&c.moves), beside);
+	ck_assert_ptr_nonnull(row);
+	ck_assert_double_eq_tol(strtod(row + strlen(beside), NULL), degrees(0.1 / 10), 1e-4);
+	row = strstr(row + 1, beside);
+	ck_assert_ptr_nonnull(row);
+	ck_assert(same_double(strtod(row + strlen(beside), NULL), 0));
+	case_release(&c);
+}
+END_TEST
+
 static const struct bad {
 	const char *block, *message;
 } bads[] = {
@@ -108,6 +131,7 @@ int main(void)
 
 	tcase_add_test(tcase, arcs);
 	tcase_add_test(tcase, lines);
+	tcase_add_test(tcase, rounded);
 	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/path_rounding.h"
 #include "gcode/execute/pocket_outline.h"
 #include "gcode/execute/polar_pieces.h"
 #include "gcode/execute/probed_axes.h"
@@ -33,6 +34,10 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 		move->between[slot] |= interp->comp.loose[slot] > 0 && !(move->spread[slot] > 0);
 		move->spread[slot] += interp->comp.loose[slot];
 	}
+	/* The path lies on the surface of the cylinder: to leave it there turns the axis by more, the smaller it is. */
+	if (state->cylinder.on)
+		move->turn_spread[state->cylinder.slot - SLOT_A] +=
+		    path_rounding(interp, move) / state->cylinder.radius;
 	move->origin = state->origin;
 	move->origin.length = state->length;
 	move->origin.turned = state->frame.on || state->own_frame;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "gcode/execute/path_rounding.h"
 
 /* mm: how far an axis may be beside its piece. Smaller pieces prove more closely, and there are more of them. */
 #define BESIDE 0.002
@@ -95,19 +96,12 @@ static void spread_of(const struct curve *curve, double nearest, double dt, doub
 	*turn = *beside / nearest;
 }
 
-/* mm: how far a control that rounds corners may leave the path, which lies in the plane. */
-static double rounding_of(const struct interp *interp, const struct canon_move *move)
-{
-	return move->blend && move->blend_tolerance > 0 ? move->blend_tolerance
-							: interp->config->controller.path_tolerance;
-}
-
 static bool tell_piece(struct interp *interp, const struct canon_move *move, const struct curve *curve, double t,
 		       double next)
 {
 	struct polar_interpolation *polar = &interp->state.polar_interpolation;
 	const double part = (next - t) / (1 - t), before = math_hypot(polar->at[0], polar->at[1]);
-	const double rounding = rounding_of(interp, move);
+	const double rounding = path_rounding(interp, move); /* in the plane */
 	struct canon_move piece = *move;
 	double point[2], radius, nearest, beside, turn;
 
