@@ -95,6 +95,8 @@ catalog DIN4000-81 1 A11=12 B6=20 B5=80 C3=12 | left
 catalog DIN4000-82 1 A1=12 A5=11 B2=26 B9=90 B5=83 C3=12 | left
 split 'adaptive item' "$mill" | left
 split 'cutting item' "$mill" | left
+# Strings may go on over several lines; a message has one.
+split 'cutting item' "$mill" | sed 's/MILL (1)/MILL\n(1)/; s/cutting item/assembly\nitem/' | left
 split 'tool item' "$mill|'thread pitch', \$, #5, '1'" | left
 split 'tool item' "$mill|'KAPR', \$, #6, '45'" | left
 split 'tool item' "$mill|'DCX', \$, #5, '8'" | left

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/strbuf.h"
 #include "base/units.h"
 #include "machine/tool_solid.h"
 
@@ -38,9 +39,17 @@ bool catalog_tools_are_numbered(bool number_all, const char *path, struct diag *
 void catalog_tool_leave_out(struct tool_library *tools, const struct catalog_tool *tool, const char *why,
 			    struct diag *diag)
 {
+	struct strbuf name = {0}, reason = {0};
+
 	tools->left_out++;
-	if (!tools->counts_left_out)
-		diag_warning(diag, tool->at, "the tool '%.60s' is left out: %s", tool->name ? tool->name : "", why);
+	if (tools->counts_left_out)
+		return;
+	/* A string of a catalogue may hold anything, line breaks too. */
+	strbuf_add_visible(&name, tool->name ? tool->name : "");
+	strbuf_add_visible(&reason, why);
+	diag_warning(diag, tool->at, "the tool '%.60s' is left out: %s", strbuf_text(&name), strbuf_text(&reason));
+	strbuf_release(&name);
+	strbuf_release(&reason);
 }
 
 /* Catalogues write 0 where something is not there. */
