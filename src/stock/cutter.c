@@ -137,33 +137,40 @@ static bool stays_above(const struct section *section, double target)
 	return smaller(section->fa, section->fb) - reach > target;
 }
 
+/* Leaves out the end where the function is larger; gives the new time, and where its value at that time belongs. */
+static double *narrow(struct section *at, double *time)
+{
+	if (at->fa <= at->fb) {
+		at->high = at->b;
+		at->b = at->a;
+		at->fb = at->fa;
+		*time = at->a = at->high - golden * (at->high - at->low);
+		return &at->fa;
+	}
+	at->low = at->a;
+	at->a = at->b;
+	at->fa = at->fb;
+	*time = at->b = at->low + golden * (at->high - at->low);
+	return &at->fb;
+}
+
 /* A time at which a convex function is least, or nearly; INFINITY: it is more than `target` everywhere. */
 static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point, double change,
 			   double target)
 {
 	struct section at = {.high = 1, .a = 1 - golden, .b = golden, .change = change};
-	struct cutter_place pa = place_at(way, at.a), pb = place_at(way, at.b);
+	struct cutter_place place = place_at(way, at.a);
+	double time, *value;
 
-	at.fa = point_distance(piece, &pa, point);
-	at.fb = point_distance(piece, &pb, point);
+	at.fa = point_distance(piece, &place, point);
+	place = place_at(way, at.b);
+	at.fb = point_distance(piece, &place, point);
 	for (int i = 0; i < SEARCH_STEPS; i++) {
 		if (stays_above(&at, target))
 			return INFINITY;
-		if (at.fa <= at.fb) {
-			at.high = at.b;
-			at.b = at.a;
-			at.fb = at.fa;
-			at.a = at.high - golden * (at.high - at.low);
-			pa = place_at(way, at.a);
-			at.fa = point_distance(piece, &pa, point);
-		} else {
-			at.low = at.a;
-			at.a = at.b;
-			at.fa = at.fb;
-			at.b = at.low + golden * (at.high - at.low);
-			pb = place_at(way, at.b);
-			at.fb = point_distance(piece, &pb, point);
-		}
+		value = narrow(&at, &time);
+		place = place_at(way, time);
+		*value = point_distance(piece, &place, point);
 	}
 	return at.fa <= at.fb ? at.a : at.b;
 }
@@ -176,25 +183,15 @@ static double deep_cube_time(const struct revolved *piece, const struct cutter_w
 			     double change, double target)
 {
 	struct section at = {.high = 1, .a = 1 - golden, .b = golden, .change = change};
+	double time, *value;
 
 	at.fa = cube_distance(piece, way, cube, at.a);
 	at.fb = cube_distance(piece, way, cube, at.b);
 	for (int i = 0; i < SEARCH_STEPS && smaller(at.fa, at.fb) > target; i++) {
 		if (stays_above(&at, target))
 			return INFINITY;
-		if (at.fa <= at.fb) {
-			at.high = at.b;
-			at.b = at.a;
-			at.fb = at.fa;
-			at.a = at.high - golden * (at.high - at.low);
-			at.fa = cube_distance(piece, way, cube, at.a);
-		} else {
-			at.low = at.a;
-			at.a = at.b;
-			at.fa = at.fb;
-			at.b = at.low + golden * (at.high - at.low);
-			at.fb = cube_distance(piece, way, cube, at.b);
-		}
+		value = narrow(&at, &time);
+		*value = cube_distance(piece, way, cube, time);
 	}
 	return at.fa <= at.fb ? at.a : at.b;
 }
