@@ -144,7 +144,7 @@ bool klartext_frame_is_scaled(const struct interp *interp)
 
 /* ------------------------------------------------------------------ cycles */
 
-static struct line_place place_of(const struct interp *interp, long line)
+struct line_place klartext_frame_place(const struct interp *interp, long line)
 {
 	struct line_place at = interp->at;
 
@@ -159,7 +159,7 @@ static struct line_place place_of(const struct interp *interp, long line)
 __attribute__((format(printf, 3, 4))) static bool
 word_fault(const struct interp *interp, const struct klartext_cycle_word *word, const char *format, ...)
 {
-	const struct line_place at = place_of(interp, word->line);
+	const struct line_place at = klartext_frame_place(interp, word->line);
 	char text[320];
 	va_list args;
 
@@ -290,7 +290,7 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 /* Two of mirror, rotation and unequal scaling do not commute: which one the control takes first is not known here. */
 static bool check_order(struct interp *interp, const struct klartext_cycle *cycle, const struct klartext_frame *frame)
 {
-	const struct line_place at = place_of(interp, cycle->line);
+	const struct line_place at = klartext_frame_place(interp, cycle->line);
 	bool mirrored = frame->mirror[0] || frame->mirror[1] || frame->mirror[2];
 	bool rotated = !same_double(frame->rotation, 0);
 	bool unequal = !same_double(frame->factor.x, frame->factor.y);
@@ -362,7 +362,7 @@ static bool check_factor(struct interp *interp, const struct klartext_cycle_word
 static bool check_one_scaling(struct interp *interp, const struct klartext_cycle *cycle, int number)
 {
 	const int before = klartext_of(interp)->frame.scaled_by;
-	const struct line_place at = place_of(interp, cycle->line);
+	const struct line_place at = klartext_frame_place(interp, cycle->line);
 
 	return !klartext_frame_is_scaled(interp) || before == number ||
 	       fault(&at, cycle->column, "CYCL DEF %d while CYCL DEF %d scales: cancel that first", number, before);

@@ -32,6 +32,9 @@ vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
 /* Has SCALING (CYCL DEF 11, 26) factors other than 1? */
 bool klartext_frame_is_scaled(const struct interp *interp);
 
+/* The last line of a definition, or an earlier one, whose text is no longer there. */
+struct line_place klartext_frame_place(const struct interp *interp, long line);
+
 /*
  * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling): takes effect where its definition
  * ends. False: reported.

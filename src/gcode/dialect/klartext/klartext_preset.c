@@ -23,18 +23,6 @@ static bool is_zero(vec3 v)
 	return same_double(v.x, 0) && same_double(v.y, 0) && same_double(v.z, 0);
 }
 
-/* The definition's last line, or an earlier one, whose text is no longer there. */
-static struct line_place place_of(const struct interp *interp, long line)
-{
-	struct line_place at = interp->at;
-
-	if (at.line != line) {
-		at.line = line;
-		at.text = "";
-	}
-	return at;
-}
-
 /*
  * iTNC 530 and TNC 640 user's manuals, "DATUM SETTING (Cycle 247)": the preset takes a datum shift back; newer controls
  * cancel a mirror image, a rotation and a scaling, too.
@@ -72,11 +60,11 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	struct klartext *klartext = klartext_of(interp);
 	struct state *state = &interp->state;
 	const struct klartext_cycle_word *word = cycle->count ? &cycle->words[0] : NULL;
-	struct line_place at = place_of(interp, cycle->line);
+	struct line_place at = klartext_frame_place(interp, cycle->line);
 
 	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
 		return fault(&at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
-	at = place_of(interp, word->line);
+	at = klartext_frame_place(interp, word->line);
 	if (!may_select(interp, word, &at))
 		return false;
 	cancel_shift(interp);
