@@ -3,103 +3,20 @@
 usage: check_page.py --fivecheck PROGRAM --page FOLDER --keep FOLDER [TEST...]
 """
 import argparse
-import functools
-import http.server
 import json
 import os
 import subprocess
 import sys
-import threading
 import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bench import PHONE, TESTS, WEAK_TEXT, same, test, true  # noqa: E402
 from driver import Browser  # noqa: E402
-
-
-class Site:
-    """The folder on 127.0.0.1, with a log of what was asked for."""
-
-    def __init__(self, folder):
-        self.asked = []
-        site = self
-
-        class Handler(http.server.SimpleHTTPRequestHandler):
-            extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
-                              ".js": "text/javascript"}
-
-            def log_message(self, *_):
-                site.asked.append((self.command, self.path, int(self.headers.get("Content-Length") or 0)))
-
-        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
-        self.address = f"http://127.0.0.1:{self.server.server_port}/"
-        self.thread = threading.Thread(target=self.server.serve_forever, daemon=True)
-        self.thread.start()
-
-    def close(self):
-        self.server.shutdown()
-        self.server.server_close()
-        self.thread.join()
-
-
-EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
-          "sampled", "wall-checked"]
-# Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
-WATCH = """
-window.counts = {};
-window.waiters = {};
-for (const name of %s) {
-    counts[name] = 0;
-    document.addEventListener(name, () => { counts[name]++; (waiters[name] || []).splice(0).forEach((done) => done()); });
-}
-window.until = (name, count) => counts[name] >= count ? Promise.resolve()
-    : new Promise((done) => (waiters[name] ||= []).push(done)).then(() => until(name, count));
-""" % json.dumps(EVENTS)
-
-
-class Bench:
-    def __init__(self, arguments, site, browser):
-        self.fivecheck = arguments.fivecheck
-        self.keep = arguments.keep
-        self.site = site
-        self.browser = browser
-
-    def open(self, path="", **options):
-        page = self.browser.page(**options)
-        page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
-        page.call("Page.navigate", url=self.site.address + path)
-        page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
-        page.run("await until('fivecheck-ready', 1)")
-        return page
-
-    def example(self, page, name):
-        page.run(f"[...document.querySelectorAll('#examples button')].find((b) => b.textContent === {json.dumps(name)}).click()")
-        page.run("await until('example-open', 1)")
-
-    def check(self, page, count=1):
-        page.run("document.querySelector('#check').click()")
-        page.run(f"await until('checked', {count})")
-
-    def native(self, name, program, *options):
-        return subprocess.run([self.fivecheck, *options, f"--setup=examples/{name}/setup.xml", f"machines/{name}/machine.xml",
-                               f"examples/{name}/{program}.nc"], capture_output=True, text=True, check=False)
-
-    def done(self, page, picture=None):
-        """Nothing was thrown or said, and nothing but files of the page was asked for, without a body."""
-        if picture:
-            page.picture(os.path.join(self.keep, f"{picture}.png"))
-        same("exceptions", page.exceptions(), [])
-        same("foreign requests", [url for url in page.requests() if not url.startswith(self.site.address)], [])
-        same("requests with a body", [entry for entry in self.site.asked if entry[0] != "GET" or entry[2]], [])
-        page.close()
+from page_bench import VERDICTS, WORDS, Bench, Site  # noqa: E402
 
 
 def untimed(text):
     return "\n".join(line for line in text.splitlines() if " blocks" not in line or "; time " not in line)
-
-
-VERDICTS = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.dataset.verdict])"
-WORDS = "Object.fromEntries([...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.querySelector('.words').textContent]))"
 
 
 def verdicts_are_those_of_the_command_line(bench, name):
@@ -144,15 +61,42 @@ def report(bench):
     bench.done(page, "page-report")
 
 
+ENDLESS = """G21 G90
+T1 M6
+G53 G0 Z0
+G53 G0 X150 Y0
+G0 A-30 C90
+G53 G1 Z-380 F5000
+G53 G0 Z0
+o100 while [1]
+G53 G0 X149
+G53 G0 X150
+o100 endwhile
+M2
+"""
+
+
 @test
 def cancel(bench):
-    """A check can be cancelled, and another one started."""
+    """Checks of programs that never end can be cancelled, those that run and those that wait, and another one started."""
     page = bench.open()
     bench.example(page, "ac-trunnion")
-    page.run("document.querySelector('#check').click()")
+    page.run("document.querySelector('[name=all]').click()")
+    page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({role}) => role !== 'program'))")
+    page.run("await fivecheckPage.add(Array.from({length: 9}, (_, i) => [`endless-${i}.nc`, new Blob([%s])]))" % json.dumps(ENDLESS))
+    # The first finding: from there on that program goes round and round.
+    page.run("""await new Promise((found) => {
+        new MutationObserver(() => document.querySelector('.findings .collision') && found()).observe(document.querySelector('#results'), {childList: true, subtree: true});
+        document.querySelector('#check').click();
+    })""")
+    same("verdicts before", [verdict for _, verdict in page.run(VERDICTS) if verdict], [])
     page.run("document.querySelector('#cancel').click()")
     page.run("await until('checked', 1)")
-    same("verdicts", [verdict for _, verdict in page.run(VERDICTS)], ["incomplete", "incomplete"])
+    same("verdicts", [verdict for _, verdict in page.run(VERDICTS)], ["incomplete"] * 9)
+    page.run("document.querySelector('#empty').click()")
+    bench.example(page, "cb-head", 2)
+    bench.check(page, 2)
+    same("verdicts of the next check", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
     bench.done(page)
 
 

@@ -1,0 +1,90 @@
+"""What the tests of the page share: its folder on a server, the page in Chromium, what its cards say."""
+import functools
+import http.server
+import json
+import os
+import subprocess
+import threading
+
+from bench import same
+
+
+class Site:
+    """The folder on 127.0.0.1, with a log of what was asked for."""
+
+    def __init__(self, folder):
+        self.asked = []
+        site = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
+                              ".js": "text/javascript"}
+
+            def log_message(self, *_):
+                site.asked.append((self.command, self.path, int(self.headers.get("Content-Length") or 0)))
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
+        self.address = f"http://127.0.0.1:{self.server.server_port}/"
+        self.thread = threading.Thread(target=self.server.serve_forever, daemon=True)
+        self.thread.start()
+
+    def close(self):
+        self.server.shutdown()
+        self.server.server_close()
+        self.thread.join()
+
+
+EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
+          "sampled", "wall-checked"]
+# Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
+WATCH = """
+window.counts = {};
+window.waiters = {};
+for (const name of %s) {
+    counts[name] = 0;
+    document.addEventListener(name, () => { counts[name]++; (waiters[name] || []).splice(0).forEach((done) => done()); });
+}
+window.until = (name, count) => counts[name] >= count ? Promise.resolve()
+    : new Promise((done) => (waiters[name] ||= []).push(done)).then(() => until(name, count));
+""" % json.dumps(EVENTS)
+
+
+class Bench:
+    def __init__(self, arguments, site, browser):
+        self.fivecheck = arguments.fivecheck
+        self.keep = arguments.keep
+        self.site = site
+        self.browser = browser
+
+    def open(self, path="", **options):
+        page = self.browser.page(**options)
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
+        page.call("Page.navigate", url=self.site.address + path)
+        page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+        page.run("await until('fivecheck-ready', 1)")
+        return page
+
+    def example(self, page, name, count=1):
+        page.run(f"[...document.querySelectorAll('#examples button')].find((b) => b.textContent === {json.dumps(name)}).click()")
+        page.run(f"await until('example-open', {count})")
+
+    def check(self, page, count=1):
+        page.run("document.querySelector('#check').click()")
+        page.run(f"await until('checked', {count})")
+
+    def native(self, name, program, *options):
+        return subprocess.run([self.fivecheck, *options, f"--setup=examples/{name}/setup.xml", f"machines/{name}/machine.xml",
+                               f"examples/{name}/{program}.nc"], capture_output=True, text=True, check=False)
+
+    def done(self, page, picture=None):
+        """Nothing was thrown or said, and nothing but files of the page was asked for, without a body."""
+        if picture:
+            page.picture(os.path.join(self.keep, f"{picture}.png"))
+        same("exceptions", page.exceptions(), [])
+        same("foreign requests", [url for url in page.requests() if not url.startswith(self.site.address)], [])
+        same("requests with a body", [entry for entry in self.site.asked if entry[0] != "GET" or entry[2]], [])
+        page.close()
+
+
+VERDICTS = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.dataset.verdict])"
+WORDS = "Object.fromEntries([...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.querySelector('.words').textContent]))"
