@@ -30,16 +30,20 @@ export function readOut(state) {
 		const value = h('dd'), work = h('dd.work');
 		return {letter, index: model.axes.findIndex((axis) => axis.letter === letter), value, work, row: h('div', {}, h('dt', {}, letter), value, work)};
 	});
+	const heads = h('div.heads', {'aria-hidden': 'true'}, h('dd', {}, 'machine'), h('dd.work', {}, 'work'));
 	const tool = h('span'), time = h('span'), motion = h('span'), spindle = h('span'), origin = h('p.origin');
 	const show = () => {
 		const {pose} = state;
 		const {modes} = pose;
+		let offset = false;
 		for (const {letter, index, value, work} of rows) {
 			value.textContent = axisValue(pose.values[index]);
 			work.textContent = workValue(modes, letter, pose.values[index]);
+			offset ||= work.textContent !== '';
 			const {min, max} = model.axes[index];
 			value.classList.toggle('beyond', pose.values[index] < (min ?? -Infinity) - 1e-3 || pose.values[index] > (max ?? Infinity) + 1e-3);
 		}
+		/** @type {HTMLElement} */ (heads.lastChild).hidden = !offset;
 		tool.textContent = pose.tool ? `T${pose.tool}` : 'no tool';
 		time.textContent = duration(state.time);
 		motion.textContent = (MOTION[pose.motion] || '') + (pose.feed ? ` ${grouped(Math.round(pose.feed))} mm/min` : '');
@@ -49,7 +53,7 @@ export function readOut(state) {
 	state.watch(show);
 	show();
 	return h('div.readout', {'aria-label': 'Axis positions in machine coordinates, and beside them in work coordinates'},
-		h('dl', {}, ...rows.map(({row}) => row)), origin, h('p', {}, tool, time), h('p', {}, motion, spindle));
+		h('dl', {}, heads, ...rows.map(({row}) => row)), origin, h('p', {}, tool, time), h('p', {}, motion, spindle));
 }
 
 /** @param {string} text @param {string} title @param {() => void} act @param {Object<string, any>} [more] */

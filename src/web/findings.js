@@ -68,14 +68,31 @@ function advice({bodies}, finding, moves) {
 	return `retract ${before}, or take another way there.`;
 }
 
-/** What the setup lacks for a clear program, where --sensitivity was asked. @param {Model} model */
+/** Rounded up: so much is enough. @param {number} mm */
+const enough = (mm) => fixed(Math.ceil(mm * 1000 - 0.001) / 1000, 3);
+
+/** A change of the setup in words. @param {{quantity: string, direction: string}} change @param {string} mm */
+function changeText({quantity, direction}, mm) {
+	const sign = direction === '+' ? '+' : '\u2212';
+	return quantity === 'length' ? `the tool ${direction === '+' ? 'farther back' : 'farther forward'} by that (length offset ${sign}${mm} mm)`
+		: `${quantity.toUpperCase()} of the work offset ${sign}${mm} mm`;
+}
+
+/** By how many mm something has to change for a clear program, where --sensitivity was asked. @param {Model} model */
 function cures({sensitivity}) {
-	return sensitivity.filter(({result, kind}) => result === 'turns' && kind === null).map(({quantity, direction, turn}) => {
-		// Rounded up: so much is enough.
-		const amount = fixed(Math.ceil(turn * 1000 - 0.001) / 1000, 3);
-		if (quantity === 'length') return `Needs ${amount} mm ${direction === '+' ? 'more' : 'less'} tool length: then nothing is found.`;
-		return `With ${quantity.toUpperCase()} of the work offset ${direction === '+' ? '+' : '\u2212'}${amount} mm nothing is found.`;
+	const cured = sensitivity.filter(({result, kind}) => result === 'turns' && kind === null).map((change) => {
+		const mm = enough(change.turn), less = change.tried > 0 ? `; ${fixed(change.tried, 3)} mm is not enough` : '';
+		return `Needs at least ${mm} mm: with ${changeText(change, mm)} nothing is found${less}.`;
 	});
+	const range = shortest(Math.max(0, ...sensitivity.map((change) => change.range)));
+	return cured.length || !sensitivity.length ? cured : [`No change of the setup that was tried, up to ${range} mm, is enough (--sensitivity).`];
+}
+
+/** How to ask for that. @param {Model} model @param {Finding} finding */
+function question({sensitivity, bodies}, {kind, bodies: two}) {
+	if (sensitivity.length || kind === 'gouge' || kind === 'start-overlap') return [];
+	const tool = (two || []).some((i) => ['holder', 'shank', 'cutter'].includes(bodies[i].role ?? ''));
+	return [h('p.note.question', {}, 'How many mm are needed? Check again with ', h('code', {}, `--sensitivity=${tool ? '0,0,0,50' : '50,50,50,50'}`), '.')];
 }
 
 export class FindingsView {
@@ -123,7 +140,7 @@ export class FindingsView {
 		const axes = model.readOut.filter((letter) => letter in finding.axes);
 		const rows = [
 			h('div.where', {}, h('code', {}, finding.block ?? ''), finding.kind === 'start-overlap' ? null : ` ${fixed(finding.fraction * 100, 1)} % through the block, at ${duration(finding.time)}`),
-			h('dl.axes', {}, ...axes.map((letter) => h('div', {}, h('dt', {}, letter), h('dd', {}, axisValue(finding.axes[letter]))))),
+			h('dl.axes', {}, h('div.axes-name', {}, 'machine:'), ...axes.map((letter) => h('div', {}, h('dt', {}, letter), h('dd', {}, axisValue(finding.axes[letter]))))),
 		];
 		const moves = h('p.moves', {hidden: true});
 		movesOf(model, finding).then((all) => {
@@ -142,7 +159,8 @@ export class FindingsView {
 					state.showFinding(index);
 					state.beforeFinding();
 					state.toggle();
-				}}, '\u25b6 from 2 s before')));
+				}}, '\u25b6 from 2 s before')),
+			...(index ? [] : question(model, finding)));
 	}
 
 	/** @param {Finding} finding */

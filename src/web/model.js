@@ -138,7 +138,7 @@
  * @property {Mark[]} operations
  * @property {[string, string][]} setup	what, value
  * @property {[string, string][]} statistics
- * @property {{quantity: string, direction: string, result: string, turn: number, kind: string|null}[]} sensitivity	what a setup that is off does; empty: not asked for
+ * @property {{quantity: string, direction: string, result: string, range: number, tried: number, turn: number, kind: string|null}[]} sensitivity	what a setup that is off does; empty: not asked for
  * @property {number} leftOut	findings that are not here
  * @property {number|null} accuracy	mm: how exactly the bodies are drawn
  */

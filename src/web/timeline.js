@@ -264,14 +264,14 @@ export class Timeline {
 	scaleNames(pen, top, bottom) {
 		const {clearance} = this.model;
 		if (!clearance) return 0;
-		const most = `at least ${clearance.cap} mm apart`;
+		const most = `${clearance.cap} mm or more`;
 		pen.lineWidth = 3;
 		pen.strokeStyle = cssColour('panel');
 		pen.fillStyle = cssColour('muted');
-		for (const [text, place] of /** @type {[string, number][]} */ ([[most, top + 8], ['0', bottom - 6]])) {
+		for (const [text, place] of /** @type {[string, number][]} */ ([[most, top + 8], ['0 mm clearance', bottom - 6]])) {
 			pen.strokeText(text, 5, place);
 			pen.fillText(text, 5, place);
 		}
-		return 5 + pen.measureText(most).width;
+		return 5 + pen.measureText('0 mm clearance').width;
 	}
 }

@@ -75,7 +75,7 @@ RED = """((canvas) => {
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i] > 120 && pixels[i + 1] < 0.35 * pixels[i] && pixels[i + 2] < 0.35 * pixels[i]) red++;
     return red;
 })(document.querySelector('.stage canvas'))"""
-READ_OUT = "Object.fromEntries([...document.querySelectorAll('.readout dl div')].map((row) => [row.children[0].textContent, Number(row.children[1].textContent)]))"
+READ_OUT = "Object.fromEntries([...document.querySelectorAll('.readout dl div:not(.heads)')].map((row) => [row.children[0].textContent, Number(row.children[1].textContent)]))"
 HERE = "Number(document.querySelector('.row.here')?.dataset.line || 0)"
 # What is written too faintly (WCAG 2.2, 1.4.3), of all text that is seen and is not in a picture; controls that are off are exempt.
 WEAK_TEXT = """((lum, over) => {

@@ -1,5 +1,6 @@
 """What a report shows: the contact in words and in red, on a desk, on a phone's screen, on paper, and whatever names say."""
 import os
+import re
 
 import fixtures
 from bench import HERE, PHONE, READ_OUT, RED, WEAK_TEXT, same, test, true
@@ -75,14 +76,35 @@ def other_examples(bench):
 
 @test
 def sensitivity(bench):
-    """With --sensitivity the card says what the setup lacks: the block is 40 high, the tool passes 10 above its foot."""
+    """The card says how many mm are needed: the block is 40 high, the tool passes 10 above its foot. Else it says how to ask."""
     machine, setup, program = fixtures.boxes(bench.work)
     path, _ = bench.report("sensitivity", machine, setup, program, "--sensitivity=0,0,0,50")
     page = bench.open(path)
     text = page.run("document.querySelector('.card .cure').textContent")
-    needed = float(text.split()[1])
-    true(text, text.endswith("mm more tool length: then nothing is found.") and 30 <= needed < 30.1)
+    needed = re.fullmatch(r"Needs at least ([0-9.]+) mm: with the tool farther back by that \(length offset \+\1 mm\) nothing is found; "
+                          r"([0-9.]+) mm is not enough\.", text)
+    true(text, needed and 30 <= float(needed[1]) < 30.1 and 29.9 < float(needed[2]) <= 30)
     bench.done(page, "sensitivity")
+    path, _ = bench.report("sensitivity-small", machine, setup, program, "--sensitivity=0,0,0,5")
+    page = bench.open(path)
+    same("too small a range", page.run("document.querySelector('.card .cure').textContent"),
+         "No change of the setup that was tried, up to 5 mm, is enough (--sensitivity).")
+    bench.done(page)
+    path, _ = bench.report("sensitivity-none", machine, setup, program)
+    page = bench.open(path)
+    same("how to ask", page.run("document.querySelector('.card .question').textContent"),
+         "How many mm are needed? Check again with --sensitivity=0,0,0,50.")
+    bench.done(page)
+
+
+@test
+def columns(bench):
+    """Above the two columns of axis values stands what they are, each head over its column; the curve's scale claims nothing."""
+    page = bench.open(bench.example("ac-trunnion", "collision", "--all")[0])
+    same("heads", page.run("[...document.querySelectorAll('.readout .heads dd')].map((head) => head.textContent)"), ["machine", "work"])
+    right = page.run("""[...document.querySelectorAll('.readout dl > div')].map((row) => [...row.querySelectorAll('dd')].map((e) => Math.round(e.getBoundingClientRect().right)))""")
+    true(f"right edges {right}", len({tuple(row) for row in right}) == 1 and len(right) == 6)
+    bench.done(page)
 
 
 @test

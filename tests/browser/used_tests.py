@@ -194,7 +194,7 @@ def read_outs(bench):
     path, findings = bench.report("read-outs", machine, setup, program, "--all")
     same("findings", findings, [])
     page = bench.open(path)
-    work = "Object.fromEntries([...document.querySelectorAll('.readout dl div')].map((row) => [row.children[0].textContent, row.children[2].textContent]))"
+    work = "Object.fromEntries([...document.querySelectorAll('.readout dl div:not(.heads)')].map((row) => [row.children[0].textContent, row.children[2].textContent]))"
     text = "[...document.querySelectorAll('.readout p')].map((line) => line.textContent)"
     seen = {}
     for line in (5, 6, 8, 9):
