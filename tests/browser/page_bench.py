@@ -34,7 +34,7 @@ class Site:
         self.thread.join()
 
 
-EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
+EVENTS = ["fivecheck-ready", "example-open", "files-shown", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
           "sampled", "wall-checked"]
 # Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
 WATCH = """

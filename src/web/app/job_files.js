@@ -7,9 +7,23 @@
 const HEAD = 65536;
 
 /**
- * @typedef {'machine' | 'setup' | 'mesh' | 'program' | 'waivers'} Role
+ * @typedef {'machine' | 'setup' | 'mesh' | 'program' | 'waivers' | 'library' | 'other'} Role
  * @typedef {{path: string, blob: Blob, role: Role, text: string}} JobFile
  */
+
+/** The beginning of a text: UTF-16 if its first bytes say so, else UTF-8. @param {Blob} blob */
+async function headOf(blob) {
+	const bytes = new Uint8Array(await blob.slice(0, HEAD).arrayBuffer()), mark = 256 * bytes[0] + bytes[1];
+	return new TextDecoder(mark === 0xfffe ? 'utf-16le' : mark === 0xfeff ? 'utf-16be' : 'utf-8').decode(bytes);
+}
+
+/** @param {string} path @param {string} text @returns {Role} */
+function roleOf(path, text) {
+	if (/\.(stl|obj|ply)$/i.test(path))
+		return 'mesh';
+	const root = /** @type {Role | undefined} */ (text.match(/<(machine|setup|waivers)[\s>]/)?.[1]);
+	return root ?? (/\.xml$/i.test(path) ? 'other' : 'program');
+}
 
 /**
  * @param {string} path
@@ -17,18 +31,15 @@ const HEAD = 65536;
  * @returns {Promise<JobFile>}
  */
 export async function jobFile(path, blob) {
-	const text = /\.(stl|obj|ply)$/i.test(path) ? '' : await blob.slice(0, HEAD).text();
-	/** @type {Role} */
-	let role = 'program';
-	if (!text)
-		role = 'mesh';
-	else if (/<machine[\s>]/.test(text))
-		role = 'machine';
-	else if (/<setup[\s>]/.test(text))
-		role = 'setup';
-	else if (/<waivers[\s>]/.test(text))
-		role = 'waivers';
-	return {path, blob, role, text};
+	const text = await headOf(blob);
+	return {path, blob, role: roleOf(path, text), text};
+}
+
+/** Files that a setup names as tool libraries are no programs. @param {JobFile[]} files */
+export function withLibraries(files) {
+	const setups = files.filter(({role}) => role === 'setup');
+	const named = new Set(setups.flatMap(({text}) => [...text.matchAll(/<tools\s[^>]*?\bhref=(["'])([^"']+)\1/g)].map(([, , path]) => nameOf(path))));
+	return files.map((file) => (file.role === 'program' || file.role === 'other') && named.has(nameOf(file.path)) ? {...file, role: /** @type {Role} */ ('library')} : file);
 }
 
 /** @param {string} path */
@@ -42,7 +53,7 @@ function folderOf(path) {
 }
 
 /**
- * The files of a job. A mesh that an XML file names in a folder is also found where it was dropped without its folder.
+ * The files of a job. A mesh or tool library that an XML file names in a folder is also found where it was dropped without its folder.
  * @param {JobFile[]} files
  * @returns {[string, Blob][]}
  */
@@ -52,7 +63,7 @@ export function withMeshes(files) {
 	for (const file of files) {
 		if (file.role !== 'machine' && file.role !== 'setup')
 			continue;
-		for (const [, , mesh] of file.text.matchAll(/\smesh=(["'])([^"']+)\1/g)) {
+		for (const [, , mesh] of file.text.matchAll(/\s(?:mesh|href)=(["'])([^"']+)\1/g)) {
 			const path = folderOf(file.path) + mesh, found = files.find((other) => nameOf(other.path) === nameOf(mesh));
 			if (!all.has(path) && found)
 				all.set(path, found.blob);

@@ -1,7 +1,7 @@
 // @ts-check
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
-import {jobFile, nameOf, withMeshes} from './job_files.js';
+import {jobFile, nameOf, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 
@@ -82,11 +82,12 @@ class Page {
 
 	/** @param {JobFile[]} files */
 	setFiles(files) {
-		this.files = files;
-		byId('file-list').replaceChildren(...files.map((file) => element('li', {dataset: {role: file.role}},
+		this.files = withLibraries(files);
+		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
 			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
 		byId('empty').hidden = files.length === 0;
 		this.showButtons();
+		document.dispatchEvent(new Event('files-shown'));
 	}
 
 	/** @param {JobFile} file */
@@ -102,9 +103,9 @@ class Page {
 	}
 
 	showButtons() {
-		const machines = this.of('machine').length, programs = this.of('program').length;
-		const why = machines === 0 ? 'A machine file is missing.' : machines > 1 ? 'There is more than one machine file.'
-			: programs === 0 ? 'A program is missing.' : '';
+		const machines = this.of('machine').length, programs = this.of('program').length, others = this.of('other').map(({path}) => path);
+		const why = machines === 0 ? `A machine file is missing.${others.length ? ` There is no <machine> in ${others.join(', ')}.` : ''}`
+			: machines > 1 ? 'There is more than one machine file.' : programs === 0 ? 'A program is missing.' : '';
 		byId('why-not').textContent = this.files.length ? why : '';
 		/** @type {HTMLButtonElement} */ (byId('check')).disabled = why !== '' || this.running > 0;
 		byId('cancel').hidden = this.running === 0;
