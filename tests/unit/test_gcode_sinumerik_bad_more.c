@@ -2,6 +2,19 @@
 #include "sinumerik_refused.h"
 
 static const struct refused_program programs[] = {
+	/* AC() and its like belong to coordinates. */
+	{"F=IC(100)\n", 1, 1, "F takes a plain value, not IC()"},
+	{"G1 X10 F6 S=AC(500)\n", 1, 11, "S takes a plain value, not AC()"},
+	{"T=IC(1) M6\n", 1, 1, "T takes a plain value, not IC()"},
+	{"G500 G0 X1 D=IC(1)\n", 1, 12, "D takes a plain value, not IC()"},
+	{"G4 F=DC(2)\n", 1, 4, "F takes a plain value, not DC()"},
+	{"G500 F6 G2 X10 CR=AC(5)\n", 1, 16, "CR takes a plain value, not AC()"},
+	{"G500 F6 G2 X10 I5 J0 TURN=IC(2)\n", 1, 22, "TURN takes a plain value, not IC()"},
+	{"G500 F6 G2 X10 I=DC(5) J0\n", 1, 16, "I takes AC() and IC(), not DC()"},
+	{"G500 F6 CIP X10 Y10 I1=ACP(5) J1=0\n", 1, 21, "I1 takes AC() and IC(), not ACP()"},
+	{"TRANS X=IC(5)\n", 1, 7, "X takes a plain value, not IC()"},
+	{"TRANS X5\nAROT Z=IC(10)\n", 2, 6, "Z takes a plain value, not IC()"},
+	{"TRAORI\nG1 F6 A3=IC(1) B3=0 C3=1\n", 2, 7, "A3 takes a plain value, not IC()"},
 	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nSUPA X0\n", 3, 1,
 	 "SUPA, G53 and G153 while CYCLE81 is called behind each motion; MCALL first"},
 	{"TOFFL=0.1\n", 1, 1,

@@ -119,7 +119,15 @@ static const struct bad {
 	 "tool radius compensation ends in a straight line (G0, G1), not in a circle"},
 	{TOOL "G41 G451 NORM G1 X10\nY10\nX11 Y0\n",
 	 "an outside corner at which the path turns by 174.3 degrees: whether the control draws it out or rounds it is a "
-	 "parameter's matter; round it, with G450 and DISC=0"},
+	 "parameter's matter; G450 with DISC=0 rounds it, or, before any G450 or G451, cutter_comp_corner=\"circular\" of the "
+	 "machine's <controller>"},
+	{TOOL "OFFN=IC(3)\n", "OFFN takes a plain value, not IC()"},
+	{"F6 G500 T1 M6 D0 OFFN=2\nG41 G1 X10\n",
+	 "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool away from the contour by "
+	 "OFFN alone is not known; write D1, or OFFN=0"},
+	{"F6 G500 D1 OFFN=2\nG42 G1 X10\n",
+	 "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool away from the contour by "
+	 "OFFN alone is not known; write D1, or OFFN=0"},
 	{TOOL "SCALE X2 Y2 Z2\nG41 G1 X10\n",
 	 "tool radius compensation while SCALE is in force is not supported yet"},
 	{TOOL "ROT X30\nG41 G1 X10\n",
@@ -156,6 +164,37 @@ START_TEST(moves)
 }
 END_TEST
 
+/* Before any G450 or G451 the machine file says how outside corners are led round; the program's word comes first. */
+START_TEST(corners_of_the_machine)
+{
+	static const struct {
+		enum comp_corner_form form;
+		const char *words, *corner;
+	} cases[] = {
+		{COMP_CORNER_CIRCULAR, "", "arc 10 25 0 0 0 centre 10 20 0 normal 0 0 1 sweep -90\n"},
+		{COMP_CORNER_LINEAR, "", "feed 5 25 0 0 0\n"},
+		{COMP_CORNER_CIRCULAR, "G451 ", "feed 5 25 0 0 0\n"},
+		{COMP_CORNER_LINEAR, "G450 ", "arc 10 25 0 0 0 centre 10 20 0 normal 0 0 1 sweep -90\n"},
+		{COMP_CORNER_CIRCULAR, "DISC=50 ",
+		 "feed 5 25 0 0 0 spread 2.07106781 2.07106781 0\nfeed 10 25 0 0 0 spread 2.07106781 2.07106781 0\n"},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		c.show_spread = true;
+		c.config.controller.comp_corner = cases[i].form;
+		strbuf_addf(&program, TOOL "G41 NORM %sG1 X10 Y0\nY20\nX30\nG40 X30 Y0\n", cases[i].words);
+		ck_assert_msg(case_run(&c, strbuf_text(&program)), "%s", strbuf_text(&c.messages));
+		ck_assert_msg(strstr(strbuf_text(&c.moves), cases[i].corner), "%zu: %s", i, strbuf_text(&c.moves));
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
 START_TEST(refused)
 {
 	const struct bad *program = &bad[_i];
@@ -180,6 +219,7 @@ int main(void)
 	int failed;
 
 	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
+	tcase_add_test(tcase, corners_of_the_machine);
 	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

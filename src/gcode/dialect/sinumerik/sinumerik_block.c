@@ -58,43 +58,16 @@ static bool assigns(struct lexer *lexer)
 	return lexer_peek(lexer) == '=' && lexer->at->text[lexer->position + 1] != '=';
 }
 
-
-/* A value behind '=': AC(5), IC(5) and the like, or an expression. */
-static bool read_value(struct reading *r, double *value, unsigned char *way)
-{
-	static const struct {
-		const char *name;
-		enum sinumerik_way way;
-	} ways[] = {{"AC", SINUMERIK_WAY_AC}, {"IC", SINUMERIK_WAY_IC}, {"DC", SINUMERIK_WAY_DC},
-		    {"ACP", SINUMERIK_WAY_ACP}, {"ACN", SINUMERIK_WAY_ACN}};
-	const size_t position = r->lexer->position;
-	char name[SINUMERIK_NAME + 1];
-
-	*way = SINUMERIK_WAY_MODAL;
-	if (sinumerik_name_read(r->lexer, name) && lexer_peek(r->lexer) == '(') {
-		for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
-			if (strcmp(name, ways[i].name) != 0)
-				continue;
-			*way = (unsigned char)ways[i].way;
-			lexer_take(r->lexer);
-			return sinumerik_expr_number(r->interp, r->lexer, value) &&
-			       sinumerik_name_need(r->lexer, ')', "the coordinate");
-		}
-		if (!strcmp(name, "CAC") || !strcmp(name, "CIC") || !strcmp(name, "CDC") || !strcmp(name, "CACP") ||
-		    !strcmp(name, "CACN"))
-			return fault(r->lexer->at, (int)position + 1, "positions of a table of the control (%s)", name);
-	}
-	r->lexer->position = position;
-	return sinumerik_expr_number(r->interp, r->lexer, value);
-}
-
 /* ------------------------------------------------------------------ words */
 
 static bool add_letter(struct reading *r, char letter, int column, double value, unsigned char way)
 {
 	struct sinumerik_block *block = r->block;
 	const int index = letter - 'A', slot = slot_of_letter(letter);
+	const char name[] = {letter, '\0'};
 
+	if (slot < 0 && !sinumerik_way_fits(r->lexer->at, column, name, way, strchr("IJK", letter) != NULL))
+		return false;
 	if (slot >= 0 && !r->interp->config->has_axis[slot])
 		return fault(r->lexer->at, column, "the machine has no %c axis", letter);
 	if (sinumerik_block_has(block, letter))
@@ -257,6 +230,12 @@ static bool read_tool_name(struct reading *r, int column)
 	return sinumerik_expr_text(r->interp, r->lexer, &r->block->tool_name) && add_letter(r, 'T', column, 0, 0);
 }
 
+/* Coordinates, as X, Y and Z are: of the point of CIP, and polar ones. */
+static bool is_place(int address)
+{
+	return (address >= SINUMERIK_I1 && address <= SINUMERIK_K1) || address == SINUMERIK_AP || address == SINUMERIK_RP;
+}
+
 /* X=..., M2=3, S1=500, A3=..., CR=... */
 static bool read_assigned(struct reading *r, const char *name, int column, bool *done)
 {
@@ -270,13 +249,14 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 		lexer_take(r->lexer);
 		if (name[0] == 'T' && sinumerik_expr_is_text(r->interp, r->lexer))
 			return read_tool_name(r, column);
-		return read_value(r, &value, &way) && take_word(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
 	}
 	if (sinumerik_codes_word(name, &word) && word.kind == SINUMERIK_WORD_ADDRESS) {
 		lexer_take(r->lexer);
 		if (r->block->addresses & 1U << word.code)
 			return fault(r->lexer->at, column, "%s stands twice in the block", name);
-		if (!read_value(r, &value, &way))
+		if (!sinumerik_way_read(r->interp, r->lexer, &value, &way) ||
+		    !sinumerik_way_fits(r->lexer->at, column, name, way, is_place(word.code)))
 			return false;
 		r->block->addresses |= 1U << word.code;
 		r->block->address_value[word.code] = value;
@@ -287,16 +267,16 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S' || name[0] == 'H')) {
 		lexer_take(r->lexer);
 		if (name[0] == 'H')
-			return read_value(r, &value, &way) && take_word(r, 'H', column, value, way);
+			return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, 'H', column, value, way);
 		if (strcmp(name + 1, "1") != 0)
 			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet",
 				     name);
-		return read_value(r, &value, &way) && take_word(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
 	}
 	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {
 		lexer_take(r->lexer);
 		r->block->machine_axes = true;
-		return read_value(r, &value, &way) && add_letter(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && add_letter(r, name[0], column, value, way);
 	}
 	*done = false;
 	return true;
@@ -334,7 +314,7 @@ static bool step_over_value(struct reading *r, const char *name, double *value)
 			return fault(r->lexer->at, expr_column(r->lexer), "']' is needed here");
 		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
 	}
-	return sinumerik_name_need(r->lexer, '=', name) && read_value(r, value, &way);
+	return sinumerik_name_need(r->lexer, '=', name) && sinumerik_way_read(r->interp, r->lexer, value, &way);
 }
 
 /* TRAORI and TRAORI(1) are the first transformation that the machine's maker has set up; its tool lies along Z. */
@@ -386,7 +366,7 @@ static bool read_position(struct reading *r, int column)
 	r->block->positions_column = column;
 	return sinumerik_name_need(r->lexer, '[', "POS") && sinumerik_expr_axis(r->interp, r->lexer, &slot) &&
 	       sinumerik_name_need(r->lexer, ']', "the axis") && sinumerik_name_need(r->lexer, '=', "POS") &&
-	       read_value(r, &value, &way) && add_letter(r, AXIS_LETTERS[slot], column, value, way);
+	       sinumerik_way_read(r->interp, r->lexer, &value, &way) && add_letter(r, AXIS_LETTERS[slot], column, value, way);
 }
 
 static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)

@@ -4,16 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
-
-/* How a coordinate counts: as G90 and G91 say, or X=IC(...) and the like for this word alone. */
-enum sinumerik_way {
-	SINUMERIK_WAY_MODAL,
-	SINUMERIK_WAY_AC,
-	SINUMERIK_WAY_IC,
-	SINUMERIK_WAY_DC,	/* rotary: the shortest way */
-	SINUMERIK_WAY_ACP,	/* rotary: in the positive direction */
-	SINUMERIK_WAY_ACN
-};
+#include "gcode/dialect/sinumerik/sinumerik_way.h"
 
 #define SINUMERIK_M_MAX 10
 

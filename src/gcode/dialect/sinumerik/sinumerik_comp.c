@@ -112,6 +112,19 @@ static bool check_plane(struct interp *interp, int column)
 		     "the machine's axes; CUT2DF corrects in the tilted one");
 }
 
+/* Before any G450 or G451 the machine file may say which one the control starts with (MD20150), with DISC at 0. */
+static enum comp_corner_form corner_form(const struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const enum comp_corner_form begun = interp->config->controller.comp_corner;
+
+	if (sinumerik->corner == SINUMERIK_G(451) || (sinumerik->corner == CODE_NONE && begun == COMP_CORNER_LINEAR))
+		return COMP_CORNER_CROSSING_IF_BLUNT;
+	if ((sinumerik->corner == SINUMERIK_G(450) || begun == COMP_CORNER_CIRCULAR) && !(sinumerik->disc > 0))
+		return COMP_CORNER_CIRCULAR;
+	return COMP_CORNER_BETWEEN;
+}
+
 static bool switch_on(struct interp *interp, int column, int side)
 {
 	struct cutter_comp *comp = &interp->comp;
@@ -124,18 +137,17 @@ static bool switch_on(struct interp *interp, int column, int side)
 		return refuse(interp, column, "the other side of the path");
 	if (!find_radius(interp, column, &radius) || !check_plane(interp, column))
 		return false;
+	if (!(radius > 0) && sinumerik->allowance > 0)
+		return fault(&interp->at, column,
+			     "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool "
+			     "away from the contour by OFFN alone is not known; write D1, or OFFN=0");
 	radius += sinumerik->allowance;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
 		return true;
 	comp_lookahead_begin(comp, side, radius);
 	comp->start_type = sinumerik->approach == SINUMERIK_NORM ? COMP_START_A : COMP_START_UNKNOWN;
-	if (sinumerik->corner == SINUMERIK_G(450) && !(sinumerik->disc > 0))
-		comp->corner_form = COMP_CORNER_CIRCULAR;
-	else if (sinumerik->corner == SINUMERIK_G(451))
-		comp->corner_form = COMP_CORNER_CROSSING_IF_BLUNT;
-	else
-		comp->corner_form = COMP_CORNER_BETWEEN;
+	comp->corner_form = corner_form(interp);
 	return true;
 }
 

@@ -229,12 +229,15 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		const int index = AXIS_LETTERS[slot] - 'A';
+		const char name[] = {AXIS_LETTERS[slot], '\0'};
 		const bool scaled =
 		    (words.code == SINUMERIK_TRANS || words.code == SINUMERIK_AXIAL) && !slot_is_rotary(slot);
 
 		words.has[slot] = sinumerik_block_has(block, AXIS_LETTERS[slot]);
 		if (!words.has[slot])
 			continue;
+		if (!sinumerik_way_fits(&interp->at, block->column[index], name, block->way[index], false))
+			return false;
 		lengths = lengths || scaled;
 		words.value[slot] = block->value[index] * (scaled ? interp->state.scale : 1);
 	}

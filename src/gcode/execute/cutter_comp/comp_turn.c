@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
-#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "geom/tolerance.h"
@@ -194,8 +193,8 @@ static bool can_cross(struct interp *interp, const struct comp_corner_shape *c)
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
 		     "an outside corner at which the path turns by %.4g degrees%s: whether the control draws it out or "
-		     "rounds "
-		     "it is a parameter's matter; round it, with G450 and DISC=0",
+		     "rounds it is a parameter's matter; G450 with DISC=0 rounds it, or, before any G450 or G451, "
+		     "cutter_comp_corner=\"circular\" of the machine's <controller>",
 		     degrees(c->angle), c->angle > SHARPEST ? "" : ", beside an arc that the tool follows inside");
 }
 

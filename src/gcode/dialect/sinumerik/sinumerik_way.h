@@ -1,0 +1,27 @@
+/* sinumerik_way.h - AC(), IC() and the like: how the coordinate of one word counts. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_WAY_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_WAY_H
+
+#include "gcode/state.h"
+
+/* How a coordinate counts: as G90 and G91 say, or X=IC(...) and the like for this word alone. */
+enum sinumerik_way {
+	SINUMERIK_WAY_MODAL,
+	SINUMERIK_WAY_AC,
+	SINUMERIK_WAY_IC,
+	SINUMERIK_WAY_DC,	/* rotary: the shortest way */
+	SINUMERIK_WAY_ACP,	/* rotary: in the positive direction */
+	SINUMERIK_WAY_ACN
+};
+
+/* Reads a value behind '=': AC(5), IC(5) and the like, or an expression. False: reported. */
+bool sinumerik_way_read(struct interp *interp, struct lexer *lexer, double *value, unsigned char *way);
+
+/*
+ * Can the word, which is no axis, have the value counted in this way? 840D sl, "List of addresses": coordinates may be
+ * absolute or incremental, other values are plain. False: reported.
+ */
+bool sinumerik_way_fits(const struct line_place *at, int column, const char *word, unsigned char way,
+			bool is_coordinate);
+
+#endif
