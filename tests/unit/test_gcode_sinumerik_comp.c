@@ -195,6 +195,35 @@ START_TEST(corners_of_the_machine)
 }
 END_TEST
 
+/* And whether NORM holds before any NORM or KONT. */
+START_TEST(start_of_the_machine)
+{
+	static const struct {
+		enum comp_start type;
+		const char *words, *start;
+	} cases[] = {
+		{COMP_START_A, "", "feed 5 0 0 0 0\nfeed 5 20 0 0 0\n"},
+		{COMP_START_A, "KONT ", "feed 10 5 0 0 0 spread 7.07106781 7.07106781 0\n"},
+		{COMP_START_B, "", "feed 10 5 0 0 0 spread 7.07106781 7.07106781 0\n"},
+		{COMP_START_B, "NORM ", "feed 5 0 0 0 0\nfeed 5 20 0 0 0\n"},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		c.show_spread = true;
+		c.config.controller.comp_start = cases[i].type;
+		strbuf_addf(&program, TOOL "G41 %sG450 G1 X10 Y0\nY20\nX30\nG40 X30 Y0\n", cases[i].words);
+		ck_assert_msg(case_run(&c, strbuf_text(&program)), "%s", strbuf_text(&c.messages));
+		ck_assert_msg(strstr(strbuf_text(&c.moves), cases[i].start), "%zu: %s", i, strbuf_text(&c.moves));
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
 START_TEST(refused)
 {
 	const struct bad *program = &bad[_i];
@@ -220,6 +249,7 @@ int main(void)
 
 	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
 	tcase_add_test(tcase, corners_of_the_machine);
+	tcase_add_test(tcase, start_of_the_machine);
 	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

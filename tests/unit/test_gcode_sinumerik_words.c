@@ -103,11 +103,28 @@ static const struct program {
 	 "rapid 0 0 10 0 0\nrapid 1 2 10 0 0\nrapid 1 2 1 0 0\nfeed 1 2 -2 0 0\nrapid 1 2 10 0 0\n"
 	 "rapid 3 4 10 0 0\nrapid 3 4 1 0 0\nfeed 3 4 -2 0 0\nrapid 3 4 10 0 0\nrapid 10 0 10 0 0\n"
 	 "rapid 15 0 10 0 0\n"},
+	/* MCALL of a subprogram: it is called at each position of a pattern, which begins at the end nearer to the tool. */
+	{"F6 G500 G0 X30 Z10\nMCALL PECK(-3)\nHOLES1(0,0,0,10,5,2)\nX1 Y2\nMCALL\nX0 Y0\nM30\n%_N_PECK_SPF\n"
+	 "PROC PECK(REAL DEEP)\nG1 Z=DEEP\nG0 Z10\nRET\n",
+	 "rapid 30 0 10 0 0\nrapid 15 0 10 0 0\nfeed 15 0 -3 0 0\nrapid 15 0 10 0 0\nrapid 10 0 10 0 0\n"
+	 "feed 10 0 -3 0 0\nrapid 10 0 10 0 0\nrapid 1 2 10 0 0\nfeed 1 2 -3 0 0\nrapid 1 2 10 0 0\n"
+	 "rapid 0 0 10 0 0\n"},
+	/* In a loop, and with a subprogram that leaves the tool elsewhere and calls another one. */
+	{"F6 G500 G0 Z10\nFOR R1=1 TO 2\nMCALL AWAY\nHOLES2(0,0,R1,0,90,2)\nMCALL\nENDFOR\nX0 Y0\nM30\n%_N_AWAY_SPF\n"
+	 "Y=IC(50)\nDEEPER\nM17\n%_N_DEEPER_SPF\nZ=IC(-1)\nM17\n",
+	 "rapid 0 0 10 0 0\nrapid 1 0 10 0 0\nrapid 1 50 10 0 0\nrapid 1 50 9 0 0\nrapid 0 1 9 0 0\nrapid 0 51 9 0 0\n"
+	 "rapid 0 51 8 0 0\nrapid 2 0 8 0 0\nrapid 2 50 8 0 0\nrapid 2 50 7 0 0\nrapid 0 2 7 0 0\nrapid 0 52 7 0 0\n"
+	 "rapid 0 52 6 0 0\nrapid 0 0 6 0 0\n"},
 };
 
 static const struct bad {
 	const char *text, *message;
 } bad[] = {
+	{"F6 G500 G0 Z10\nMCALL TURNS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_TURNS_SPF\nG18\nM17\n",
+	 "TURNS has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of HOLES1; PROC with SAVE "
+	 "brings them back"},
+	{"F6 G500 G0 Z10\nMCALL ROWS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_ROWS_SPF\nHOLES1(0,0,0,1,1,2)\nM17\n",
+	 "HOLES1 in the subprogram ROWS, which MCALL calls, is not supported"},
 	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},
 	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25 is known to the control alone"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
@@ -127,7 +144,7 @@ static const struct bad {
 	{"F6 G500\nRP=30\n", "RP= without any AP= before"},
 	{"F6 G500\nRP=-3 AP=0\n", "RP= is an absolute radius that is not negative"},
 	{"F6 G500\nRP=IC(3) AP=0\n", "RP= is an absolute radius that is not negative"},
-	{"F6 G500\nRP=3 AP=DC(0)\n", "AP= takes AC or IC"},
+	{"F6 G500\nRP=3 AP=DC(0)\n", "AP takes AC() and IC(), not DC()"},
 	{"F6 G500\nRP=3 AP=IC(5)\n", "AP=IC() without any AP= before"},
 	{"F6 G500 G91\nRP=3 AP=5\n", "AP= under G91: write AP=AC() or AP=IC()"},
 	{"F6 G500\nRP=3 AP=5 X1\n", "AP= and RP= stand in place of the coordinates X and Y"},

@@ -10,6 +10,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
 #include "gcode/dialect/sinumerik/sinumerik_macro.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_pattern.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -190,6 +191,8 @@ static bool read_line(struct interp *interp, bool *done)
 		return false;
 	if (left)
 		return true;
+	if (sinumerik_pattern_waits(interp))
+		return sinumerik_pattern_go_on(interp);
 	head = sinumerik_seek_head(at.text);
 	if (at.text[head.rest] == ';' || at.text[head.rest] == '\0') {
 		if (!head.number[0] && !head.label[0])

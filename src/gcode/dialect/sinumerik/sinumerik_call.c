@@ -199,6 +199,22 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 	return true;
 }
 
+bool sinumerik_call_modal(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_modal *modal = &sinumerik->modal;
+
+	sinumerik->argument_count = modal->argument_count;
+	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
+	for (size_t i = 0; i < modal->argument_count; i++) {
+		sinumerik->argument_is_text[i] = false;
+		sinumerik->argument_variable[i] = -1;
+	}
+	modal->running = true;
+	modal->depth = sinumerik->depth;
+	return sinumerik_call_run(interp, modal->name, 1, 1);
+}
+
 bool sinumerik_call_is_inside(const struct interp *interp)
 {
 	return sinumerik_of(interp)->level > 0;

@@ -10,6 +10,9 @@ bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer);
 /* Calls the subprogram of this upper-case name so many times with the arguments read. False: reported. */
 bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column);
 
+/* Calls the subprogram of MCALL with its arguments. False: reported. */
+bool sinumerik_call_modal(struct interp *interp);
+
 /* The program name in a path, as CALL and EXTCALL take it: no folders, no _N_, no type. False: reported. */
 bool sinumerik_call_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1]);
 

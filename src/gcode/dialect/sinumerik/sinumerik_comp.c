@@ -112,6 +112,15 @@ static bool check_plane(struct interp *interp, int column)
 		     "the machine's axes; CUT2DF corrects in the tilted one");
 }
 
+/* NORM leads straight to the point beside the contour; before any NORM or KONT the machine file may say that it holds. */
+static enum comp_start start_type(const struct interp *interp)
+{
+	const int approach = sinumerik_of(interp)->approach;
+	const bool begun = interp->config->controller.comp_start == COMP_START_A;
+
+	return approach == SINUMERIK_NORM || (approach == CODE_NONE && begun) ? COMP_START_A : COMP_START_UNKNOWN;
+}
+
 /* Before any G450 or G451 the machine file may say which one the control starts with (MD20150), with DISC at 0. */
 static enum comp_corner_form corner_form(const struct interp *interp)
 {
@@ -146,7 +155,7 @@ static bool switch_on(struct interp *interp, int column, int side)
 	if (!(radius > 0))
 		return true;
 	comp_lookahead_begin(comp, side, radius);
-	comp->start_type = sinumerik->approach == SINUMERIK_NORM ? COMP_START_A : COMP_START_UNKNOWN;
+	comp->start_type = start_type(interp);
 	comp->corner_form = corner_form(interp);
 	return true;
 }
@@ -236,7 +245,7 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 	if (code[SINUMERIK_APPROACH] != CODE_NONE) {
 		sinumerik->approach = code[SINUMERIK_APPROACH];
 		/* The way out is as this block says. */
-		interp->comp.start_type = sinumerik->approach == SINUMERIK_NORM ? COMP_START_A : COMP_START_UNKNOWN;
+		interp->comp.start_type = start_type(interp);
 	}
 	if (code[SINUMERIK_CORNER] != CODE_NONE)
 		sinumerik->corner = code[SINUMERIK_CORNER];

@@ -120,22 +120,7 @@ bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const str
 
 bool sinumerik_invoke_modal(struct interp *interp)
 {
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct sinumerik_modal *modal = &sinumerik->modal;
-
-	if (!sinumerik_modal_acts(sinumerik))
-		return true;
-	if (modal->cycle)
-		return sinumerik_pattern_modal_cycle(interp);
-	sinumerik->argument_count = modal->argument_count;
-	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
-	for (size_t i = 0; i < modal->argument_count; i++) {
-		sinumerik->argument_is_text[i] = false;
-		sinumerik->argument_variable[i] = -1;
-	}
-	modal->running = true;
-	modal->depth = sinumerik->depth;
-	return sinumerik_call_run(interp, modal->name, 1, 1);
+	return !sinumerik_modal_acts(sinumerik_of(interp)) || sinumerik_pattern_modal(interp);
 }
 
 /*

@@ -4,8 +4,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_argument.h"
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
@@ -22,6 +24,10 @@
 struct pattern {
 	struct sinumerik_arguments of;
 	enum axis_slot a, b;	/* the plane */
+	const slot_values *from;	/* program coordinates of the tool before it */
+	struct sinumerik_pattern *left;	/* its `done` holes are passed over */
+	long holes;	/* come by so far */
+	bool called;	/* a subprogram runs at the last of them; the others wait */
 };
 
 static double value(const struct pattern *p, size_t i)
@@ -34,20 +40,38 @@ static double length(const struct pattern *p, size_t i)
 	return sinumerik_argument_length(&p->of, i);
 }
 
-bool sinumerik_pattern_modal_cycle(struct interp *interp)
+bool sinumerik_pattern_modal(struct interp *interp)
 {
 	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
 
+	if (!modal->cycle)
+		return sinumerik_call_modal(interp);
 	return sinumerik_region_is(modal->name)
 		   ? sinumerik_region_mill_here(interp, modal->name, modal->arguments, modal->argument_count, 1)
 		   : sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
 }
 
-static bool drill_at(const struct pattern *p, double at_a, double at_b)
+/* A subprogram that begins at the hole comes back to the pattern's line. The builder's own may be done already. */
+static bool call_at(struct pattern *p)
+{
+	struct sinumerik *sinumerik = sinumerik_of(p->of.interp);
+
+	if (!sinumerik_pattern_modal(p->of.interp))
+		return false;
+	p->called = sinumerik->depth > p->left->depth;
+	if (p->called)
+		sinumerik->calls[sinumerik->depth - 1].back = p->left->line;
+	return true;
+}
+
+static bool drill_at(struct pattern *p, double at_a, double at_b)
 {
 	struct interp *interp = p->of.interp;
 	slot_values target = *sinumerik_frame_place(interp);
 
+	if (p->called || p->holes++ < p->left->done)
+		return true;
+	p->left->done = p->holes;
 	target.v[p->a] = at_a;
 	target.v[p->b] = at_b;
 	/* Without a modal cycle it only goes there. */
@@ -55,7 +79,7 @@ static bool drill_at(const struct pattern *p, double at_a, double at_b)
 		return false;
 	/* Both axes of the plane were commanded. */
 	sinumerik_open_place_settle(interp, letter_bit(AXIS_LETTERS[p->a]) | letter_bit(AXIS_LETTERS[p->b]));
-	return !sinumerik_of(interp)->modal.on || sinumerik_pattern_modal_cycle(interp);
+	return !sinumerik_of(interp)->modal.on || call_at(p);
 }
 
 static bool count(const struct pattern *p, size_t i, const char *name, int *holes)
@@ -70,10 +94,10 @@ static bool count(const struct pattern *p, size_t i, const char *name, int *hole
 }
 
 /* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
-static bool run_row(const struct pattern *p)
+static bool run_row(struct pattern *p)
 {
 	const double c = math_cos_degrees(value(p, 2)), s = math_sin_degrees(value(p, 2));
-	const slot_values *place = sinumerik_frame_place(p->of.interp);
+	const slot_values *place = p->from;
 	const double along = (place->v[p->a] - length(p, 0)) * c + (place->v[p->b] - length(p, 1)) * s;
 	const double first = fabs(length(p, 3)), step = fabs(length(p, 4));
 	bool backward;
@@ -95,7 +119,7 @@ static bool run_row(const struct pattern *p)
  * HOLES2(CPA, CPO, RAD, STA1, INDA, NUM, _VARI): a circle; INDA 0 divides all of it. _VARI: the tens have the tool go
  * from hole to hole on the circle; the thousands say 1 all of the circle, 2 by INDA.
  */
-static bool run_ring(const struct pattern *p)
+static bool run_ring(struct pattern *p)
 {
 	const double radius = fabs(length(p, 2));
 	double step = value(p, 4);
@@ -122,10 +146,10 @@ static bool run_ring(const struct pattern *p)
  * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, turned by _STA. The tool
  * goes to and fro along the side with the smaller distance, and begins at the corner whose quarter it is in.
  */
-static bool run_grid(const struct pattern *p)
+static bool run_grid(struct pattern *p)
 {
 	const double c = math_cos_degrees(value(p, 2)), s = math_sin_degrees(value(p, 2));
-	const slot_values *place = sinumerik_frame_place(p->of.interp);
+	const slot_values *place = p->from;
 	const double a = place->v[p->a] - length(p, 0), b = place->v[p->b] - length(p, 1);
 	const double here[2] = {a * c + b * s, b * c - a * s};
 	const double step[2] = {fabs(length(p, 3)), fabs(length(p, 4))};
@@ -161,7 +185,7 @@ static bool run_grid(const struct pattern *p)
  * CYCLE802(XA, YA, X0, Y0, X1, Y1, ...): up to nine positions, in their order. XA and YA have a digit for each of them,
  * 1 if it is absolute.
  */
-static bool run_positions(const struct pattern *p)
+static bool run_positions(struct pattern *p)
 {
 	const double all_absolute = 111111111;
 
@@ -189,7 +213,7 @@ static bool run_positions(const struct pattern *p)
 /* Where _HIDE, which leaves holes out, and _DMODE are; 0: it has none. */
 static const struct {
 	const char *name;
-	bool (*run)(const struct pattern *p);
+	bool (*run)(struct pattern *p);
 	size_t hide, display;
 } patterns[] = {
 	{"HOLES1", run_row, 8, 10},
@@ -212,24 +236,71 @@ bool sinumerik_pattern_is(const char *name)
 	return find(name) < sizeof(patterns) / sizeof(patterns[0]);
 }
 
+/* From the first hole that is left. */
+static bool run_left(struct interp *interp)
+{
+	struct sinumerik_pattern *left = &sinumerik_of(interp)->pattern;
+	/* The cycle at the holes has its own arguments. */
+	struct pattern p = {{interp, left->name, left->column, left->arguments, left->argument_count},
+			    left->plane == G17 ? SLOT_X : left->plane == G18 ? SLOT_Z : SLOT_Y,
+			    left->plane == G17 ? SLOT_Y : left->plane == G18 ? SLOT_X : SLOT_Z,
+			    &left->from, left, 0, false};
+
+	left->on = false;
+	if (!patterns[find(left->name)].run(&p))
+		return false;
+	left->on = p.called;
+	return true;
+}
+
 bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 {
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int plane = interp->state.plane;
-	/* The cycle at the holes has its own arguments. */
-	const struct pattern p = {{interp, name, column, sinumerik->arguments, sinumerik->argument_count},
-				  plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y,
-				  plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z};
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_pattern *left = &sinumerik->pattern;
+	const struct sinumerik_arguments of = {interp, name, column, sinumerik->arguments, sinumerik->argument_count};
 	const size_t at = find(name), hide = patterns[at].hide;
 
-	if (sinumerik->modal.on && !sinumerik->modal.cycle)
-		return fault(&interp->at, column, "%s with a modal subprogram is not supported yet, only with a cycle",
-			     name);
+	if (sinumerik->modal.on && !sinumerik->modal.cycle && !sinumerik_modal_acts(sinumerik))
+		return fault(&interp->at, column, "%s in the subprogram %s, which MCALL calls, is not supported", name,
+			     sinumerik->modal.name);
 	if (hide && hide < sinumerik->argument_count &&
 	    (sinumerik->argument_is_text[hide] ? sinumerik->argument_texts[hide].bytes[0] != '\0'
-					       : sinumerik_argument_counts(&p.of, hide)))
+					       : sinumerik_argument_counts(&of, hide)))
 		return fault(&interp->at, column, "%s that leaves holes out (_HIDE) is not supported yet", name);
-	return sinumerik_target_check_cycle(interp, column) && sinumerik_open_place_check(interp, column, name) &&
-	       sinumerik_argument_plane(&p.of, patterns[at].display ? patterns[at].display : SIZE_MAX) &&
-	       patterns[at].run(&p);
+	if (!sinumerik_target_check_cycle(interp, column) || !sinumerik_open_place_check(interp, column, name) ||
+	    !sinumerik_argument_plane(&of, patterns[at].display ? patterns[at].display : SIZE_MAX))
+		return false;
+	*left = (struct sinumerik_pattern){.line = source_here(interp->program.source),
+					   .depth = sinumerik->depth,
+					   .column = column,
+					   .plane = interp->state.plane,
+					   .scale = interp->state.scale,
+					   .from = *sinumerik_frame_place(interp),
+					   .argument_count = sinumerik->argument_count};
+	strcpy(left->name, name);
+	memcpy(left->arguments, sinumerik->arguments, sizeof(left->arguments));
+	return run_left(interp);
+}
+
+bool sinumerik_pattern_waits(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_pattern *left = &sinumerik->pattern;
+
+	return left->on && sinumerik->depth == left->depth && interp->program.source == left->line.source &&
+	       interp->at.line == left->line.line;
+}
+
+bool sinumerik_pattern_go_on(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_pattern *left = &sinumerik->pattern;
+
+	interp->moves = 0;
+	if (interp->state.plane != left->plane || !same_double(interp->state.scale, left->scale))
+		return fault(&interp->at, left->column,
+			     "%s has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of %s; "
+			     "PROC with SAVE brings them back",
+			     sinumerik->modal.name, left->name);
+	return run_left(interp);
 }

@@ -43,8 +43,6 @@ static bool take_words(struct interp *interp, const struct sinumerik_block *bloc
 		return fault(&interp->at, column, "AP= without any RP= before");
 	if (!angle && !polar->has_angle)
 		return fault(&interp->at, column, "RP= without any AP= before");
-	if (angle && way > SINUMERIK_WAY_IC)
-		return fault(&interp->at, column, "AP= takes AC or IC");
 	if (angle && way == SINUMERIK_WAY_MODAL && interp->state.incremental)
 		return fault(&interp->at, column, "AP= under G91: write AP=AC() or AP=IC()");
 	if (angle && way == SINUMERIK_WAY_IC && !polar->has_angle)

@@ -136,6 +136,20 @@ struct sinumerik_modal {
 	long line;
 };
 
+/* A pattern of holes at which MCALL calls a subprogram: each return leads to its line again, to the next hole. */
+struct sinumerik_pattern {
+	bool on;
+	char name[SINUMERIK_NAME + 1];
+	struct position line;
+	int depth;	/* of calls at this line */
+	int column, plane;
+	double scale;	/* mm per unit of length */
+	slot_values from;	/* program coordinates of the tool: a row begins at the nearer end */
+	long done;	/* holes */
+	size_t argument_count;
+	double arguments[SINUMERIK_ARGUMENTS_MAX];
+};
+
 /* Made by DEFINE. */
 struct sinumerik_macro {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
@@ -162,6 +176,7 @@ struct sinumerik {
 	bool compares, joins;	/* the expression in hand has a comparison; AND, OR or XOR */
 	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
 	struct sinumerik_modal modal;
+	struct sinumerik_pattern pattern;
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;
