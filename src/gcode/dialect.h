@@ -218,7 +218,7 @@ struct dialect {
 	bool (*before_block)(struct interp *interp);
 	/* The block has been carried out: calls and returns. */
 	bool (*after_block)(struct interp *interp);
-	/* The file in hand has ended: false if something in it is not closed. */
+	/* The file in hand has ended: false if something in it is not closed. It may jump, to where reading goes on. */
 	bool (*end_of_file)(struct interp *interp);
 	/*
 	 * The calls that are under way: 0 is the call of the subprogram in hand, 1 the call of the one that called it.

@@ -252,7 +252,8 @@ static bool next_line(struct interp *interp, bool *good)
 	*good = status == READER_END ? end_file(interp) : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
-	return false;
+	/* Behind a part that is repeated, reading goes on elsewhere. */
+	return *good && interp->program.source->reader.line != interp->at.line && next_line(interp, good);
 }
 
 /* All of the file was read, and nothing in it ended the program: perhaps it was still being written. */

@@ -11,6 +11,12 @@ static const struct program programs[] = {
 	/* "Program section repetition": up to the first ENDLABEL behind the label, which is looked for backward first. */
 	{"F6 G500\nAA: X=IC(1)\nENDLABEL:\nBB: Y=IC(1)\nENDLABEL:\nREPEAT AA P=2\nM30\n",
 	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nfeed 2 1 0 0 0\nfeed 3 1 0 0 0\n"},
+	/* The repeated part may be the last of the file, behind M30, or of its program in the file. */
+	{"F6 G500\nREPEAT FROM UPTO P=2\nY1\nM30\nFROM:\nX=IC(1)\nUPTO:", "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\n"},
+	{"F6 G500\nREPEAT FROM UPTO\nY1\nREPEATB UPTO\nM30\nFROM:\nUPTO: X=IC(1)\n",
+	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nfeed 2 1 0 0 0\n"},
+	{"F6 G500\nREPEAT FROM UPTO P=2\nSUB\nM30\nFROM:\nX=IC(1)\nUPTO: SUB\n%_N_SUB_SPF\nZ=IC(1)\nM17\n",
+	 "feed 1 0 0 0 0\nfeed 1 0 1 0 0\nfeed 2 0 1 0 0\nfeed 2 0 2 0 0\nfeed 2 0 3 0 0\n"},
 	{"F6 G500\nAA: X=IC(1)\nREPEATB AA\nAA: Y=IC(1)\nM30\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\n"},
 	/* Names of 32 bytes that differ in the last one only. */

@@ -181,16 +181,13 @@ static bool read_line(struct interp *interp, bool *done)
 		begin(interp);
 		sinumerik_of(interp)->begun = true;
 	}
-	*done = false;
-	if (*line_start(&at) == '%') {
-		*done = true;
-		return take_percent(interp);
-	}
 	*done = true;
 	if (!sinumerik_call_round(interp, &left))
 		return false;
 	if (left)
 		return true;
+	if (*line_start(&at) == '%')
+		return take_percent(interp);
 	if (sinumerik_pattern_waits(interp))
 		return sinumerik_pattern_go_on(interp);
 	head = sinumerik_seek_head(at.text);

@@ -327,19 +327,25 @@ bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, 
 	return enter(interp, entry, last_line, rounds, "the repeated part", column);
 }
 
-bool sinumerik_call_round(struct interp *interp, bool *left)
+/* Behind the last line of the part that is repeated. */
+static bool next_round(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_call *call = top_call(sinumerik);
 
-	*left = call && call->last_line && interp->at.line == call->last_line + 1 &&
-		call->entry.source == interp->program.source;
-	if (!*left)
-		return true;
 	if (call->left-- > 0)
 		return program_jump(&interp->program, &call->entry, &interp->at, 1);
 	sinumerik->depth--;
 	return program_jump(&interp->program, &call->back, &interp->at, 1);
+}
+
+bool sinumerik_call_round(struct interp *interp, bool *left)
+{
+	const struct sinumerik_call *call = top_call(sinumerik_of(interp));
+
+	*left = call && call->last_line && interp->at.line == call->last_line + 1 &&
+		call->entry.source == interp->program.source;
+	return !*left || next_round(interp);
 }
 
 void sinumerik_call_jumped(struct interp *interp, long line)
@@ -462,12 +468,9 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 			   sinumerik->loops[sinumerik->loop_count - 1].start.line);
 		return false;
 	}
-	if (sinumerik->depth && top_call(sinumerik)->last_line) {
-		diag_error(interp->diag, loc,
-			   "the file ends with the part that line %ld repeats; end the program with M30",
-			   top_call(sinumerik)->line);
-		return false;
-	}
+	/* Its last line is that of the file. */
+	if (sinumerik->depth && top_call(sinumerik)->last_line)
+		return next_round(interp);
 	if (!sinumerik_call_is_inside(interp))
 		return true;
 	diag_error(interp->diag, loc, "the subprogram ends without M17 or RET");
