@@ -1,0 +1,175 @@
+/*
+ * test_gcode_sinumerik_table.c - the sinumerik dialect: every word of its tables does what its row says. What is ignored
+ * leaves the moves around it as they are, and what is refused names itself.
+ */
+#include "sinumerik_case.h"
+
+#include "gcode/dialect/sinumerik/sinumerik_codes.h"
+
+/* How a word stands in a block: alone, with a value, with parentheses, ...; NULL: it is not ignored and not refused. */
+static const char *form_of(enum sinumerik_word_kind kind)
+{
+	switch (kind) {
+	case SINUMERIK_WORD_IGNORED:
+	case SINUMERIK_WORD_STOPS_READING:
+		return "%s";
+	case SINUMERIK_WORD_IGNORED_VALUE:
+	case SINUMERIK_WORD_SPINDLE_STANDS:
+		return "%s=1";
+	case SINUMERIK_WORD_IGNORED_CALL:
+		return "%s(1,\"a,b\",(2))";
+	case SINUMERIK_WORD_IGNORED_LINE:
+		return "%s X100 \"";
+	case SINUMERIK_WORD_ZERO:
+	case SINUMERIK_WORD_REFUSED:
+		return "%s=1";
+	default:
+		return NULL;
+	}
+}
+
+static void ignores(const char *block)
+{
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	strbuf_addf(&program, "F6 G500 G1 X1\n%s\nX2 Y3\nX=IC(1)\nG2 X5 CR=5\n", block);
+	ck_assert_msg(case_run(&c, strbuf_text(&program)), "%s", strbuf_text(&c.messages));
+	ck_assert_msg(!strcmp(strbuf_text(&c.moves), "feed 1 0 0 0 0\nfeed 2 3 0 0 0\nfeed 3 3 0 0 0\n"
+						     "arc 5 3 0 0 0 centre 4 -1.89897949 0 normal 0 0 1 sweep -23.0739181\n"),
+		      "%s: %s", block, strbuf_text(&c.moves));
+	strbuf_release(&program);
+	case_release(&c);
+}
+
+static void refuses(const char *block, const char *word, const char *what)
+{
+	struct strbuf expected = {0};
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	strbuf_addf(&expected, "p.nc:1:1: error: %s: %s is not supported yet", word, what);
+	ck_assert_msg(!case_run(&c, block), "%s", block);
+	ck_assert_msg(!strncmp(strbuf_text(&c.messages), strbuf_text(&expected), strlen(strbuf_text(&expected))), "%s: %s",
+		      strbuf_text(&expected), strbuf_text(&c.messages));
+	strbuf_release(&expected);
+	case_release(&c);
+}
+
+START_TEST(words)
+{
+	size_t tried = 0;
+
+	for (size_t i = 0; i < sinumerik_word_set.count; i++) {
+		const struct code_word *row = &sinumerik_word_set.rows[i];
+		struct sinumerik_word word;
+		char block[64];
+		const char *form;
+
+		ck_assert(sinumerik_codes_word(row->word, &word));
+		form = form_of(word.kind);
+		ck_assert_msg((form != NULL) == (row->state == CODE_IGNORED || row->state == CODE_REFUSED), "%s", row->word);
+		if (!form)
+			continue;
+		snprintf(block, sizeof(block), form, row->word);
+		if (row->state == CODE_IGNORED)
+			ignores(block);
+		else
+			refuses(block, row->word, row->what);
+		tried++;
+	}
+	ck_assert_uint_gt(tried, 250);
+}
+END_TEST
+
+START_TEST(g_codes)
+{
+	for (size_t i = 0; i < sinumerik_g_codes.count; i++) {
+		const struct code *code = &sinumerik_g_codes.rows[i];
+		char word[16], block[32];
+
+		snprintf(word, sizeof(word), "G%d", code->number / 10);
+		/* The limits of the working area have axes beside them. */
+		snprintf(block, sizeof(block), "%s%s", word, code->number / 10 == 25 || code->number / 10 == 26 ? " X9" : "");
+		if (code->state == CODE_IGNORED)
+			ignores(block);
+		if (code->state == CODE_REFUSED)
+			refuses(block, word, code->what);
+	}
+}
+END_TEST
+
+START_TEST(m_codes)
+{
+	for (size_t i = 0; i < sinumerik_m_codes.count; i++) {
+		char block[16];
+
+		snprintf(block, sizeof(block), "M%d", sinumerik_m_codes.rows[i].number);
+		if (sinumerik_m_codes.rows[i].state == CODE_IGNORED)
+			ignores(block);
+	}
+}
+END_TEST
+
+static void expect(const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	ck_assert_msg(case_run(&c, program), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), moves);
+	case_release(&c);
+}
+
+START_TEST(scales_added)
+{
+	expect("F6 G500 TRANS X10\nASCALE X2 Y3 Z4\nX1 Y1 Z1\n", "feed 12 3 4 0 0\n");
+	expect("F6 G500 SCALE X2 Y2 Z2\nATRANS X10\nASCALE X2\nX1\n", "feed 24 0 0 0 0\n");
+}
+END_TEST
+
+/* A word beside another one that means the same here, in a program in place of its %s. */
+START_TEST(words_alike)
+{
+	static const struct {
+		const char *program, *word, *other;
+	} alike[] = {
+		{"F6 G500 G0 Z100\nTRAORI\nG1 A30 C20\n%s\nZ5\n", "TOROTZ", "TOROT"},
+		{"F6 G500 G0 Z100\nTRAORI\nG1 A30 C20\n%s\nZ5\n", "TOFRAMEZ", "TOFRAME"},
+		{"F6 G500 G0 Z100\nTRAORI\nG1 A30 C20\nTOROT\nZ5\n%s\nX2 Z7\n", "TOFRAMEOF", "TOROTOF"},
+		{"F6 G500 G0 Z100\nTRAORI\nORIWKS %s\nG1 A3=1 B3=0 C3=2\nX9 A3=0 B3=1 C3=2\n", "ORIPLANE", "ORIVECT"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nX2\n", "COMPON", "COMPCAD"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nX2\n", "COMPCURV", "COMPCAD"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nX2\n", "COMPSURF", "COMPCAD"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nY2\n", "G643", "G642"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nY2\n", "G645", "G642"},
+		{"F6 G500 CTOL=0.1 %s\nX1\nY2\n", "G646", "G642"},
+	};
+
+	for (size_t i = 0; i < sizeof(alike) / sizeof(alike[0]); i++) {
+		struct strbuf first = {0}, second = {0};
+		struct gcode_case one, two;
+
+		sinumerik_case_init(&one);
+		sinumerik_case_init(&two);
+		one.show_blend = two.show_blend = one.show_spread = two.show_spread = true;
+		strbuf_addf(&first, alike[i].program, alike[i].word);
+		strbuf_addf(&second, alike[i].program, alike[i].other);
+		ck_assert_msg(case_run(&one, strbuf_text(&first)), "%s", strbuf_text(&one.messages));
+		ck_assert_msg(case_run(&two, strbuf_text(&second)), "%s", strbuf_text(&two.messages));
+		ck_assert_str_eq(strbuf_text(&one.moves), strbuf_text(&two.moves));
+		strbuf_release(&first);
+		strbuf_release(&second);
+		case_release(&one);
+		case_release(&two);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike};
+
+	return run_tests("gcode_sinumerik_table", tests, sizeof(tests) / sizeof(tests[0]));
+}
