@@ -68,8 +68,9 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:23: error: APPR cannot be moved at FMAX; it needs F"},
 	{"TOOL CALL 1 Z\nAPPR LT X+20 IZ LEN5 RL F100\nL Y+20\n",
 	 "p.nc:3:17: error: a value is needed here"},
-	{"TOOL CALL 1 Z\nAPPR LCT X+20 R+4 RL F100\nL Y+20\n",
-	 "p.nc:3:15: error: the radius of the circle, 4 mm, is not greater than the tool's, 5 mm"},
+	{"TOOL CALL 1 Z\nAPPR CT X+20 CCA90 R-4 RL F100\nL Y+20\n",
+	 "p.nc:3:20: error: a circle from the side of the workpiece whose radius, 4 mm, is not greater than the tool's, "
+	 "5 mm, is not supported"},
 	{"TOOL CALL 1 Z\nAPPR LCT X+9 R+10 RL F100\nL Y+20\n",
 	 "p.nc:3:14: error: the other end of this straight line lies within the circle"},
 	{"TOOL CALL 1 Z\nAPPR LT X+20 LEN5 RL F100\nL Z+20\n",

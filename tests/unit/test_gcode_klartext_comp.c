@@ -85,28 +85,23 @@ static const struct klartext_program corners[] = {
 static const struct klartext_program approaches[] = {
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
-	 "feed 65 55 0 0 0\nfeed 65 50 0 0 0 spread 5 5 0\nrapid 90 90 0 0 0 spread 5 5 0\n"},
+	 "feed 65 55 0 0 0\nrapid 90 90 0 0 0\n"},
 	{OUTSIDE "L Y-21 F100\nAPPR LN X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LN LEN15\n",
 	 THERE "feed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -5 0 0 0 0\n" ROUND "feed 50 70 0 0 0\n"},
 	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+10 RL F100\n" CONTOUR "DEP CT CCA90 R+10\n",
-	 THERE "rapid -10 -5 0 0 0 spread 10 10 0\n"
-	 "arc -5 0 0 0 0 centre -10 0 0 normal 0 0 1 sweep 90 spread 10 10 0\n" ROUND
-	 "arc 55 60 0 0 0 centre 50 60 0 normal 0 0 1 sweep 90 spread 10 10 0\n"
-	 "feed 60 60 0 0 0 spread 15 15 0\n"},
+	 THERE "rapid -15 -10 0 0 0\narc -5 0 0 0 0 centre -15 0 0 normal 0 0 1 sweep 90\n" ROUND
+	 "arc 60 65 0 0 0 centre 50 65 0 normal 0 0 1 sweep 90\n"},
 	/* From the side of the workpiece. */
 	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R-10 RL F100\n" CONTOUR "DEP LN LEN15\n",
-	 THERE "rapid 10 -15 0 0 0 spread 10 10 0\n"
-	 "arc -5 0 0 0 0 centre 10 0 0 normal 0 0 1 sweep -90 spread 10 10 0\n" ROUND "feed 50 70 0 0 0\n"},
+	 THERE "rapid 5 -10 0 0 0\narc -5 0 0 0 0 centre 5 0 0 normal 0 0 1 sweep -90\n" ROUND "feed 50 70 0 0 0\n"},
 	{OUTSIDE "APPR LCT X+0 Y+0 R10 RL F100\n" CONTOUR "DEP LCT X-30 Y+60 R10\n",
-	 THERE "rapid -7.83021984 -4.50467025 0 0 0 spread 10.9180144 10.9180144 0\n"
-	 "arc -5 0 0 0 0 centre -10 0 0 normal 0 0 1 sweep 64.2811168 spread 10.9180144 10.9180144 0\n" ROUND
-	 "arc 49.6875 64.9902248 0 0 0 centre 50 60 0 normal 0 0 1 sweep 183.583322 spread 11.2496053 11.2496053 0\n"
-	 "feed -30 60 0 0 0 spread 11.2496053 11.2496053 0\n"},
+	 THERE "rapid -11.5046219 -9.3692226 0 0 0\narc -5 0 0 0 0 centre -15 0 0 normal 0 0 1 sweep 69.540952\n" ROUND
+	 "arc 48.1359543 74.8247307 0 0 0 centre 50 65 0 normal 0 0 1 sweep 190.743033\nfeed -30 60 0 0 0\n"},
 	/* With a height: to PH in the plane, then down; from PN up. */
 	{OUTSIDE "APPR LT X+0 Y+0 Z-10 LEN15 RL F100\n" CONTOUR "DEP LT LEN15 Z+50\n",
 	 "tool 1\nrapid -40 -20 0 0 0\nrapid -5 -15 0 0 0\nrapid -5 -15 90 0 0\nfeed -5 0 90 0 0\n"
 	 "feed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\nfeed 50 55 90 0 0\n"
-	 "feed 65 55 90 0 0\nfeed 65 50 90 0 0 spread 5 5 0\nfeed 65 50 150 0 0 spread 5 5 0\n"},
+	 "feed 65 55 90 0 0\nfeed 65 55 150 0 0\n"},
 	{OUTSIDE "L Y-21 F100\nAPPR LN X+0 Y+0 Z-10 LEN15 RL F100\n" CONTOUR "DEP LN LEN15\n",
 	 "tool 1\nrapid -40 -20 0 0 0\nfeed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -20 0 90 0 0\n"
 	 "feed -5 0 90 0 0\nfeed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\n"
@@ -114,16 +109,25 @@ static const struct klartext_program approaches[] = {
 	/* Of LCT straight there on all axes, too, and back. */
 	{OUTSIDE "APPR LCT X+0 Y+0 Z-10 R10 RL F100\n" CONTOUR "DEP LCT X-30 Y+60 Z+50 R10\n",
 	 "tool 1\nrapid -40 -20 0 0 0\n"
-	 "rapid -5.66043967 -9.00934049 90 0 0 spread 10.9180144 10.9180144 0\n"
-	 "rapid -40 -20 0 0 0 spread 10.9180144 10.9180144 0\n"
-	 "rapid -7.83021984 -4.50467025 0 0 0 spread 10.9180144 10.9180144 0\n"
-	 "rapid -7.83021984 -4.50467025 90 0 0 spread 10.9180144 10.9180144 0\n"
-	 "arc -5 0 90 0 0 centre -10 0 90 normal 0 0 1 sweep 64.2811168 spread 10.9180144 10.9180144 0\n"
+	 "rapid -11.5046219 -9.3692226 90 0 0\nrapid -40 -20 0 0 0\nrapid -11.5046219 -9.3692226 0 0 0\n"
+	 "rapid -11.5046219 -9.3692226 90 0 0\narc -5 0 90 0 0 centre -15 0 90 normal 0 0 1 sweep 69.540952\n"
 	 "feed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\nfeed 50 55 90 0 0\n"
-	 "arc 49.6875 64.9902248 90 0 0 centre 50 60 90 normal 0 0 1 sweep 183.583322 spread 11.2496053 11.2496053 0\n"
-	 "feed -30 60 90 0 0 spread 11.2496053 11.2496053 0\nfeed -30 60 150 0 0 spread 11.2496053 11.2496053 0\n"
-	 "feed 49.375 69.9804496 90 0 0 spread 11.2496053 11.2496053 0\n"
-	 "feed -30 60 150 0 0 spread 11.2496053 11.2496053 0\n"},
+	 "arc 48.1359543 74.8247307 90 0 0 centre 50 65 90 normal 0 0 1 sweep 190.743033\n"
+	 "feed -30 60 90 0 0\nfeed -30 60 150 0 0\nfeed 48.1359543 74.8247307 90 0 0\nfeed -30 60 150 0 0\n"},
+	/* R may be less than the tool's radius, 5 mm: it is that of the path of the tool's centre. */
+	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+3 RL F100\n" CONTOUR "DEP CT CCA90 R+3\nL X+90 Y+90 FMAX\n",
+	 THERE "rapid -8 -3 0 0 0\narc -5 0 0 0 0 centre -8 0 0 normal 0 0 1 sweep 90\n" ROUND
+	 "arc 53 58 0 0 0 centre 50 58 0 normal 0 0 1 sweep 90\nrapid 90 90 0 0 0\n"},
+	/* A move along one axis behind DEP starts from where the tool's centre stands. */
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL Z+20 R0 FMAX\nL IX+5 FMAX\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
+	 "feed 65 55 0 0 0\nrapid 65 55 120 0 0\nrapid 70 55 120 0 0\n"},
+	/* The contour may rise; a label, computations and a corner may stand behind APPR. */
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\nLBL 7\nQ1 = 5 * 10\nL Y+Q1 Z+10\nDEP LT LEN15\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\nfeed -5 50 110 0 0\nfeed -5 65 110 0 0\n"},
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\nL Y+50\nRND R10\nFN 0: Q1 = +50\nL X+Q1\nDEP LT LEN15\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\nfeed -5 40 0 0 0\n"
+	 "arc 10 55 0 0 0 centre 10 40 0 normal 0 0 1 sweep -90\nfeed 50 55 0 0 0\nfeed 65 55 0 0 0\n"},
 	/* MB: along the tool before the rotary axes turn. */
 	{"PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN MB20 FMAX\n",
 	 "orient 0 -0.5 0.866025404\nrapid 0 0 20 0 0\nrapid 0 0 20 -30 0\ntcp on length 0 zero A0 C0\n"},
@@ -135,11 +139,23 @@ static const struct klartext_program approaches[] = {
 	 "feed 0 50 0 0 0\n"},
 };
 
+#define HOLE(plunge, back)                                                                                            \
+	"CYCL DEF 203 DRILLING Q200=2 Q201=-4 Q206=" plunge " Q202=4 Q210=0 Q203=+0 Q204=9 Q212=0 Q213=0 Q205=0 Q211=0 "  \
+	"Q208=" back " Q256=0.2\n"
+
 /* Feeds, datum shifts, planes: each beside what it stands for. */
 static const struct {
 	const char *blocks, *same;
 } equal[] = {
 	{"TOOL CALL 1 Z S1000\nL X+10 FU0.2\n", "TOOL CALL 1 Z S1000\nL X+10 F200\n"},
+	/* AUTO is the feed of TOOL CALL, MAX a rapid. */
+	{"TOOL CALL 1 Z F300\n" HOLE("AUTO", "MAX") "L X+5 FMAX M99\n",
+	 "TOOL CALL 1 Z F300\n" HOLE("300", "99999") "L X+5 FMAX M99\n"},
+	{"TOOL CALL 1 Z F300\n" HOLE(" FAUTO", " FMAX") "L X+5 FMAX M99\n",
+	 "TOOL CALL 1 Z F300\n" HOLE("+300", "+99999") "L X+5 FMAX M99\n"},
+	/* F of TOOL CALL counts until another one. */
+	{"TOOL CALL 1 Z F250\nL X+10\nL X+20 FMAX\nL X+30 F100\nTOOL CALL 2 Z F70\nL X+40\n",
+	 "TOOL CALL 1 Z\nL X+10 F250\nL X+20 FMAX\nL X+30 F100\nTOOL CALL 2 Z\nL X+40 F70\n"},
 	{"TOOL CALL 1 Z S1000\nL M136\nL X+10 F0.2\nL M137\nL X+20 F300\n",
 	 "TOOL CALL 1 Z S1000\nL\nL X+10 F200\nL\nL X+20 F300\n"},
 	{"TRANS DATUM AXIS X+10 Y-20 Z+5\nL X+1 Y+2 FMAX\nTRANS DATUM RESET\nL X+1 FMAX\n",

@@ -11,6 +11,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "gcode/dialect/klartext/klartext_pole.h"
+#include "gcode/dialect/klartext/klartext_tangent.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "geom/tolerance.h"
 
@@ -18,41 +19,16 @@
  * iTNC 530 user's manual, "Contour approach and departure": the contour begins at PA and ends at PE; PH and PN are the
  * other ends of APPR and DEP. LT: straight on in the direction of the contour, by LEN. LN: across it, by LEN and the
  * tool's radius. CT: on a circle that touches it, R and CCA. LCT: the same circle and a straight line that touches the
- * circle. Whether R is the radius of the contour or of the path of the tool's centre is not said: both are proved.
+ * circle. PN is where the tool's centre stands behind LT and CT.
  * "Important positions for approach and departure": with a coordinate of Z the tool goes to PH or PN in the plane
  * first, and then to its height. Newer controls go to the PH of LCT on all axes at once: of LCT both ways are proved.
  */
 
 /* ------------------------------------------------------------------ geometry */
 
-static const vec3 up = {0, 0, 1};
-
 static int side_of(const struct interp *interp)
 {
 	return interp->comp.side;
-}
-
-/* From a contour in this direction (unit, in the plane) to the side of the tool. */
-static vec3 across(vec3 direction, int side)
-{
-	return vec3_scale(side, vec3_cross(up, direction));
-}
-
-static vec3 turned(vec3 v, double angle)
-{
-	return (vec3){math_cos(angle) * v.x - math_sin(angle) * v.y, math_sin(angle) * v.x + math_cos(angle) * v.y, 0};
-}
-
-/* Where a straight line from `from` touches a circle that is then gone round in the sense of `turn`. False: inside. */
-static bool touch_from(vec3 from, vec3 centre, double radius, int turn, vec3 *unit)
-{
-	const vec3 away = {from.x - centre.x, from.y - centre.y, 0};
-	const double far = vec3_norm(away);
-
-	if (!(far > radius + SAME_POINT))
-		return false;
-	*unit = turned(vec3_scale(1 / far, away), turn * math_acos(radius / far));
-	return true;
 }
 
 /* An arc of the contour about `centre`, from one point to another. */
@@ -69,7 +45,7 @@ static struct klartext_path arc_between(const struct klartext_path *like, vec3 s
 	arc.start = start;
 	arc.end = end;
 	arc.centre = (vec3){centre.x, centre.y, start.z};
-	arc.normal = up;
+	arc.normal = (vec3){0, 0, 1};
 	arc.sweep = turn * sweep;
 	return arc;
 }
@@ -219,77 +195,39 @@ bool klartext_approach_check_none(struct interp *interp)
 	return fault(&at, 1, "APPR needs a straight line or a circle in the plane of X and Y right behind it");
 }
 
-/* The circle of CT and LCT at a point of the contour: its centre, and the sense in which it is gone round. */
-struct circle {
-	vec3 centre;
-	int turn;
-};
-
-static struct circle circle_at(vec3 point, vec3 direction, int side, double size)
-{
-	const vec3 to_tool = across(direction, side);
-
-	return (struct circle){vec3_mad(point, size, to_tool), size > 0 ? side : -side};
-}
-
-/*
- * The point of the contour's circle at which the line from the tool's centre `from` touches the path of the centre, and
- * how far the other meaning of R leads from it. `turn` is 1 where the circle is gone round counter-clockwise behind it.
- */
-static bool find_touch(struct interp *interp, vec3 from, vec3 point, vec3 direction,
-		       const struct klartext_way_words *words, int turn, vec3 *found, double *doubt)
-{
-	const double size = words->size;
-	const int column = words->size_column;
-	const int side = side_of(interp);
-	const double radius = interp->comp.radius;
-	const struct circle circle = circle_at(point, direction, side, size);
-	const struct circle other = circle_at(point, direction, side, size + radius);
-	vec3 unit, other_unit;
-
-	if (size <= radius)
-		return fault(&interp->at, column,
-			     "the radius of the circle, %.6g mm, is not greater than the tool's, %.6g mm", size,
-			     radius);
-	if (!touch_from(from, circle.centre, size - radius, turn, &unit) ||
-	    !touch_from(from, other.centre, size, turn, &other_unit))
-		return fault(&interp->at, column, "the other end of this straight line lies within the circle");
-	*found = vec3_mad(circle.centre, size, unit);
-	*doubt = 2 * radius + size * math_acos(fmin(1, fmax(-1, vec3_dot(unit, other_unit))));
-	return true;
-}
-
-/* PH, and the path from there to PA; LN has none. False: reported. */
-static bool find_approach(struct interp *interp, vec3 direction, vec3 *helper, struct klartext_path *last)
+/* PH, and the path from there to PA; LN has none. The tool's centre there is told of LCT alone. False: reported. */
+static bool find_approach(struct interp *interp, vec3 direction, struct klartext_tangent_helper *helper, struct klartext_path *last)
 {
 	const struct klartext_approach *approach = &klartext_of(interp)->approach;
 	const struct klartext_way_words *words = &approach->words;
 	const vec3 point = approach->path.end;
 	const int side = side_of(interp);
-	const struct circle circle = circle_at(point, direction, side, words->size);
-	double doubt = 0;
+	struct klartext_tangent_circle circle;
 
 	switch (approach->kind) {
 	case KLARTEXT_WAY_LT:
-		*helper = vec3_mad(point, -words->length, direction);
-		*last = line_between(&approach->path, *helper, point);
+		helper->contour = vec3_mad(point, -words->length, direction);
+		*last = line_between(&approach->path, helper->contour, point);
 		return true;
 	case KLARTEXT_WAY_LN:
-		*helper = vec3_mad(point, words->length + interp->comp.radius, across(direction, side));
-		*last = line_between(&approach->path, *helper, point);
+		helper->contour = vec3_mad(point, words->length + interp->comp.radius, klartext_tangent_across(direction, side));
+		*last = line_between(&approach->path, helper->contour, point);
 		return true;
-	case KLARTEXT_WAY_CT:
-		*helper = vec3_add(circle.centre,
-				   turned(vec3_sub(point, circle.centre), -circle.turn * radians(words->centre_angle)));
-		helper->z = point.z;
-		doubt = 2 * interp->comp.radius;
-		break;
 	default:
-		if (!find_touch(interp, approach->path.start, point, direction, words, circle.turn, helper, &doubt))
-			return false;
+		break;
 	}
-	*last = arc_between(&approach->path, *helper, point, circle.centre, circle.turn);
-	last->doubt = doubt;
+	if (!klartext_tangent_circle_find(interp, point, direction, words, &circle))
+		return false;
+	if (approach->kind == KLARTEXT_WAY_LCT) {
+		if (!klartext_tangent_touch(interp, approach->path.start, &circle, words, circle.turn, helper))
+			return false;
+	} else {
+		helper->contour =
+		    vec3_add(circle.centre,
+			     klartext_tangent_turned(vec3_sub(point, circle.centre), -circle.turn * radians(words->centre_angle)));
+		helper->contour.z = point.z;
+	}
+	*last = arc_between(&approach->path, helper->contour, point, circle.centre, circle.turn);
 	return true;
 }
 
@@ -298,7 +236,7 @@ static bool changes_height(vec3 from, vec3 to)
 	return fabs(from.z - to.z) > SAME_POINT;
 }
 
-/* On all axes at once and back again, with the doubt of the path beside it: the tool may also go so. */
+/* On all axes at once and back again: the tool may also go so. */
 static bool go_and_return(struct interp *interp, const struct klartext_path *path)
 {
 	struct klartext_path back = *path;
@@ -324,20 +262,21 @@ static bool go_to_height(struct interp *interp, const struct klartext_path *path
 static bool carry_out(struct interp *interp, vec3 direction)
 {
 	const struct klartext_approach *approach = &klartext_of(interp)->approach;
-	struct klartext_path first, last = {.doubt = 0};
-	vec3 helper;
+	struct klartext_path first, straight, last = {.known = false};
+	struct klartext_tangent_helper helper;
 	int side;
 
 	if (!klartext_comp_begin(interp, approach->words.comp, approach->words.comp_column) ||
 	    !find_approach(interp, direction, &helper, &last))
 		return false;
-	first = line_between(&approach->path, approach->path.start, helper);
+	first = line_between(&approach->path, approach->path.start, helper.contour);
 	first.rapid = approach->rapid_before;
-	first.doubt = last.doubt;
+	straight = first;
+	straight.end = helper.tool;
 	side = interp->comp.side;
 	interp->comp.side = 0;
 	if (approach->kind == KLARTEXT_WAY_LCT && changes_height(first.start, first.end) &&
-	    !go_and_return(interp, &first))
+	    !go_and_return(interp, &straight))
 		return false;
 	if (approach->kind != KLARTEXT_WAY_LN) {
 		interp->comp.side = side;
@@ -358,7 +297,7 @@ bool klartext_approach_make(struct interp *interp, const struct klartext_path *f
 	vec3 direction;
 	bool good;
 
-	if (!klartext_move_start_direction(first, &direction) || fabs(direction.z) > SAME_POINT || first->rapid ||
+	if (!klartext_move_start_direction(first, &direction) || !klartext_tangent_flatten(&direction) || first->rapid ||
 	    (first->arc && !(first->normal.z > 0.5)))
 		return klartext_approach_check_none(interp);
 	approach->waits = false;
@@ -388,7 +327,6 @@ static bool rise(struct interp *interp, const struct klartext_path *like, double
 /* To PN and to its height, and from there back on all axes at once and here again: the tool may also have gone so. */
 static bool rise_both_ways(struct interp *interp, const struct klartext_path *line, double height)
 {
-	const vec3 about = klartext_frame_box(interp, (const double[3]){line->doubt, line->doubt, 0});
 	const vec3 high = {line->end.x, line->end.y, height}, points[3] = {high, line->start, high};
 
 	if (!changes_height(line->start, high))
@@ -397,9 +335,6 @@ static bool rise_both_ways(struct interp *interp, const struct klartext_path *li
 		const struct klartext_target target = {.point = points[i], .others = interp->state.position};
 		struct canon_move move = {.kind = CANON_FEED, .feed = line->feed};
 
-		move.spread[SLOT_X] = about.x;
-		move.spread[SLOT_Y] = about.y;
-		move.spread[SLOT_Z] = about.z;
 		if (!klartext_move_turning(interp, &target, &move))
 			return false;
 	}
@@ -411,53 +346,54 @@ static bool leave_by_circle_and_line(struct interp *interp, const struct klartex
 				     vec3 point, const struct klartext_path *like)
 {
 	const vec3 here = klartext_frame_point(interp);
-	const struct circle circle = circle_at(here, direction, side_of(interp), words->size);
 	struct klartext_path arc, line;
-	double doubt;
-	vec3 end;
+	struct klartext_tangent_circle circle;
+	struct klartext_tangent_helper end;
 
-	if (!find_touch(interp, point, here, direction, words, -circle.turn, &end, &doubt))
+	if (!klartext_tangent_circle_find(interp, here, direction, words, &circle) ||
+	    !klartext_tangent_touch(interp, point, &circle, words, -circle.turn, &end))
 		return false;
-	arc = arc_between(like, here, end, circle.centre, circle.turn);
-	line = line_between(like, end, point);
+	arc = arc_between(like, here, end.contour, circle.centre, circle.turn);
+	line = line_between(like, end.contour, point);
 	line.end.z = here.z;
-	arc.doubt = line.doubt = doubt;
-	return go(interp, &arc) && klartext_comp_leave(interp, &line, words->first_column) && go(interp, &line) &&
-	       rise_both_ways(interp, &line, point.z);
+	if (!go(interp, &arc) || !klartext_comp_leave(interp, &line, words->first_column) || !go(interp, &line))
+		return false;
+	line.start = end.tool;
+	return rise_both_ways(interp, &line, point.z);
 }
 
-/* From PE on: LT and CT end beside the contour, and whether the tool then goes to it is left open as for R0. */
+/* From PE on: LT and CT end beside the contour. */
 static bool leave(struct interp *interp, const struct klartext_way_words *words, enum klartext_way kind, vec3 point,
 		  const struct klartext_path *like)
 {
 	const vec3 here = klartext_frame_point(interp);
 	const int side = side_of(interp);
 	struct klartext_path path;
-	struct circle circle;
+	struct klartext_tangent_circle circle;
 	vec3 direction, end;
 
-	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) || fabs(direction.z) > SAME_POINT)
+	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) || !klartext_tangent_flatten(&direction))
 		return fault(&interp->at, words->first_column, "DEP needs a path block of the contour right before it");
 	switch (kind) {
 	case KLARTEXT_WAY_LN:
 		path = line_between(like, here,
-				    vec3_mad(here, words->length + interp->comp.radius, across(direction, side)));
+				    vec3_mad(here, words->length + interp->comp.radius, klartext_tangent_across(direction, side)));
 		return klartext_comp_leave(interp, &path, words->first_column) && go(interp, &path);
 	case KLARTEXT_WAY_LT:
 		path = line_between(like, here, vec3_mad(here, words->length, direction));
 		break;
 	case KLARTEXT_WAY_CT:
-		circle = circle_at(here, direction, side, words->size);
+		if (!klartext_tangent_circle_find(interp, here, direction, words, &circle))
+			return false;
 		end = vec3_add(circle.centre,
-			       turned(vec3_sub(here, circle.centre), circle.turn * radians(words->centre_angle)));
+			       klartext_tangent_turned(vec3_sub(here, circle.centre), circle.turn * radians(words->centre_angle)));
 		end.z = here.z;
 		path = arc_between(like, here, end, circle.centre, circle.turn);
-		path.doubt = 2 * interp->comp.radius;
 		break;
 	default:
 		return leave_by_circle_and_line(interp, words, direction, point, like);
 	}
-	return go(interp, &path) && klartext_comp_leave_standing(interp, path.doubt, words->first_column);
+	return go(interp, &path) && klartext_comp_leave_standing(interp, words->first_column);
 }
 
 bool klartext_approach_depart(struct lexer *lexer)

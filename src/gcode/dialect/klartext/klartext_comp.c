@@ -8,6 +8,7 @@
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
 #include "geom/tolerance.h"
 
 /* ------------------------------------------------------------------- radius */
@@ -165,19 +166,21 @@ static bool stop_standing(struct interp *interp, int column)
 	return true;
 }
 
-bool klartext_comp_leave_standing(struct interp *interp, double doubt, int column)
+bool klartext_comp_leave_standing(struct interp *interp, int column)
 {
-	double *loose = interp->comp.loose;
-	const bool turned = interp->state.frame.on;
+	const struct plane_point centre = interp->comp.current;
+	slot_values here = rotated_frame_straight(&interp->state);
 
-	klartext_of(interp)->left_open = false;
-	/* For the move that may lead to the contour now. */
-	loose[SLOT_X] = loose[SLOT_Y] = doubt;
-	loose[SLOT_Z] = turned ? doubt : 0;
-	if (!stop_standing(interp, column))
+	if (interp->comp.starting)
+		return fault(&interp->at, column,
+			     "DEP right behind the first block of radius compensation is not supported");
+	if (!comp_send_to(interp, centre))
 		return false;
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		loose[slot] += loose[slot] > 0 ? doubt : 0;
+	here.v[SLOT_X] = centre.a;
+	here.v[SLOT_Y] = centre.b;
+	comp_arrive(interp, &here, centre);
+	leave(interp);
+	klartext_of(interp)->programmed = klartext_frame_point(interp);
 	return true;
 }
 
@@ -272,13 +275,6 @@ static bool check_arc_plane(struct interp *interp, const struct klartext_path *p
 		     "a circle outside of the plane of X and Y under radius compensation is not supported");
 }
 
-/* How far the tool may be beside a path in the plane; in turned coordinates that may be along any axis. */
-static void spread(const struct interp *interp, double doubt, struct canon_move *move)
-{
-	move->spread[SLOT_X] = move->spread[SLOT_Y] = doubt;
-	move->spread[SLOT_Z] = interp->state.frame.on ? doubt : 0;
-}
-
 bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path)
 {
 	const double *offset = interp->state.offset.v;
@@ -288,7 +284,6 @@ bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *
 	straight.v[SLOT_X] = offset[SLOT_X] + path->end.x;
 	straight.v[SLOT_Y] = offset[SLOT_Y] + path->end.y;
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext_of(interp)->frame.scale.z * path->end.z;
-	spread(interp, path->doubt, &move);
 	klartext_of(interp)->moved = true;
 	return motion_commands_go(interp, &straight, &move);
 }
@@ -308,7 +303,6 @@ static bool go_beside(struct interp *interp, const struct klartext_target *targe
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext->frame.scale.z * target->point.z;
 	describe_block(interp, path);
 	choose_corner(interp, path);
-	spread(interp, path->doubt, &move);
 	klartext->moved = true;
 	klartext->programmed = target->point;
 	if (path->arc) {

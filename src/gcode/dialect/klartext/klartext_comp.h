@@ -22,12 +22,12 @@ bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_
 /* Starts it for APPR, whose first move is the next one. */
 bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int column);
 
-/* A straight move of the tool's centre itself, with the doubt of the path, before the first one beside the path. */
+/* A straight move of the tool's centre itself, before the first one beside the path. */
 bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path);
 
-/* DEP ends it: in the straight move that comes next; or beside the path, `doubt` mm at most from where it is meant. */
+/* DEP ends it: in the straight move that comes next; or where the tool's centre stands beside the path. */
 bool klartext_comp_leave(struct interp *interp, const struct klartext_path *path, int column);
-bool klartext_comp_leave_standing(struct interp *interp, double doubt, int column);
+bool klartext_comp_leave_standing(struct interp *interp, int column);
 
 /* Makes the move of a path: beside it while compensation is on. False: the same. */
 bool klartext_comp_go(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);

@@ -321,6 +321,8 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 
 	if (klartext->cycle.number == 0)
 		return fault(&interp->at, column, "no cycle has been defined that could be called");
+	if (klartext->cycle.refused)
+		return true;
 	if (klartext_comp_is_selected(interp))
 		return fault(&interp->at, column, "a cycle under radius compensation is not supported; R0 comes first");
 	if (interp->state.tcp == TCP_BY_MCODE)

@@ -140,6 +140,10 @@ static bool finish(struct interp *interp)
 	const struct cycle_row *row = find_row(definition->number);
 
 	definition->open = false;
+	if (definition->refused) {
+		klartext->cycle = *definition;
+		return true;
+	}
 	if (row ? row->use == USE_CALLED : klartext_builder_cycle_is_called(definition->number)) {
 		klartext->cycle = *definition;
 		klartext->modal_call = false;
@@ -171,7 +175,7 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 	return word;
 }
 
-/* Q200=2; a feed may be FMAX or FAUTO. */
+/* Q200=2; a feed may be MAX (FMAX) or AUTO (FAUTO), that of TOOL CALL. */
 static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	struct interp *interp = lexer->context;
@@ -200,9 +204,9 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	}
 	if (!klartext_word(lexer, text))
 		return fault(lexer->at, klartext_column(lexer), "a value is needed here");
-	if (!strcmp(text, "FMAX"))
+	if (!strcmp(text, "FMAX") || !strcmp(text, "MAX"))
 		word->value = FMAX_VALUE;
-	else if (!strcmp(text, "FAUTO"))
+	else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO"))
 		word->value = klartext_of(interp)->call_feed_bare;
 	else
 		return fault(lexer->at, column, "Q%d=%s is not supported yet: give a number", number, text);
@@ -331,19 +335,19 @@ static bool begin(struct lexer *lexer, int number, int column)
 {
 	struct interp *interp = lexer->context;
 	const struct cycle_row *row = find_row(number);
+	const bool known = row || klartext_builder_cycle_is_known(interp, number);
 
-	if (!row && !klartext_builder_cycle_is_known(interp, number))
-		return klartext_builder_cycle_refuse(lexer, number, column);
 	/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
 	if (!row)
 		klartext_of(interp)->cycle.number = 0;
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
 								  .number = number,
 								  .open = true,
+								  .refused = !known,
 								  .by_q = is_by_q(number),
 								  .line = lexer->at->line,
 								  .column = column};
-	return true;
+	return known || klartext_builder_cycle_refuse(lexer, number, column);
 }
 
 /* "12.1 PGM NAME". */

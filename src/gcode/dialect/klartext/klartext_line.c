@@ -339,11 +339,11 @@ static bool check_begun(struct lexer *lexer)
 		     "a Klartext program begins with BEGIN PGM, which says MM or INCH");
 }
 
-/* Between a corner and the straight line behind it there is nothing: its moves wait, and would be lost. */
+/* Between a corner, or APPR, and the path behind it nothing moves: what waits would be lost. Q parameters may change. */
 static bool may_follow_corner(const struct lexer *before)
 {
 	static const char *const words[] = {"RND", "CHF", "CC", "L", "LP", "C", "CR", "CT", "CP", "CTP",
-					    "FL",  "FLT", "FC", "FCT"};
+					    "FL",  "FLT", "FC", "FCT", "LBL", "FN"};
 	struct lexer lexer = *before;
 	char word[KLARTEXT_WORD];
 
@@ -352,7 +352,7 @@ static bool may_follow_corner(const struct lexer *before)
 		if (!strcmp(word, words[i]))
 			return true;
 	}
-	return false;
+	return word[0] == 'Q';
 }
 
 static bool is_like_block(const struct lexer *before)

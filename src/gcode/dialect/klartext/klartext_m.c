@@ -59,10 +59,22 @@ static enum m_action action_of(int number)
 	return M_HARMLESS;
 }
 
-/* Left out, the tool would be elsewhere. */
-static bool changes_coordinates(int number)
+/* What to write instead of a function that puts the tool elsewhere; NULL: it may be left out. */
+static const char *instead_of(int number)
 {
-	return number == 104 || number == 114 || number == 130 || number == 143 || number == 144;
+	switch (number) {
+	case 104:
+		return "select the datum by CYCL DEF 247, CYCL DEF 7 or TRANS DATUM";
+	case 114:
+	case 144:
+		return "write M128, or give the positions of the axes without it";
+	case 130:
+		return "write PLANE RESET before this block, or give the positions of the axes with M91";
+	case 143:
+		return "leave it out where the setup's presets have no basic rotation";
+	default:
+		return NULL;
+	}
 }
 
 /* What the machine file says of an M-function, or the control's own meaning. False: not known, which was reported. */
@@ -87,8 +99,9 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
 			     "machine's <controller> says so",
 			     m->number, m->number);
-	if (found->state == CODE_REFUSED && changes_coordinates(m->number))
-		return fault(&interp->at, m->column, "M%d: %s is not supported yet", m->number, found->what);
+	if (found->state == CODE_REFUSED && instead_of(m->number))
+		return fault(&interp->at, m->column, "M%d: %s is not supported; %s", m->number, found->what,
+			     instead_of(m->number));
 	if (found->state == CODE_REFUSED)
 		return fault(&interp->at, m->column,
 			     "M%d: %s is not supported yet; if it may be left out, <mcode number=\"%d\" "

@@ -34,8 +34,7 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 			struct klartext_path *path)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const bool beside = klartext_comp_is_selected(interp);
-	bool corner;
+	bool beside, corner;
 
 	if (path->open)
 		return make_open(interp, words, target, path);
@@ -45,6 +44,7 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 		return false;
 	if (klartext->approach.waits && !klartext_approach_make(interp, path))
 		return false;
+	beside = klartext_comp_is_selected(interp);
 	if (klartext->corner.waits && !klartext_corner_make(interp, words, path))
 		return false;
 	if (!klartext_comp_switch(interp, words, path))

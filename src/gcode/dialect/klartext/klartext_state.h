@@ -74,6 +74,7 @@ struct klartext_cycle {
 	int number; /* 200, 7, ...; 0: none */
 	int part; /* the digit behind the point of an older cycle's line, the last one */
 	bool open; /* further lines may follow */
+	bool refused; /* which was reported: it is read on, and nothing comes of it */
 	bool by_q; /* its words are Q parameters */
 	bool continued; /* by '~' behind parameters: the first line without it is the last one */
 	bool numbered; /* CYCL DEF has a block number: lines without one go on */
@@ -114,7 +115,6 @@ struct klartext_path {
 	double sweep; /* radians about the normal */
 	bool rapid;
 	struct canon_feed feed;
-	double doubt; /* mm in the plane: how far the tool may be beside it under radius compensation */
 	bool open; /* a circle whose plane is open: the tool is at most `half` mm beside this straight line */
 	double half[3];
 	bool crossing; /* M97: under radius compensation it is drawn out to where it crosses the next one */

@@ -277,6 +277,21 @@ static bool change_oversize(struct interp *interp, struct request *request)
 	return tcp == TCP_OFF || tool_length_switch_tcp(interp, request->column, tcp);
 }
 
+/*
+ * TNC 430 user's manual, "Tool call": F counts until a positioning block or another TOOL CALL gives a new one, and for
+ * F AUTO. mm/min or tenths of an inch a minute.
+ */
+static void take_feed(struct interp *interp, double feed)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const double linear = feed * (interp->state.scale > 1 ? interp->state.scale / 10 : 1);
+
+	klartext->call_feed_bare = feed;
+	klartext->call_feed = linear;
+	interp->state.feed_linear = linear;
+	interp->state.feed_angular = feed;
+}
+
 bool klartext_tool_call(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
@@ -300,9 +315,7 @@ bool klartext_tool_call(struct lexer *lexer)
 		interp->state.speed_is_zero = !(request.speed > 0);
 	}
 	if (request.has_feed)
-		klartext->call_feed_bare = request.feed;
-	if (request.has_feed)
-		klartext->call_feed = request.feed * (interp->state.scale > 1 ? interp->state.scale / 10 : 1);
+		take_feed(interp, request.feed);
 	return true;
 }
 

@@ -1,0 +1,29 @@
+# Klartext: every fault of a program is told once, in one pass: the lines of a cycle that is refused are not faults of their
+# own, nor are its calls.
+small_machine
+sed 's|<base|<controller dialect="klartext" path_tolerance="0.01"><tool_change/></controller><base|' m.xml >k.xml
+program p.h <<'NC'
+0 BEGIN PGM P MM
+1 TOOL CALL 0 Z F500
+2 CYCL DEF 392 SET-UP ~
+    Q240=+0    ;MODE ~
+    Q241=+1    ;WEIGHT
+3 CYCL DEF 25 CONTOUR TRAIN ~
+    Q1=-20 ;DEPTH ~
+    Q12=AUTO ;FEED
+4 L X+1 FMAX M99
+5 CYCL DEF 444 OLD ~
+    Q263=MAX
+6 CYCL DEF 65.0 BUILDER
+7 CYCL DEF 65.1 X+5
+8 L X+2 FMAX M99
+9 TCH PROBE 413 DATUM ~
+    Q321=+0 ~
+    Q322=+0
+10 CYCLE DEF 9.0 DWELL
+11 L X+5 M144
+12 L Z+5 M104
+13 L Q5
+14 END PGM P MM
+NC
+status fivecheck --parse-only -a k.xml p.h
