@@ -381,6 +381,8 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 		any = any || described->pieces[i].at;
 	}
 	tool.diameter = build_tool_diameter(builder->file, described, &pieces[PIECE_CUTTER]);
+	if (pieces[PIECE_CUTTER].solid.tip == TIP_CONE)
+		tool.point_angle = pieces[PIECE_CUTTER].solid.angle;
 	if (!any)
 		diag_warning(builder->diag, description_place(builder->file, described->at),
 			     "tool %d has neither holder nor shank nor cutter: nothing of it is checked", tool.number);

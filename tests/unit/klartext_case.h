@@ -6,7 +6,7 @@
 
 static const struct tool klartext_tools[] = {
 	{.number = 1, .name = "MILL 10", .length = 100, .length_offset = 100, .diameter = 10},
-	{.number = 2, .name = "DRILL 5", .length = 40, .length_offset = 40, .diameter = 5},
+	{.number = 2, .name = "DRILL 5", .length = 40, .length_offset = 40, .diameter = 5, .point_angle = 1.5707963267948966},
 	{.number = 3, .name = "TWIN", .length = 10, .length_offset = 10},
 	{.number = 4, .name = "TWIN", .length = 20, .length_offset = 20},
 };

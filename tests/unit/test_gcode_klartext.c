@@ -184,6 +184,20 @@ START_TEST(feed_per_tooth)
 }
 END_TEST
 
+/* CYCLE is CYCL, which is said once, also in the lines of an older cycle. */
+START_TEST(cycle_in_full)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	ck_assert(klartext_run(&c, "CYCLE DEF 7.0 SHIFT\nCYCLE DEF 7.1 X+10\nCYCLE DEF 7.2 Y+20\nL X+1 Y+2 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 11 22 0 0 0\n");
+	ck_assert_uint_eq(c.diag.warnings, 1);
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:2:1: warning: CYCLE is read as CYCL"));
+	case_release(&c);
+}
+END_TEST
+
 /* M118 left out takes its axes with it. */
 START_TEST(handwheel)
 {
@@ -362,6 +376,7 @@ int main(void)
 	tcase_add_test(tcase, datum_row);
 	tcase_add_test(tcase, builder_point);
 	tcase_add_test(tcase, feed_per_tooth);
+	tcase_add_test(tcase, cycle_in_full);
 	tcase_add_test(tcase, handwheel);
 	tcase_add_test(tcase, rotary_ways);
 	tcase_add_test(tcase, cycle_19);

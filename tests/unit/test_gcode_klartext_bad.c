@@ -78,6 +78,16 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:7: error: R with a radius belongs to CR, RND, APPR and DEP"},
 	{"L I5 FMAX\n",
 	 "p.nc:2:3: error: I needs an axis, PR or PA"},
+	{"IF Q1 THEN\n",
+	 "p.nc:2:1: error: IF is no block of this control"},
+	{"OPEN CONTOUR\n",
+	 "p.nc:2:1: error: OPEN is no block of this control"},
+	{"L X+1 FMAX M104\n",
+	 "p.nc:2:12: error: M104: the datum that was set last is not supported; select the datum by CYCL DEF 247, CYCL "
+	 "DEF 7 or TRANS DATUM"},
+	{"L X+1 FMAX M143\n",
+	 "p.nc:2:12: error: M143: erasing of the basic rotation is not supported; leave it out where the setup's presets "
+	 "have no basic rotation"},
 	{"FOO X+1\n",
 	 "p.nc:2:1: error: FOO is no block of this control"},
 	{"L X+1 FMAX HELLO\n",

@@ -66,8 +66,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:11: error: TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts is not "
 	 "known here; write it, too"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9 Q395=1\nM99\n",
-	 "p.nc:3:1: error: Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the "
-	 "depth of the tip in Q201 and Q395=0"},
+	 "p.nc:3:1: error: Q395=1 needs the point angle of the tool: give the tool of the setup a <cutter> with "
+	 "tip=\"cone\" and its angle, or write Q395=0 and the depth of the tip in Q201"},
 	{"CYCL DEF 256 STUD Q200=2 Q201=-10 Q203=0 Q204=20 Q207=100 Q218=60 Q219=40 Q424=64 Q425=44\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 256 needs the radius of the tool: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL CALL 1 Z\nCYCL DEF 232 FACE MILLING Q225=0 Q226=0 Q227=1 Q218=50 Q219=40 Q200=2\nM99\n",
@@ -87,8 +87,8 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 207 without a spindle speed (S)"},
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
-	 "p.nc:3:1: error: Q343=1: a centring by its diameter needs the point angle of the tool; give "
-	 "its depth in Q201"},
+	 "p.nc:3:1: error: Q343=1 needs the point angle of the tool: give the tool of the setup a <cutter> with "
+	 "tip=\"cone\" and its angle, or write Q343=0 and the depth of the tip in Q201"},
 	{"CYCL DEF 208 BORE MILLING Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 208 lacks Q335"},
 	{"CYCL DEF 20 DATA Q1=-15 Q3=6 Q5=0 Q6=2 Q7=50\nCYCL DEF 24 SIDE Q10=-5 Q11=150 Q12=500 Q14=0.2\nM99\n",
@@ -137,8 +137,6 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:15: error: CYCL CALL POS needs absolute coordinates of X, Y and Z"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nCYCL CALL POS X+5 Y+5 Z+5\n",
 	 "p.nc:3:15: error: CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here"},
-	{"CYCLE DEF 9.0 DWELL\n",
-	 "p.nc:2:1: error: CYCLE is no block of this control: it is written CYCL"},
 	{"PATTERN DEF POS1\n",
 	 "p.nc:2:17: error: '(' is needed here"},
 	{"PATTERN DEF POS1 (X+1)\n",
@@ -169,7 +167,18 @@ static const struct klartext_fault faults[] = {
 	 "its place, <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it "
 	 "moves"},
 	{"TCH PROBE 0.0 REF. PLANE Q5 X-\n",
-	 "p.nc:2:11: error: TCH PROBE 0: where the probe stops is not known before the program runs"},
+	 "p.nc:2:11: error: TCH PROBE 0: where the probe stops is not known before the program runs; to check the "
+	 "program, leave it out, and assign what it measures by FN 0"},
+	{"TCH PROBE 0.1 X+5 Y+0 Z-5\n",
+	 "p.nc:2:11: error: TCH PROBE needs the number of a cycle, 0 to 9999"},
+	{"TOOL CALL 1 Z F100\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=MEX Q202=4 Q203=0 Q204=9\n",
+	 "p.nc:3:38: error: Q206=MEX is not supported yet: give a number"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=AUTO Q202=4 Q203=0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: a cycle without a feed rate"},
+	{"CYCL DEF 220 PATTERN Q216=0 Q217=0\n",
+	 "p.nc:2:10: error: CYCL DEF 220 lacks Q244"},
+	{"PATTERN DEF POS1 (X+1 Y+2)\nCYCL CALL PAT\n",
+	 "p.nc:3:11: error: a pattern needs a cycle with Q203 that has been defined before it"},
 	{"CONTOUR DEF P1 = \"A.H\"\n",
 	 "p.nc:2:18: error: CONTOUR DEF reads contours of labels with a number, as in P1 = LBL 1"},
 	{"CONTOUR DEF P1 = LBL 1 DEPTH5\n",

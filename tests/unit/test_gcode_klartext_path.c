@@ -297,6 +297,12 @@ static const struct klartext_program cycles[] = {
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=0 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\n"
 	 "L X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -2 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
+	/* A point of 90 degrees is as high as half the diameter; the tool is 40 long and has 5. */
+	{"TOOL CALL 2 Z\nCYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-3 Q206=100 Q211=0 Q203=+0 Q204=20\n"
+	 "L X+1 FMAX M99\n",
+	 "tool 2\nrapid 1 0 0 0 0\nrapid 1 0 42 0 0\nfeed 1 0 38.5 0 0\nrapid 1 0 42 0 0\nrapid 1 0 60 0 0\n"},
+	{"TOOL CALL 2 Z\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=100 Q202=9 Q203=+0 Q204=20 Q395=1\nL X+1 FMAX M99\n",
+	 "tool 2\nrapid 1 0 0 0 0\nrapid 1 0 42 0 0\nfeed 1 0 33.5 0 0\nrapid 1 0 42 0 0\nrapid 1 0 60 0 0\n"},
 	{"CYCL DEF 241 SINGLE-LIP Q200=2 Q201=-20 Q206=100 Q211=0 Q203=+0 Q204=20 Q379=0 Q253=750 "
 	 "Q208=1000\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -20 0 0\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},

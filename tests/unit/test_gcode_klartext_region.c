@@ -83,6 +83,23 @@ static const struct klartext_program regions[] = {
 	 "rapid X -39..59 Y -29..69 Z 102..200\n"
 	 "feed X -39..59 Y -29..69 Z 80..102\n"
 	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
+	/* Drilled before, 4 deeper than the thread; and in a helix alone. */
+	{START "CYCL DEF 264 THREAD Q335=20 Q239=1.5 Q356=-24 Q358=0 Q359=0" HEIGHTS,
+	 "tool 1\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..201.5\n"
+	 "feed X 5..15 Y 15..25 Z 74.5..103.5\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..151.5\n"},
+	{START "CYCL DEF 265 THREAD Q335=20 Q239=1.5 Q358=0 Q359=0" HEIGHTS,
+	 "tool 1\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..201.5\n"
+	 "feed X 5..15 Y 15..25 Z 78.5..103.5\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..151.5\n"},
+	/* Line by line over a face of 40 by 30 from (0, 10, 3) on: beside it a diameter and the set-up clearance. */
+	{START "CYCL DEF 230 MULTIPASS Q225=0 Q226=10 Q227=3 Q218=40 Q219=30 Q240=5 Q206=100 Q207=500 Q209=100 Q200=2\nM99\n",
+	 "tool 1\n"
+	 "rapid X -12..52 Y -2..52 Z 105..200\n"
+	 "feed X -12..52 Y -2..52 Z 103..105\n"
+	 "rapid X -12..52 Y -2..52 Z 105..105\n"},
 	/* About an outside thread of 20, 3 radii, 2 mm, the pitch and the countersink aside. */
 	{START "CYCL DEF 267 THREAD Q335=20 Q239=1.5 Q358=-25 Q359=3" HEIGHTS,
 	 "tool 1\n"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
@@ -17,6 +18,7 @@
 #include "gcode/dialect/klartext/klartext_pocket.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/tool_table.h"
 
 /* More pecks are a typing mistake, and carrying them out would seem to hang. */
 #define PECKS_MAX 100000
@@ -46,6 +48,49 @@ static bool find_heights(const struct klartext_call_of *call, struct klartext_ho
 	hole->clear = heights.clear;
 	hole->clearance = heights.clearance;
 	hole->nothing = heights.nothing;
+	return true;
+}
+
+/* How high the point of the tool in the spindle is up to this diameter. `q` asks for it. False: reported. */
+static bool find_point_height(const struct klartext_call_of *call, int q, double diameter, double *height)
+{
+	const struct interp *interp = call->interp;
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+
+	if (!tool || !(tool->point_angle > 0))
+		return fault(&interp->at, call->column,
+			     "Q%d=1 needs the point angle of the tool: give the tool of the setup a <cutter> with "
+			     "tip=\"cone\" and its angle, or write Q%d=0 and the depth of the tip in Q201",
+			     q, q);
+	*height = diameter / 2 / math_tan(tool->point_angle / 2);
+	return true;
+}
+
+/* "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, and not to the depth Q201. */
+static bool centre_by_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
+{
+	double diameter, depth;
+
+	if (!klartext_parameter_length(call, 344, &diameter) ||
+	    !find_point_height(call, 343, fabs(diameter), &depth))
+		return false;
+	hole->bottom = hole->start - hole->clearance - depth;
+	hole->nothing = same_double(depth, 0);
+	return true;
+}
+
+/* "DEPTH REFERENCE": with Q395=1 the depth is that of the full diameter, so that the tip goes deeper. */
+static bool go_by_full_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
+{
+	const struct interp *interp = call->interp;
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	double height;
+
+	if (same_double(klartext_parameter_or(call, 395, 0), 0))
+		return true;
+	if (!find_point_height(call, 395, tool ? tool->diameter : 0, &height))
+		return false;
+	hole->bottom -= height;
 	return true;
 }
 
@@ -86,11 +131,7 @@ static bool drill(const struct klartext_call_of *call, struct klartext_hole *hol
 	if (!klartext_parameter_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
 		return false;
 	if (number == 240) {
-		if (!same_double(klartext_parameter_or(call, 343, 0), 0))
-			return fault(&call->interp->at, call->column,
-				     "Q343=1: a centring by its diameter needs the point angle of the tool; give its "
-				     "depth in Q201");
-		return true;
+		return same_double(klartext_parameter_or(call, 343, 0), 0) || centre_by_diameter(call, hole);
 	}
 	if (!find_pecks(call, hole))
 		return false;
@@ -148,16 +189,6 @@ static bool drill_deep(const struct klartext_call_of *call, struct klartext_hole
 	return true;
 }
 
-/* "DEPTH REFERENCE": 1 means the depth of the full diameter, so that the tip goes deeper. */
-static bool check_reference(const struct klartext_call_of *call)
-{
-	return same_double(klartext_parameter_or(call, 395, 0), 0) ||
-	       fault(&call->interp->at, call->column,
-		     "Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the "
-		     "depth of "
-		     "the tip in Q201 and Q395=0");
-}
-
 static bool by_q(const struct klartext_call_of *call)
 {
 	static const struct {
@@ -171,7 +202,7 @@ static bool by_q(const struct klartext_call_of *call)
 		return klartext_contour_make(call);
 	if (klartext_pocket_is(call->cycle->number))
 		return klartext_pocket_make(call);
-	if (!check_reference(call) || !find_heights(call, &hole))
+	if (!find_heights(call, &hole) || !go_by_full_diameter(call, &hole))
 		return false;
 	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
 		if (cycles[i].number == call->cycle->number)

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -406,14 +407,28 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 bool klartext_define_probe(struct lexer *lexer)
 {
 	const int column = klartext_column(lexer);
+	struct klartext_cycle *definition = &klartext_of(lexer->context)->definition;
+	double value;
 	int number;
 
-	if (!klartext_integer(lexer, "the number of TCH PROBE", 0, 9999, &number))
+	if (!klartext_value(lexer, &value))
 		return false;
-	/* The older ones are written in lines 0.0, 0.1. */
-	if (number < 400)
+	/* The older ones are written in lines 0.0, 0.1: the first one is reported. */
+	if (definition->refused && value > definition->number && value < definition->number + 1) {
+		while (!klartext_ends(lexer))
+			lexer_take(lexer);
+		return true;
+	}
+	if (!(value >= 0 && value <= 9999) || !same_double(floor(value), value))
+		return fault(lexer->at, column, "TCH PROBE needs the number of a cycle, 0 to 9999");
+	number = (int)value;
+	if (number < 400) {
+		*definition = (struct klartext_cycle){.number = number, .refused = true};
 		return fault(lexer->at, column,
-			     "TCH PROBE %d: where the probe stops is not known before the program runs", number);
+			     "TCH PROBE %d: where the probe stops is not known before the program runs; to check the "
+			     "program, leave it out, and assign what it measures by FN 0",
+			     number);
+	}
 	if (!klartext_define_end(lexer->context) || !begin(lexer, number, column))
 		return false;
 	skip_name(lexer);

@@ -156,6 +156,17 @@ static bool cycle(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
 }
 
+/* As some posts write it; a control that does not take it stops there, and nothing moves. */
+static bool cycle_in_full(struct lexer *lexer)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+
+	if (!klartext->cycle_in_full)
+		caution(lexer->at, 1, "CYCLE is read as CYCL, which is how this control writes it");
+	klartext->cycle_in_full = true;
+	return cycle(lexer);
+}
+
 static bool choose(struct lexer *lexer)
 {
 	if (klartext_take(lexer, "TABLE"))
@@ -188,6 +199,7 @@ static const struct statement {
     {"RND", round_corner, false, true},
     {"CHF", chamfer_corner, false, true},
     {"CYCL", cycle, false, false},
+    {"CYCLE", cycle_in_full, false, false},
     {"LBL", klartext_flow_label, true, true},
     {"CALL", klartext_flow_call, true, true},
     {"FN", klartext_function_run, true, true},
@@ -246,9 +258,7 @@ static bool starts_word(const char *word, char behind)
 	bool value = (behind >= '0' && behind <= '9') || (behind != '\0' && strchr("+-.,Qq", behind) != NULL);
 	bool blank = behind == '\0' || behind == ' ' || behind == '\t' || behind == ';';
 
-	if (word[0] == 'I')
-		word++;
-	if (word[0] == '\0')
+	if (word[0] == '\0' || (word[0] == 'I' && slot_of_letter(*++word) < 0))
 		return false;
 	/* "FMAX", "M", "R0": the letters that stand without a value, too. */
 	if (!strcmp(word, "FMAX") || !strcmp(word, "RL") || !strcmp(word, "RR"))
@@ -288,8 +298,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	}
 	if (starts_word(word, behind))
 		return run_line(lexer);
-	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control%s", word[0] ? word : "this",
-		     strcmp(word, "CYCLE") != 0 ? "" : ": it is written CYCL");
+	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
 }
 
 /* "%NAME G71": a program in DIN/ISO, which these controls read as well. */
@@ -427,7 +436,7 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 	numbered = skip_number(&lexer);
 	if (klartext_ends(&lexer) || klartext_define_goes_on(&lexer, numbered))
 		return true;
-	if (klartext_take(&lexer, "CYCL") && !definition->by_q)
+	if ((klartext_take(&lexer, "CYCL") || klartext_take(&lexer, "CYCLE")) && !definition->by_q)
 		return true;
 	return klartext_define_end(interp);
 }

@@ -196,6 +196,7 @@ struct klartext_free {
 struct klartext {
 	bool begun; /* BEGIN PGM has been met */
 	bool numbered; /* the line in hand has a block number */
+	bool cycle_in_full; /* CYCLE has been met, and was told */
 	bool comment_goes_on; /* '~' at the end of a comment */
 	bool behind_end; /* M2 or M30 has been met: only END PGM counts */
 	bool inch;
