@@ -159,7 +159,7 @@ static const struct code_word words[] = {
     {"CYCL DEF 221", CODE_READ, "pattern of holes on lines"},
     {"CYCL DEF 230", CODE_BOUNDED, "multipass milling: the whole face and the room beside it are proved"},
     {"CYCL DEF 232, 233", CODE_BOUNDED, "face milling: the whole face and the room beside it are proved"},
-    {"CYCL DEF 240", CODE_READ, "centring"},
+    {"CYCL DEF 240", CODE_READ, "centring, to a depth or a diameter"},
     {"CYCL DEF 241", CODE_READ, "single-lip deep-hole drilling"},
     {"CYCL DEF 247", CODE_READ, "preset"},
     {"CYCL DEF 251", CODE_BOUNDED, "rectangular pocket: the whole pocket is proved"},
