@@ -189,6 +189,8 @@ static bool run_line_called(struct interp *interp)
 	bool good;
 
 	find_callers(interp);
+	if (interp->program.source == interp->program.sources.items[0] && interp->at.line > interp->furthest)
+		interp->furthest = interp->at.line;
 	good = run_line(interp);
 
 	if (interp->diag->errors + interp->diag->warnings > said)
@@ -273,8 +275,15 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 static void warn_of_rest(struct interp *interp, struct reader *reader)
 {
 	const long end = reader->line, lines = reader->furthest;
-	const struct rest_of_file rest = rest_of_file_find(reader, interp->config->read.cancel);
-	struct srcloc loc = {interp->program.sources.items[0]->name, rest.program ? rest.program : rest.motion, 0};
+	struct srcloc loc = {interp->program.sources.items[0]->name, 0, 0};
+	struct rest_of_file rest;
+	const char *text;
+
+	/* A jump or a repeat may have led behind the end. */
+	while (reader->line < interp->furthest && reader_next(reader, &text) == READER_LINE)
+		continue;
+	rest = rest_of_file_find(reader, interp->config->read.cancel);
+	loc.line = rest.program ? rest.program : rest.motion;
 
 	/* The lines of the program are those that it consists of. */
 	reader->furthest = lines;

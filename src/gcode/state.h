@@ -269,6 +269,7 @@ struct interp {
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */
 	bool ended;
+	long furthest;	/* line of the main program that was carried out */
 	bool faulty;	/* a fault was reported, and the program is read on to report the others */
 	int moves;	/* of the block so far */
 };

@@ -5,7 +5,7 @@ TRANS X1
 POCKET3(50,0,1,-10,40,30,5,50,50,0)
 MCALL CYCLE83(10,0,1,-5)
 CP X1
-CYCLE72("KONTUR",50,0,1,-5)
+CYCLE63("KONTUR",50,0,1,-5)
 M30
 NC
 fivecheck scan part.mpf 2>/dev/null | sed -n '/^code/,/^$/p'

@@ -77,7 +77,7 @@ sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program=
 printf 'G500 G17 G71 G90 G0 X1 Z3\nCYCLE_HSC(1,"a")\nCYCLE977(101,1,,1)\nTRANS X5\nL9\nX5\nX9 H12\nH1=12\nM30\n' >named.mpf
 fivecheck --dump-path named.xml named.mpf
 echo "exit $?"
-for block in 'MIRROR X0\nL9' 'CYCLE_OTHER(1)' 'CYCLE72(1)'; do
+for block in 'MIRROR X0\nL9' 'CYCLE_OTHER(1)' 'CYCLE63(1)'; do
 	printf "G500 G17 G71 G90 G0 X1 Z3\n$block\nM30\n" >bad.mpf
 	fivecheck --parse-only named.xml bad.mpf >/dev/null
 	echo "exit $?"

@@ -111,8 +111,10 @@ static const struct refused_program programs[] = {
 	{"G500 G17 G71 G90 G0 X0 Y0 Z10 F6\nMCALL POCKET4(10,0,2,-5,20)\nX1 Y1\nX2\n", 4, 1,
 	 "POCKET4 from where a milling cycle has left the tool: where it stands over its region is not known; "
 	 "go to an absolute position in the plane first"},
-	{"CYCLE62(\"KONTUR\")\n", 1, 1,
-	 "CYCLE62: milling of a contour is not supported yet"},
+	{"CYCLE62(,3,\"A\",\"B\")\n", 1, 1,
+	 "CYCLE62 with a contour of type 3 is not supported, only 0 (a subprogram), 1 (a contour's name) and 2 (two labels)"},
+	{"CYCLE63(\"KONTUR\")\n", 1, 1,
+	 "CYCLE63: milling of a contour's pocket is not supported yet"},
 	{"CYCLE977(1)\n", 1, 1,
 	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, <macro "
 	 "program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},

@@ -6,6 +6,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_comp.h"
+#include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
 #include "gcode/dialect/sinumerik/sinumerik_macro.h"
@@ -190,6 +191,8 @@ static bool read_line(struct interp *interp, bool *done)
 		return take_percent(interp);
 	if (sinumerik_pattern_waits(interp))
 		return sinumerik_pattern_go_on(interp);
+	if (sinumerik_contour_waits(interp))
+		return sinumerik_contour_end(interp);
 	head = sinumerik_seek_head(at.text);
 	if (at.text[head.rest] == ';' || at.text[head.rest] == '\0') {
 		if (!head.number[0] && !head.label[0])

@@ -134,6 +134,11 @@ static enum comp_corner_form corner_form(const struct interp *interp)
 	return COMP_CORNER_BETWEEN;
 }
 
+bool sinumerik_comp_rounds(const struct interp *interp)
+{
+	return corner_form(interp) == COMP_CORNER_CIRCULAR;
+}
+
 static bool switch_on(struct interp *interp, int column, int side)
 {
 	struct cutter_comp *comp = &interp->comp;

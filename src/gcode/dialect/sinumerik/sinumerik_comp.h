@@ -20,4 +20,7 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 /* The program halts here (M0, M1), or has ended. */
 bool sinumerik_comp_stop(struct interp *interp, int column, bool ends);
 
+/* Does compensation lead round outside corners on a circle, as far as program and machine file say? */
+bool sinumerik_comp_rounds(const struct interp *interp);
+
 #endif

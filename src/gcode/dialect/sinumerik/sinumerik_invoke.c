@@ -5,6 +5,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
@@ -66,6 +67,12 @@ static bool read_repeats(struct interp *interp, struct lexer *lexer, const struc
 	return sinumerik_expr_whole(interp, lexer, "P", 1, 9999, repeats);
 }
 
+/* A cycle of the control that moves axes; drilling, patterns and regions have their own tables. */
+static bool is_other_cycle(const char *name)
+{
+	return !strncmp(name, "CYCLE8", 6) || !strcmp(name, "CYCLE62") || !strcmp(name, "CYCLE72");
+}
+
 static bool run_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -82,15 +89,18 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	if (block->modal)
 		return set_modal(interp, block);
 	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) ||
-				       sinumerik_region_is(name) || !strncmp(name, "CYCLE8", 6)))
+				       sinumerik_region_is(name) || is_other_cycle(name)))
 		return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", name);
+	if (sinumerik_modal_acts(sinumerik) && !strcmp(name, "CYCLE72"))
+		return fault(&interp->at, column, "CYCLE72 while %s is called behind each motion; MCALL first",
+			     sinumerik->modal.name);
 	if (sinumerik_modal_acts(sinumerik) && sinumerik->modal.cycle &&
 	    (sinumerik_cycle_drills(name) || sinumerik_region_is(name) || !strcmp(name, "CYCLE800")))
 		return fault(&interp->at, column, "%s while %s is called behind each motion; MCALL first", name,
 			     sinumerik->modal.name);
 	if (sinumerik_block_has(block, 'P') &&
 	    (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) || sinumerik_region_is(name) ||
-	     !strncmp(name, "CYCLE8", 6)))
+	     is_other_cycle(name)))
 		return fault(&interp->at, block->column[index], "P belongs to the call of a subprogram");
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
@@ -100,6 +110,10 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 		return sinumerik_region_mill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (!strcmp(name, "CYCLE800"))
 		return sinumerik_swivel_run(interp, column);
+	if (!strcmp(name, "CYCLE62"))
+		return sinumerik_contour_select(interp, column);
+	if (!strcmp(name, "CYCLE72"))
+		return sinumerik_contour_mill(interp, column);
 	if (!strcmp(name, "CYCLE832"))
 		return sinumerik_path_smooth(interp, column);
 	if (sinumerik_cycle_refused(name) && !sinumerik_builder_is_known(interp, name))

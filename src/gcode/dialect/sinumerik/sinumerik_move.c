@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
+#include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_great_circle.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
@@ -70,6 +71,8 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 	const slot_values straight = sinumerik_frame_straight(interp, target), from = *sinumerik_frame_place(interp);
 	bool good, waits = false;
 
+	if (sinumerik_contour_is_read(interp))
+		return sinumerik_contour_take(interp, target, circle);
 	if (corner_insert_concerns(interp)) {
 		const struct corner_move next = {.target = &straight, .move = move, .is_arc = circle != NULL,
 						 .centre = circle ? circle->centre : (struct plane_point){0, 0}};

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/rotated_frame.h"
 
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what)
@@ -126,4 +127,25 @@ void sinumerik_open_place_turned(struct interp *interp)
 	else
 		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
 	sinumerik_of(interp)->open = parallel_moves_box(loose);
+}
+
+bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, const double half[SLOT_Z + 1],
+			     double feed)
+{
+	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
+	const slot_values straight = sinumerik_frame_straight(interp, target);
+	struct parallel_box about_it;
+	double all[SLOT_Z + 1];
+
+	/* From where another cycle has left the tool. */
+	sinumerik_open_place_extent(interp, all);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		all[slot] += half[slot];
+	sinumerik_open_place_settle(interp, letter_bit('X') | letter_bit('Y') | letter_bit('Z'));
+	about_it = sinumerik_open_place_box(interp, all);
+	if (!parallel_moves_go(interp, &straight, &move, &about_it))
+		return false;
+	sinumerik_of(interp)->place = *target;
+	sinumerik_of(interp)->placed = true;
+	return true;
 }

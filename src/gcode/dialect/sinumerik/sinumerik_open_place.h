@@ -35,4 +35,11 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
  */
 void sinumerik_open_place_turned(struct interp *interp);
 
+/*
+ * To a target in program coordinates, anywhere in a box about the way there; from where the tool has been left open,
+ * as far beside the way as there. Its end is closed again. A feed of 0, mm/s, is a rapid. False: reported.
+ */
+bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, const double half[SLOT_Z + 1],
+			     double feed);
+
 #endif

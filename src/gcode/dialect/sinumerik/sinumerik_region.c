@@ -9,6 +9,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
+#include "gcode/dialect/sinumerik/sinumerik_tool.h"
 
 /* Slots of one call. */
 #define PARTS_MAX 1000
@@ -74,11 +75,8 @@ static double inside(const struct milling *m, double whole)
 /* To the middle of a box at a height, anywhere in the box about the way there. A feed of 0 is a rapid. */
 static bool go(struct milling *m, const struct box *box, double height, double beyond, double feed)
 {
-	struct interp *interp = m->of.interp;
-	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
-	slot_values target = *sinumerik_frame_place(interp), straight;
-	double half[SLOT_Z + 1] = {0}, open[SLOT_Z + 1];
-	struct parallel_box about_it;
+	slot_values target = *sinumerik_frame_place(m->of.interp);
+	double half[SLOT_Z + 1] = {0};
 
 	target.v[m->a] = (box->low[0] + box->high[0]) / 2;
 	target.v[m->b] = (box->low[1] + box->high[1]) / 2;
@@ -86,18 +84,7 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	half[m->a] = (box->high[0] - box->low[0]) / 2;
 	half[m->b] = (box->high[1] - box->low[1]) / 2;
 	half[m->depth] = beyond;
-	straight = sinumerik_frame_straight(interp, &target);
-	/* From where another cycle has left the tool. */
-	sinumerik_open_place_extent(interp, open);
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		half[slot] += open[slot];
-	sinumerik_open_place_settle(interp, letter_bit('X') | letter_bit('Y') | letter_bit('Z'));
-	about_it = sinumerik_open_place_box(interp, half);
-	if (!parallel_moves_go(interp, &straight, &move, &about_it))
-		return false;
-	sinumerik_of(interp)->place = target;
-	sinumerik_of(interp)->placed = true;
-	return true;
+	return sinumerik_open_place_go(m->of.interp, &target, half, feed);
 }
 
 /* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
@@ -341,21 +328,6 @@ bool sinumerik_region_is(const char *name)
 	return find(name) != NULL;
 }
 
-static double tool_radius(const struct interp *interp)
-{
-	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
-	const int edge = sinumerik_of(interp)->edge;
-	double diameter = tool ? tool->diameter : 0;
-
-	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {
-		const struct tool_edge *found = &interp->config->edges[i];
-
-		if (found->tool == tool->number && found->number == edge && found->diameter > 0)
-			diameter = found->diameter;
-	}
-	return edge == 0 ? 0 : diameter / 2;
-}
-
 /* The cycle's own feed, or else the one in force. */
 static bool find_feed(struct milling *m, size_t i)
 {
@@ -381,7 +353,7 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 {
 	const struct cycle *cycle = find(name);
 	const int plane = interp->state.plane;
-	struct milling m = {.of = {interp, name, column, arguments, count}, .radius = tool_radius(interp)};
+	struct milling m = {.of = {interp, name, column, arguments, count}, .radius = sinumerik_tool_radius(interp)};
 
 	m.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 	m.a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_comp.h"
+#include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_invoke.h"
@@ -446,7 +447,8 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	interp->block.corner = '\0';
 	if (interp->corner.on && has_more(block))
 		return corner_insert_end_block(interp);
-	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
+	if (!check_words(interp, block) || !sinumerik_contour_check(interp, block) ||
+	    !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
 	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||
 	    !set_modes(interp, block) || !sinumerik_orientation_select(interp, block) ||
 	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) ||

@@ -150,6 +150,25 @@ struct sinumerik_pattern {
 	double arguments[SINUMERIK_ARGUMENTS_MAX];
 };
 
+/* A contour that CYCLE62 has selected, and the one that CYCLE72 follows. */
+struct sinumerik_contour {
+	int selected;	/* calls of CYCLE62 since the last contour was milled */
+	struct sinumerik_text name;	/* of the subprogram, or "FIRST:LAST", two labels */
+	bool on;
+	struct position line;	/* of CYCLE72 */
+	int depth;	/* of calls at this line */
+	int column, plane;
+	bool begun;	/* its first point is known: */
+	slot_values start;	/* program coordinates, mm */
+	double clear, safe, bottom;	/* heights */
+	double beside, ends;	/* mm: how far the tool may be beside the contour, and about its ends */
+	double rounded;	/* mm: by what a rounding or chamfer leaves the end of the last block */
+	bool stays_low;	/* between two passes it may go back within the material */
+	double feed;	/* mm/s */
+	struct sinumerik_saved before;	/* modes and the feed (mm/min) that hold again behind the cycle */
+	double feed_before;
+};
+
 /* Made by DEFINE. */
 struct sinumerik_macro {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
@@ -177,6 +196,7 @@ struct sinumerik {
 	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
 	struct sinumerik_modal modal;
 	struct sinumerik_pattern pattern;
+	struct sinumerik_contour contour;
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;

@@ -181,3 +181,18 @@ bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *blo
 	}
 	return set_programmed_edge(interp, block);
 }
+
+double sinumerik_tool_radius(const struct interp *interp)
+{
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	const int edge = sinumerik_of(interp)->edge;
+	double diameter = tool ? tool->diameter : 0;
+
+	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {
+		const struct tool_edge *found = &interp->config->edges[i];
+
+		if (found->tool == tool->number && found->number == edge && found->diameter > 0)
+			diameter = found->diameter;
+	}
+	return edge == 0 ? 0 : diameter / 2;
+}

@@ -1,0 +1,352 @@
+#include "gcode/dialect/sinumerik/sinumerik_contour.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/math/math_functions.h"
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_argument.h"
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_comp.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_save.h"
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
+#include "gcode/dialect/sinumerik/sinumerik_tool.h"
+
+/* Arguments of CYCLE72 behind RTP, RFP, SDIS and DP, the name of the contour apart. */
+enum { FAL = 5, FFP1 = 7, VARI = 9, RL = 10, AS1 = 11, LP1 = 12, AS2 = 14, LP2 = 15, DISPLAY = 20, ALTERNATIVE = 21 };
+
+/* Units of VARI that make a chamfer. */
+#define CHAMFER 5
+
+/* Radii: how far a sharp corner may be drawn out, where it is not led round (of up to 2.4 radians, comp_turn.c). */
+#define DRAWN_OUT 3.0
+
+/* Radians: a chord of a circle spans at most this. */
+#define CHORD 0.2
+
+static enum axis_slot across(const struct sinumerik_contour *contour)
+{
+	return contour->plane == G17 ? SLOT_Z : contour->plane == G18 ? SLOT_Y : SLOT_X;
+}
+
+static double middle(const struct sinumerik_contour *contour)
+{
+	return (contour->safe + contour->bottom) / 2;
+}
+
+/* ------------------------------------------------------------ which contour */
+
+/* 840D sl, "CYCLE62": TYP 0 a subprogram, 1 a contour's name, 2 two labels, 3 two labels in a subprogram. */
+bool sinumerik_contour_select(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_text *texts = sinumerik->argument_texts;
+	struct sinumerik_contour *contour = &sinumerik->contour;
+	const double type = sinumerik->argument_count > 1 ? sinumerik->arguments[1] : 0;
+	char *name = contour->name.bytes;
+	const size_t size = sizeof(contour->name.bytes);
+	int length = 0;
+
+	for (size_t i = sinumerik->argument_count; i < 4; i++)
+		sinumerik->argument_texts[i].bytes[0] = '\0';
+	if (!(type >= 0 && type <= 2))
+		return fault(&interp->at, column, "CYCLE62 with a contour of type %.9g is not supported, only 0 (a "
+						  "subprogram), 1 (a contour's name) and 2 (two labels)", type);
+	if (type < 1)
+		length = snprintf(name, size, "%s", texts[0].bytes);
+	else if (type < 2)
+		length = snprintf(name, size, "E_LAB_A_%s:E_LAB_E_%s", texts[0].bytes, texts[0].bytes);
+	else
+		length = snprintf(name, size, "%s:%s", texts[2].bytes, texts[3].bytes);
+	if (length >= (int)size)
+		return fault(&interp->at, column, "the name of the contour is too long");
+	contour->selected++;
+	return true;
+}
+
+static bool find_label(struct interp *interp, const char *start, size_t length, int column, struct position *at)
+{
+	char name[SINUMERIK_NAME + 1] = "";
+	bool found;
+
+	for (size_t i = 0; i < length && i < SINUMERIK_NAME; i++)
+		name[i] = sinumerik_upper(start[i]);
+	if (!sinumerik_seek_label(interp, name, SINUMERIK_ANYWHERE, column, at, &found))
+		return false;
+	return found || fault(&interp->at, column, "no line of this program has the label %s of the contour", name);
+}
+
+/* Goes to the contour; behind it comes the line of CYCLE72 again. */
+static bool call_contour(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_contour *contour = &sinumerik->contour;
+	const char *name = contour->name.bytes, *colon = strchr(name, ':');
+	const int column = contour->column;
+	char program[SINUMERIK_NAME + 1];
+	struct position first, last;
+
+	sinumerik->argument_count = 0;
+	if (colon) {
+		if (!find_label(interp, name, (size_t)(colon - name), column, &first) ||
+		    !find_label(interp, colon + 1, strlen(colon + 1), column, &last))
+			return false;
+		if (last.line < first.line)
+			return fault(&interp->at, column, "the contour ends before it begins");
+		if (!sinumerik_call_repeat(interp, &first, last.line, 1, column))
+			return false;
+	} else if (!sinumerik_call_name(interp, name, column, program) ||
+		   !sinumerik_call_run(interp, program, 1, column)) {
+		return false;
+	}
+	if (sinumerik->depth == contour->depth)
+		return fault(&interp->at, column, "the contour %s is a program of the builder, which is not known", name);
+	sinumerik->calls[sinumerik->depth - 1].back = contour->line;
+	/* Its blocks need no F. */
+	sinumerik_save_modes(interp, &contour->before);
+	contour->feed_before = interp->state.feed_linear;
+	interp->state.feed_linear = contour->feed * SECONDS_PER_MINUTE;
+	contour->on = true;
+	return true;
+}
+
+/* ---------------------------------------------------------------- arguments */
+
+/* How far the tool may be beside the contour, and about its ends where it comes to it and leaves it. */
+static bool find_margins(struct sinumerik_contour *contour, const struct sinumerik_arguments *of)
+{
+	struct interp *interp = of->interp;
+	const double radius = sinumerik_tool_radius(interp), leads = fmax(fabs(sinumerik_argument_length(of, LP1)),
+									   fabs(sinumerik_argument_length(of, LP2)));
+	const bool centred = sinumerik_argument_given(of, RL) && sinumerik_argument_digit(of, RL, 0) == 0;
+
+	if (!centred && !(radius > 0))
+		return fault(&interp->at, of->column,
+			     "CYCLE72 needs the radius of the tool: give the tool of the setup a <cutter>, or diameter=\"\"");
+	if (sinumerik_argument_digit(of, AS1, 0) > 3 || sinumerik_argument_digit(of, AS2, 0) > 3)
+		return fault(&interp->at, of->column,
+			     "CYCLE72 whose approach or retraction (units of _AS1 and _AS2) is not 1, 2 or 3: a way that "
+			     "the control chooses is not known");
+	contour->beside = fabs(sinumerik_argument_length(of, FAL)) +
+			  (centred ? 0 : radius * (sinumerik_comp_rounds(interp) ? 1 : DRAWN_OUT));
+	/* A line of LP, from the edge of the tool or from its centre; a half circle of radius LP. */
+	contour->ends = contour->beside + 2 * (leads + radius);
+	return true;
+}
+
+static bool read_arguments(struct interp *interp, struct sinumerik_contour *contour)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const size_t count = sinumerik->argument_count > 0 ? sinumerik->argument_count - 1 : 0;
+	const struct sinumerik_arguments of = {interp, "CYCLE72", contour->column, sinumerik->arguments + 1, count};
+	const struct sinumerik_modes modes = {.display = DISPLAY, .alternative = ALTERNATIVE};
+	struct sinumerik_heights height;
+
+	if (!sinumerik_argument_heights(&of, &modes, &height) || !find_margins(contour, &of))
+		return false;
+	if (sinumerik_argument_digit(&of, VARI, 0) == CHAMFER)
+		return fault(&interp->at, contour->column,
+			     "CYCLE72 that makes a chamfer (units of _VARI 5) is not supported: how far beside the contour "
+			     "the tool goes is not known");
+	contour->clear = fmax(height.clear, height.safe);
+	contour->safe = height.safe;
+	contour->bottom = height.bottom;
+	contour->stays_low = sinumerik_argument_digit(&of, VARI, 2) > 1;
+	contour->feed = sinumerik_argument_or(&of, FFP1, 0) * sinumerik->feed_scale / SECONDS_PER_MINUTE;
+	if (!(contour->feed > 0))
+		contour->feed = interp->state.feed_linear / SECONDS_PER_MINUTE;
+	return contour->feed > 0 || fault(&interp->at, contour->column, "CYCLE72 without a feed rate");
+}
+
+bool sinumerik_contour_mill(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_contour *contour = &sinumerik->contour;
+	const char *own = sinumerik->argument_count > 0 ? sinumerik->argument_texts[0].bytes : "";
+	const struct sinumerik_contour begun = {.line = source_here(interp->program.source),
+						.depth = sinumerik->depth,
+						.column = column,
+						.plane = interp->state.plane,
+						.name = contour->name};
+
+	if (contour->on)
+		return fault(&interp->at, column, "CYCLE72 in a contour that CYCLE72 follows");
+	if (!own[0] && contour->selected != 1)
+		return fault(&interp->at, column,
+			     contour->selected ? "CYCLE72 behind several CYCLE62: a contour made of several is not supported"
+					       : "CYCLE72 without the name of a contour, and without CYCLE62 before it");
+	*contour = begun;
+	if (own[0])
+		snprintf(contour->name.bytes, sizeof(contour->name.bytes), "%s", own);
+	return read_arguments(interp, contour) && call_contour(interp);
+}
+
+/* -------------------------------------------------------------------- moves */
+
+bool sinumerik_contour_is_read(const struct interp *interp)
+{
+	return sinumerik_of(interp)->contour.on;
+}
+
+/* To a place at a height, anywhere around it and so much over and under it. */
+static bool go(struct interp *interp, const slot_values *to, double height, double aside, double over, double feed)
+{
+	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	double half[SLOT_Z + 1] = {aside, aside, aside};
+	slot_values target = *to;
+
+	target.v[across(contour)] = height;
+	half[across(contour)] = over;
+	return sinumerik_open_place_go(interp, &target, half, feed);
+}
+
+/* Over the first point, one axis after the other or all at once, and into the material in every pass. */
+static bool approach(struct interp *interp, const slot_values *target)
+{
+	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const slot_values from = *sinumerik_frame_place(interp);
+	slot_values centre = from, over_it = *target;
+	double half[SLOT_Z + 1];
+
+	over_it.v[across(contour)] = contour->clear;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		centre.v[slot] = (from.v[slot] + over_it.v[slot]) / 2;
+		half[slot] = fabs(from.v[slot] - over_it.v[slot]) / 2 + (slot == (int)across(contour) ? 0 : contour->ends);
+	}
+	sinumerik_open_place_take_over(interp);
+	contour->begun = true;
+	contour->start = *target;
+	return sinumerik_open_place_go(interp, &centre, half, 0) &&
+	       go(interp, target, contour->clear, contour->ends, 0, 0) &&
+	       go(interp, target, contour->bottom, contour->ends, 0, contour->feed) &&
+	       go(interp, target, middle(contour), 0, 0, contour->feed);
+}
+
+/* A circle is followed by chords; the tool is as far beside each as the circle. */
+static bool go_round(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle,
+		     double aside, double over)
+{
+	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const enum axis_slot a = contour->plane == G17 ? SLOT_X : contour->plane == G18 ? SLOT_Z : SLOT_Y;
+	const enum axis_slot b = contour->plane == G17 ? SLOT_Y : contour->plane == G18 ? SLOT_X : SLOT_Z;
+	const slot_values place = *sinumerik_frame_place(interp), straight = sinumerik_frame_straight(interp, &place);
+	const double x = straight.v[a] - circle->centre.a, y = straight.v[b] - circle->centre.b;
+	const double sweep = fabs(circle->arc.sweep) * (circle->clockwise ? -1 : 1), radius = math_hypot(x, y);
+	const int chords = (int)ceil(fabs(sweep) / CHORD);
+	const double sagitta = radius * (1 - math_cos(sweep / chords / 2));
+
+	for (int i = 1; i < chords; i++) {
+		const double c = math_cos(sweep * i / chords), s = math_sin(sweep * i / chords);
+		slot_values at = place;
+
+		at.v[a] += c * x - s * y - x;
+		at.v[b] += s * x + c * y - y;
+		if (!go(interp, &at, middle(contour), aside + sagitta, over, contour->feed))
+			return false;
+	}
+	return go(interp, target, middle(contour), aside + sagitta, over, contour->feed);
+}
+
+static bool check_move(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
+{
+	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const slot_values *place = sinumerik_frame_place(interp);
+	const int column = interp->block.g_column[G_MOTION];
+
+	if (interp->state.plane != contour->plane)
+		return fault(&interp->at, column, "the contour of CYCLE72 changes the plane");
+	if (circle && !circle->in_plane)
+		return fault(&interp->at, column, "CIP in the contour of CYCLE72 is not supported");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const bool in_plane = slot <= SLOT_Z && slot != (int)across(contour);
+
+		if (!in_plane && !same_double(target->v[slot], place->v[slot]))
+			return fault(&interp->at, column, "the contour of CYCLE72 moves %c, which is not in its plane",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
+{
+	static const enum sinumerik_group groups[] = {SINUMERIK_SUPPRESSION, SINUMERIK_ONCE, SINUMERIK_TRANSFORM,
+						      SINUMERIK_SYSTEM, SINUMERIK_FRAME, SINUMERIK_TOOL_FRAME};
+	int column = block->call[0] ? block->call_column : block->modal ? block->modal_column : 0;
+
+	if (!sinumerik_contour_is_read(interp))
+		return true;
+	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++)
+		column = block->code[groups[i]] != CODE_NONE ? block->code_column[groups[i]] : column;
+	for (const char *letter = "TD"; *letter; letter++)
+		column = sinumerik_block_has(block, *letter) ? block->column[*letter - 'A'] : column;
+	if (block->code[SINUMERIK_CUTTER] != CODE_NONE && block->code[SINUMERIK_CUTTER] != G40)
+		column = block->code_column[SINUMERIK_CUTTER];
+	return column == 0 || fault(&interp->at, column,
+				    "the contour of CYCLE72 has moves of G0, G1, G2 and G3 in its plane, and nothing else "
+				    "that acts on them");
+}
+
+bool sinumerik_contour_take(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
+{
+	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const double over = (contour->safe - contour->bottom) / 2;
+	/* A rounding lies between the two blocks, no farther from either than its radius; so does a chamfer. */
+	const double rounded = interp->block.corner ? interp->block.corner_value * interp->state.scale : 0;
+	const double aside = contour->beside + fmax(rounded, contour->rounded);
+
+	interp->block.corner = '\0';
+	contour->rounded = rounded;
+	if (!check_move(interp, target, circle))
+		return false;
+	if (!contour->begun)
+		return !circle ? approach(interp, target)
+			       : fault(&interp->at, interp->block.g_column[G_MOTION],
+				       "the contour of CYCLE72 begins with a circle: its first point is not known");
+	return circle ? go_round(interp, target, circle, aside, over)
+		      : go(interp, target, middle(contour), aside, over, contour->feed);
+}
+
+/* ---------------------------------------------------------------------- end */
+
+bool sinumerik_contour_waits(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_contour *contour = &sinumerik->contour;
+
+	return contour->on && sinumerik->depth == contour->depth && interp->program.source == contour->line.source &&
+	       interp->at.line == contour->line.line;
+}
+
+/* Between passes the tool goes back to the start, or the next one goes the other way round: it may end at either. */
+bool sinumerik_contour_end(struct interp *interp)
+{
+	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const slot_values end = *sinumerik_frame_place(interp), start = contour->start;
+	const double low = contour->stays_low ? contour->bottom : contour->safe;
+	double half[SLOT_Z + 1] = {contour->ends, contour->ends, contour->ends};
+	slot_values between = end;
+
+	contour->on = false;
+	interp->moves = 0;
+	if (!contour->begun)
+		return fault(&interp->at, contour->column, "the contour %s has no moves", contour->name.bytes);
+	half[across(contour)] = 0;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (slot == (int)across(contour))
+			continue;
+		between.v[slot] = (start.v[slot] + end.v[slot]) / 2;
+		half[slot] += fabs(start.v[slot] - end.v[slot]) / 2;
+	}
+	if (!go(interp, &end, contour->bottom, contour->ends, 0, contour->feed) ||
+	    !go(interp, &end, contour->clear, contour->ends, 0, 0) ||
+	    !go(interp, &start, (low + contour->clear) / 2, contour->ends, (contour->clear - low) / 2, 0) ||
+	    !go(interp, &between, contour->clear, contour->ends, (contour->clear - low) / 2, 0))
+		return false;
+	sinumerik_open_place_set(interp, half);
+	interp->state.feed_linear = contour->feed_before;
+	return sinumerik_save_restore(interp, &contour->before, contour->column);
+}
