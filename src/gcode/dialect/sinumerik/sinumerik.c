@@ -118,6 +118,8 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
 		/* A subprogram that is started by itself ends with it. */
 		if (!sinumerik_call_is_inside(interp)) {
+			if (sinumerik_contour_is_read(interp))
+				return fault(lexer->at, column, "the program ends in the contour of CYCLE72");
 			interp->ended = true;
 			return sinumerik_comp_stop(interp, column, true) && motion_commands_spindle_stops(interp);
 		}

@@ -271,23 +271,52 @@ static bool check_move(struct interp *interp, const slot_values *target, const s
 	return true;
 }
 
-bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
+/* The column of a word that does not belong into a contour, or 0. */
+static int foreign_word(const struct sinumerik_block *block)
 {
 	static const enum sinumerik_group groups[] = {SINUMERIK_SUPPRESSION, SINUMERIK_ONCE, SINUMERIK_TRANSFORM,
 						      SINUMERIK_SYSTEM, SINUMERIK_FRAME, SINUMERIK_TOOL_FRAME};
-	int column = block->call[0] ? block->call_column : block->modal ? block->modal_column : 0;
+
+	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
+		if (block->code[groups[i]] != CODE_NONE)
+			return block->code_column[groups[i]];
+	}
+	for (const char *letter = "TD"; *letter; letter++) {
+		if (sinumerik_block_has(block, *letter))
+			return block->column[*letter - 'A'];
+	}
+	if (block->code[SINUMERIK_CUTTER] != CODE_NONE && block->code[SINUMERIK_CUTTER] != G40)
+		return block->code_column[SINUMERIK_CUTTER];
+	return block->call[0] ? block->call_column : block->modal ? block->modal_column : 0;
+}
+
+bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int column = foreign_word(block);
 
 	if (!sinumerik_contour_is_read(interp))
 		return true;
-	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++)
-		column = block->code[groups[i]] != CODE_NONE ? block->code_column[groups[i]] : column;
-	for (const char *letter = "TD"; *letter; letter++)
-		column = sinumerik_block_has(block, *letter) ? block->column[*letter - 'A'] : column;
-	if (block->code[SINUMERIK_CUTTER] != CODE_NONE && block->code[SINUMERIK_CUTTER] != G40)
-		column = block->code_column[SINUMERIK_CUTTER];
+	if (!sinumerik_contour_check_inside(interp, 1))
+		return false;
+	for (int i = 0; i < block->m_count; i++) {
+		/* Of a subprogram they are the end; a part between labels ends with its label. */
+		if ((block->m[i] == 2 || block->m[i] == 17 || block->m[i] == 30) &&
+		    sinumerik->calls[sinumerik->depth - 1].last_line)
+			return fault(&interp->at, block->m_column[i], "the program ends in the contour of CYCLE72");
+	}
 	return column == 0 || fault(&interp->at, column,
 				    "the contour of CYCLE72 has moves of G0, G1, G2 and G3 in its plane, and nothing else "
 				    "that acts on them");
+}
+
+bool sinumerik_contour_check_inside(struct interp *interp, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	return !sinumerik->contour.on || sinumerik->depth > sinumerik->contour.depth ||
+	       fault(&interp->at, column, "a jump or RET leaves the contour of the CYCLE72 in line %ld",
+		     sinumerik->contour.line.line);
 }
 
 bool sinumerik_contour_take(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
