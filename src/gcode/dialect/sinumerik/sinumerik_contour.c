@@ -293,12 +293,13 @@ static int foreign_word(const struct sinumerik_block *block)
 bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int column = foreign_word(block);
+	int column;
 
 	if (!sinumerik_contour_is_read(interp))
 		return true;
 	if (!sinumerik_contour_check_inside(interp, 1))
 		return false;
+	column = foreign_word(block);
 	for (int i = 0; i < block->m_count; i++) {
 		/* Of a subprogram they are the end; a part between labels ends with its label. */
 		if ((block->m[i] == 2 || block->m[i] == 17 || block->m[i] == 30) &&
