@@ -118,6 +118,13 @@ static const struct klartext_program approaches[] = {
 	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+3 RL F100\n" CONTOUR "DEP CT CCA90 R+3\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -8 -3 0 0 0\narc -5 0 0 0 0 centre -8 0 0 normal 0 0 1 sweep 90\n" ROUND
 	 "arc 53 58 0 0 0 centre 50 58 0 normal 0 0 1 sweep 90\nrapid 90 90 0 0 0\n"},
+	/* A whole circle stays one, though the arc of APPR meets it tangentially with a tool of 2.495 mm. */
+	{"TOOL CALL 1 Z DR-2.505\nCC X+50 Y+50\nL X-40 Y+50 FMAX\nAPPR LCT X+0 Y+50 R5 RL F100\nC X+0 DR-\n"
+	 "DEP LCT X-40 Y+50 R5\n",
+	 "tool 1\nrapid -40 50 0 0 0\nrapid -8.26411244 45.0595075 0 0 0\n"
+	 "arc -2.495 49.9999999 0 0 0 centre -7.495 50 0 normal 0 0 1 sweep 98.8485093\n"
+	 "arc -2.495 50 0 0 0 centre 50 50 0 normal 0 0 1 sweep -360\n"
+	 "arc -8.26411244 54.9404925 0 0 0 centre -7.495 50 0 normal 0 0 1 sweep 98.8485109\nfeed -40 50 0 0 0\n"},
 	/* A move along one axis behind DEP starts from where the tool's centre stands. */
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL Z+20 R0 FMAX\nL IX+5 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND

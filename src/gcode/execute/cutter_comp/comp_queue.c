@@ -5,6 +5,7 @@
 
 #include "base/math/math_functions.h"
 #include "base/mem.h"
+#include "base/units.h"
 #include "geom/tolerance.h"
 
 /* The most blocks between two moves in the plane. LinuxCNC has no limit, but no program needs so many. */
@@ -30,11 +31,20 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item)
 	return true;
 }
 
+/*
+ * Radians: up to this angle the ends of a compensated whole circle are one point. Where it meets another path
+ * tangentially, the point common to both is known only to the square root of the rounding.
+ */
+#define WHOLE_CIRCLE 1e-4
+
 static double sweep_to(const struct comp_queue *queue, const struct comp_item *item, struct plane_point end)
 {
 	double radius = math_hypot(queue->start.a - item->centre.a, queue->start.b - item->centre.b);
 
-	return arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns, SAME_POINT / radius);
+	const bool whole = item->programmed_sweep > 2 * PI * item->turns - SAME_POINT / radius;
+
+	return arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns,
+			 whole ? WHOLE_CIRCLE : SAME_POINT / radius);
 }
 
 enum comp_end comp_queue_end_at(struct comp_queue *queue, struct plane_point end, double slack,
