@@ -34,12 +34,31 @@ static double box_distance2(const struct bvh_node *node, int lane, vec3 off)
 	return x * x + y * y + z * z;
 }
 
-/* Nearest child first; as deep as the tree. */
-static double search(const struct bvh *bvh, const struct bvh_node *node, vec3 point, double best)
+struct search {
+	const struct bvh *bvh;
+	vec3 point;
+	double best;	/* the square of the distance of the nearest triangle so far */
+	uint32_t triangle;
+	long visits;	/* boxes looked at */
+};
+
+static void try_triangle(struct search *search, uint32_t triangle)
 {
-	vec3 off = vec3_sub(point, bvh->origin);
+	double distance = triangle_distance2(search->point, &search->bvh->mesh.triangles[triangle]);
+
+	if (!(distance < search->best))
+		return;
+	search->best = distance;
+	search->triangle = triangle;
+}
+
+/* Nearest child first; as deep as the tree. */
+static void try_node(struct search *search, const struct bvh_node *node)
+{
+	vec3 off = vec3_sub(search->point, search->bvh->origin);
 	double least[BVH_WIDTH];
 
+	search->visits += node->used;
 	for (int lane = 0; lane < node->used; lane++)
 		least[lane] = box_distance2(node, lane, off);
 	for (int turn = 0; turn < node->used; turn++) {
@@ -49,18 +68,34 @@ static double search(const struct bvh *bvh, const struct bvh_node *node, vec3 po
 			if (least[lane] < least[nearest])
 				nearest = lane;
 		}
-		if (!(least[nearest] < best))
+		if (!(least[nearest] < search->best))
 			break;
 		least[nearest] = INFINITY;
-		for (size_t i = 0; i < node->count[nearest]; i++)
-			best = fmin(best, triangle_distance2(point, &bvh->mesh.triangles[node->first[nearest] + i]));
+		for (uint32_t i = 0; i < node->count[nearest]; i++)
+			try_triangle(search, node->first[nearest] + i);
 		if (!node->count[nearest])
-			best = search(bvh, &bvh->nodes[node->first[nearest]], point, best);
+			try_node(search, &search->bvh->nodes[node->first[nearest]]);
 	}
-	return best;
 }
 
 double mesh_point_distance(const struct bvh *bvh, vec3 point)
 {
-	return sqrt(search(bvh, &bvh->nodes[0], point, INFINITY));
+	struct search search = {.bvh = bvh, .point = point, .best = INFINITY};
+
+	try_node(&search, &bvh->nodes[0]);
+	return sqrt(search.best);
+}
+
+bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, struct nearest_triangle *nearest,
+			   long *visits)
+{
+	const double limit = within * within;
+	struct search search = {.bvh = bvh, .point = point, .best = limit};
+
+	try_node(&search, &bvh->nodes[0]);
+	*visits += search.visits;
+	if (!(search.best < limit))
+		return false;
+	*nearest = (struct nearest_triangle){sqrt(search.best), search.triangle};
+	return true;
 }

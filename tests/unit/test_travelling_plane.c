@@ -325,6 +325,46 @@ START_TEST(motion_across_the_normal_is_free)
 }
 END_TEST
 
+/* A plane is measured again along the normal that its link has taken along. */
+START_TEST(normal_goes_with_its_link)
+{
+	const struct chain chain = {
+		.count = 3,
+		.joints = {{SLOT_C, true, {0, 0, 1}, {7, 0, 0}},
+			   {SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
+			   {SLOT_A, true, {1, 0, 0}, {0, 0, 0}}}};
+	/* C turns by 30 degrees, A by 90: of the links behind none, C, X and A. */
+	const vec3 expected[] = {{0, 1, 0}, {-0.5, sqrt(0.75), 0}, {-0.5, sqrt(0.75), 0}, {0, 0, 1}};
+	const struct leaf root = {0, 0};
+	xform places[2] = {xform_identity(), xform_identity()};
+	struct mesh meshes[2] = {{0}, {0}};
+	axis_values at = {{0}}, turned = {{0}};
+	struct travelling_plane plane;
+	struct plane_pose pose;
+	struct convex a, b;
+	struct duo duo;
+	long visits = 0;
+
+	solid_box(&meshes[0], (vec3){50, 40, 10});
+	solid_box(&meshes[1], (vec3){5, 5, 10});
+	duo_init(&duo, &chain, &meshes[0], &meshes[1], &places[0], &places[1]);
+	turned.v[SLOT_C] = PI / 6;
+	turned.v[SLOT_A] = PI / 2;
+	for (size_t link = 0; link < 4; link++) {
+		vec3 n;
+
+		plane_pose_init(&pose, &duo.pair, &at);
+		a = convex_of_mesh(duo.a, root, &places[0]);
+		b = convex_of_mesh(duo.b, root, &places[1]);
+		travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 1, 0}, link, 1, &visits);
+		plane_pose_init(&pose, &duo.pair, &turned);
+		n = travelling_plane_normal(&plane, &pose);
+		ck_assert_double_lt(vec3_norm(vec3_sub(n, expected[link])), 1e-12);
+	}
+	duo_release(&duo);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("travelling_plane");
@@ -336,6 +376,7 @@ int main(void)
 	tcase_add_test(tcase, what_cells_cover_is_apart);
 	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
+	tcase_add_test(tcase, normal_goes_with_its_link);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(check, CK_NORMAL);
 	failed = srunner_ntests_failed(check);

@@ -8,7 +8,13 @@
 /* So much credit is kept at most; more would be spent where planes are of use no longer. */
 #define CREDIT_MAX 1e5
 
-/* Node pairs: the least that a first search costs. */
+/*
+ * A node that a search looks at takes this share of the time of a node pair of a sweep or a distance query. Measured: 80
+ * to 95 instructions against 600 to 760.
+ */
+#define SEARCH_WEIGHT 0.125
+
+/* Nodes: the least that a first search costs. */
 #define FIRST_PRICE 2000
 
 /* After searches in vain at most so many chunks are left out. */
@@ -16,7 +22,7 @@ enum { CHUNK_BACKOFF_MAX = 64 };
 
 void plane_account_init(struct plane_account *account, size_t triangles)
 {
-	*account = (struct plane_account){.search_price = FIRST_PRICE + (double)triangles};
+	*account = (struct plane_account){.search_price = SEARCH_WEIGHT * (FIRST_PRICE + (double)triangles)};
 }
 
 bool plane_account_allows(const struct plane_account *account)
@@ -57,8 +63,10 @@ void plane_account_add_saved(struct plane_account *account, size_t steps)
 
 void plane_account_add_search(struct plane_account *account, long visits)
 {
-	account->credit -= (double)visits;
-	account->search_price += LAST_SHARE * ((double)visits - account->search_price);
+	const double price = SEARCH_WEIGHT * (double)visits;
+
+	account->credit -= price;
+	account->search_price += LAST_SHARE * (price - account->search_price);
 }
 
 void plane_account_add_chunk(struct plane_account *account, bool proved)

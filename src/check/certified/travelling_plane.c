@@ -8,16 +8,32 @@
 
 void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q)
 {
+	const struct chain *chain = bodies->chain;
 	double turned = 0;
 
 	pose->bodies = bodies;
 	pose->q = *q;
-	chain_state_init(&pose->state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
-	/* As in body_pair_rounding. */
-	for (size_t i = 0; i < bodies->chain->count; i++)
-		turned += bodies->chain->joints[i].rotary ? fabs(q->v[bodies->chain->joints[i].slot]) : 0;
+	chain_state_init(&pose->state, chain, q, &bodies->ball_a, &bodies->ball_b);
+	pose->turned[0] = mat3_identity();
+	for (size_t i = 0; i < chain->count; i++) {
+		const struct joint *joint = &chain->joints[i];
+
+		pose->turned[i + 1] = pose->turned[i];
+		if (joint->rotary) {
+			mat3 turn = mat3_turn(joint->direction, q->v[joint->slot]);
+
+			pose->turned[i + 1] = mat3_mul(&pose->turned[i], &turn);
+		}
+		/* As in body_pair_rounding. */
+		turned += joint->rotary ? fabs(q->v[joint->slot]) : 0;
+	}
 	pose->slack = POSE_ROUNDING * (1 + turned / 64);
 	pose->rounding = body_pair_rounding(bodies, q, body_pair_pose(bodies, q).translation);
+}
+
+vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct plane_pose *pose)
+{
+	return vec3_unit(mat3_apply(&pose->turned[plane->link], plane->normal));
 }
 
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
@@ -50,6 +66,7 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 
 	plane->gap = gap;
 	plane->link = link;
+	plane->normal = mat3_apply_transposed(&pose->turned[link], n);
 	for (size_t i = 0; i < chain->count; i++) {
 		const struct convex *part = i < link ? a : b;
 		bool next = part == a ? i == 0 : i + 1 == chain->count;

@@ -45,6 +45,7 @@ struct travelling_plane {
 	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or dropped out */
 	double lever[SLOT_COUNT];	/* mm; 0: linear, or dropped out */
 	size_t link;	/* k */
+	vec3 normal;	/* in the coordinates of link k: where to begin when the plane is measured again */
 };
 
 /* Where planes are measured. */
@@ -54,6 +55,7 @@ struct plane_pose {
 	struct chain_state state;
 	double rounding;	/* mm: of a gap or a lever at q, meshes included */
 	double slack;	/* of a product of unit vectors at q */
+	mat3 turned[SLOT_COUNT + 1];	/* of each link k: its coordinates -> those of A's link, directions only */
 };
 
 void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q);
@@ -64,6 +66,9 @@ void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, co
  */
 void travelling_plane_init(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *a,
 			   const struct convex *b, vec3 n, size_t link, double gap, long *visits);
+
+/* The unit normal of a plane that was measured elsewhere, as its link stands at the pose. */
+vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct plane_pose *pose);
 
 /* mm: the gap along n at the pose, rounding taken off. */
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,

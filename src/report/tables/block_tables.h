@@ -13,7 +13,10 @@
 /* All zero is none. */
 struct block_tables {
 	struct output clearance, timing;
-	struct strbuf row;
+	struct strbuf row, place, cap_text;	/* of the present row, block and cap */
+	double cap;	/* mm */
+	struct strbuf *names;	/* owned: of each pair of the scene, the fields with its bodies' names; NULL: none yet */
+	size_t name_count;
 };
 
 /*

@@ -1,0 +1,18 @@
+/* near_pair.h - two triangles that are near each other: they show how far apart two bodies are at most. */
+#ifndef FIVECHECK_SCENE_NEAR_PAIR_H
+#define FIVECHECK_SCENE_NEAR_PAIR_H
+
+#include "scene/motion_interval.h"
+
+/* mm: the two triangles that the pair remembers (struct coherence) are this close at the axis positions q. */
+double near_pair_distance(const struct body_pair *pair, const axis_values *q);
+
+/*
+ * The same after a search for nearer triangles, which are remembered: the one that is nearest to the point where the
+ * other is nearest to the first, on either side in turn. The search ends where two are within `enough` mm, or where it
+ * finds none nearer. Then others may still be nearer, but between convex surfaces the nearest are found at little cost.
+ * Adds the boxes that it looks at to *visits.
+ */
+double near_pair_improve(const struct body_pair *pair, const axis_values *q, double enough, long *visits);
+
+#endif

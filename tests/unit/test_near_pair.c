@@ -1,0 +1,115 @@
+/* test_near_pair.c - the nearest triangle to a point, and two triangles near each other, against all triangles. */
+#include "scene/near_pair.h"
+
+#include <stdlib.h>
+
+#include "geom/point_distance.h"
+#include "scene/coherence.h"
+#include "solids.h"
+
+static double to_triangle(const struct bvh *bvh, size_t i, vec3 point)
+{
+	tri t = tri_of(&bvh->mesh, i), at = {{point, point, point}};
+
+	return true_distance(&t, &at);
+}
+
+START_TEST(nearest_to_a_point)
+{
+	const long cases = random_cases(300);
+	long found = 0;
+
+	for (long n = 0; n < cases; n++) {
+		struct random random = random_case(1, n);
+		struct mesh mesh = random_solid(&random, 20);
+		struct bvh *bvh = bvh_new(&mesh);
+		const vec3 point = random_place(&random, 60).translation;
+		const double within = random_size(&random, 1, 200);
+		struct nearest_triangle nearest = {-1, 0};
+		double least = INFINITY;
+		long visits = 0;
+
+		for (size_t i = 0; i < bvh->mesh.count; i++)
+			least = fmin(least, to_triangle(bvh, i, point));
+		if (mesh_nearest_triangle(bvh, point, within, &nearest, &visits)) {
+			found++;
+			require(fabs(nearest.distance - least) < 1e-9, "case %ld: %.12g mm, not %.12g", n,
+				nearest.distance, least);
+			require(fabs(to_triangle(bvh, nearest.triangle, point) - least) < 1e-9,
+				"case %ld: another triangle", n);
+		} else {
+			require(least > within - 1e-9, "case %ld: %g mm are within %g", n, least, within);
+		}
+		require(visits > 0, "case %ld: no visits", n);
+		bvh_free(bvh);
+	}
+	require(found > cases / 10 && found < cases, "%ld found", found);
+}
+END_TEST
+
+/* A body that stands still and another that moves in x, y and z beside it. */
+static void duo_beside(struct duo *duo, struct random *random)
+{
+	const struct chain chain = {.count = 3, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
+							   {SLOT_Y, false, {0, 1, 0}, {0, 0, 0}},
+							   {SLOT_Z, false, {0, 0, 1}, {0, 0, 0}}}};
+	struct mesh a = random_solid(random, 20), b = random_solid(random, 20);
+	const xform place_a = random_place(random, 0), place_b = random_place(random, 0);
+
+	duo_init(duo, &chain, &a, &b, &place_a, &place_b);
+}
+
+/*
+ * Never nearer than the bodies are; as near as the two triangles that are remembered; not farther than before. All of
+ * the solids are convex, so that nearly the nearest two are found.
+ */
+START_TEST(near_each_other)
+{
+	const long cases = random_cases(300);
+	long improved = 0;
+
+	for (long n = 0; n < cases; n++) {
+		struct random random = random_case(2, n);
+		struct coherence coherence = {0};
+		struct duo duo;
+		long visits = 0;
+
+		duo_beside(&duo, &random);
+		duo.pair.coherence = &coherence;
+		for (int i = 0; i < 4; i++) {
+			const axis_values q = {{random_in(&random, -60, 60), random_in(&random, -60, 60),
+						random_in(&random, 20, 60)}};
+			const xform pose = duo_pose(&duo, &q, &q, 0, NULL);
+			const double truth = brute_distance(duo.a, duo.b, &pose, 1e9);
+			const double before = near_pair_distance(&duo.pair, &q);
+			const double enough = i % 2 ? 1.5 * truth : 0;
+			const double after = near_pair_improve(&duo.pair, &q, enough, &visits);
+
+			require(after >= truth - 1e-9, "case %ld: %.12g mm, but they are %.12g apart", n, after, truth);
+			require(after <= before + 1e-9, "case %ld: %g mm after %g", n, after, before);
+			require(fabs(near_pair_distance(&duo.pair, &q) - after) < 1e-9, "case %ld: forgotten", n);
+			require(after <= fmax(enough, 1.5 * truth + 1e-3), "case %ld: %g mm, not %g", n, after, truth);
+			improved += after < 0.9 * before;
+		}
+		require(visits > 0, "case %ld: no visits", n);
+		duo_release(&duo);
+	}
+	require(improved > cases / 2, "only %ld improved", improved);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("near_pair");
+	TCase *tcase = tcase_create("near_pair");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_add_test(tcase, nearest_to_a_point);
+	tcase_add_test(tcase, near_each_other);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
