@@ -28,7 +28,7 @@
 #define QUERIES_MAX 60
 
 /*
- * How often a step is halved until planes last for a part of it. Measured: with 4 a 15th of the sweeps are left that are
+ * How often a step is halved until planes last for a part of it. Measured: with 4 an eighth to a 16th of the sweeps are left that are
  * needed without; then most of those are left where planes do not help at all.
  */
 #define HALVINGS 4
