@@ -13,6 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bench import PHONE, TESTS, WEAK_TEXT, same, test, true  # noqa: E402
 from driver import Browser  # noqa: E402
 from page_bench import VERDICTS, WORDS, Bench, Site  # noqa: E402
+import figures_page  # noqa: E402, F401
 import hostile_page  # noqa: E402, F401
 
 

@@ -105,6 +105,10 @@ class Browser:
             if "method" in answer:
                 self.events.append(answer)
 
+    def processor_time(self):
+        """Seconds of all processes of the browser, the graphics in software among them: less than a clock's, it depends on other programs."""
+        return sum(process["cpuTime"] for process in self.call("SystemInfo.getProcessInfo")["processInfo"])
+
     def page(self, **options):
         return Page(self, **options)
 

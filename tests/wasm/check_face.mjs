@@ -1,12 +1,12 @@
-// check_face.mjs WASM - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
+// check_face.mjs WASM VIEWER - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import {Fivecheck, STATUS} from '../../src/web/app/fivecheck.js';
+import {Fivecheck, OtherModule, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
 import {isIso} from '../../src/web/app/modules.js';
 import {addFromDisk} from './disk.mjs';
 
-const wasm = fs.readFileSync(process.argv[2]), fivecheck = await Fivecheck.load(wasm);
+const wasm = fs.readFileSync(process.argv[2]), viewer = fs.readFileSync(process.argv[3], 'utf8'), fivecheck = await Fivecheck.load(wasm, viewer);
 const tests = {};
 
 function exampleJob(program, more = {}) {
@@ -30,6 +30,10 @@ tests['a collision is an event, a text and a report'] = () => {
 	const report = new TextDecoder().decode(result.reports.get(job.programs[0]));
 	assert.match(report, /^<!doctype html>/i);
 	assert.ok(parts.length > 0 && parts.every((part, i) => part > 0 && part <= 1 && (i === 0 || part > parts[i - 1])));
+};
+
+tests['a report needs the script of the viewer'] = () => {
+	assert.throws(() => new Fivecheck(fivecheck.module).check(exampleJob('collision', {report: true})), OtherModule);
 };
 
 tests['a clear program has status 0, and the same job can be run again'] = () => {
@@ -105,8 +109,9 @@ tests['a long program is read in slices'] = () => {
 	assert.ok(most <= 1 << 20);
 };
 
-/** What measures time is left out. */
-function untimed(result) {
+/** What measures time and memory is left out. */
+function untimed({memory, ...result}) {
+	assert.ok(memory >= 1 << 20);
 	return {...result, text: result.text.replace(/^[0-9]+ blocks?.*; time .*$/gm, 'TIME')};
 }
 

@@ -12,8 +12,9 @@ import {Files} from '../../src/web/app/files.js';
 import {addFromDisk} from './disk.mjs';
 
 const [program, folder, jobs] = process.argv.slice(2), native = path.resolve(program);
-const all = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck.wasm`));
-const iso = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck-iso.wasm`), fs.readFileSync(`${folder}/viewer.js`, 'utf8'));
+const viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
+const all = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck.wasm`), viewer);
+const iso = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck-iso.wasm`), viewer);
 let runs = 0, failed = 0;
 
 /** Times differ from run to run: the line of statistics, and the attribute of JUnit. */

@@ -1,7 +1,7 @@
 /* dialects.c - in place of src/gcode/dialect/dialects.c: some controls are not linked in (src/wasi/Makefile). */
 #include "gcode/dialect/dialects.h"
 
-#include "wasi/iso/other_module.h"
+#include "wasi/other_module.h"
 
 /* The address of one that is not there is NULL. */
 #define WEAK_DIALECT(id, ...) extern const struct dialect dialect_##id __attribute__((weak));

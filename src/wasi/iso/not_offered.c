@@ -8,7 +8,7 @@
 #include "report/glb/glb.h"
 #include "report/picture/axis_picture.h"
 #include "report/writers/writers.h"
-#include "wasi/iso/other_module.h"
+#include "wasi/other_module.h"
 
 static void begin(struct strbuf *out, const struct report_run *run)
 {

@@ -9,7 +9,7 @@
 import {Files, FileNode} from './files.js';
 import {Wasi} from './wasi.js';
 
-/** Exit statuses. The last is that of the smaller module alone. */
+/** Exit statuses. The last is that of modules alone: something is not in them. */
 export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, OTHER_MODULE: 4};
 
 /**
@@ -34,16 +34,17 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, OTHER_MOD
  * @property {Record<string, any>[]} events all lines of NDJSON
  * @property {string} messages
  * @property {Map<string, Uint8Array>} reports by the path of the program
+ * @property {number} memory bytes that the checker took at most; files that were read or written are not among them
  */
 
 const RESULTS = '/tmp/fivecheck';
-/** Where the smaller module looks for the script of reports (src/wasi/iso/viewer.c). */
+/** Where the checker looks for the script of reports (src/wasi/viewer.c). */
 const VIEWER = `${RESULTS}/viewer.js`;
 
-/** The smaller module, fivecheck-iso.wasm, was asked for what only fivecheck.wasm has. */
+/** The smaller module, fivecheck-iso.wasm, was asked for what only fivecheck.wasm has, or a report lacks viewer.js. */
 export class OtherModule extends Error {
 	constructor() {
-		super('fivecheck-iso.wasm cannot do this: load fivecheck.wasm');
+		super('the module lacks this: load fivecheck.wasm, and for a report give the text of viewer.js');
 	}
 }
 
@@ -80,7 +81,7 @@ export class Fivecheck {
 
 	/**
 	 * @param {string | URL | BufferSource | WebAssembly.Module} source of fivecheck.wasm: where it is, its bytes, or compiled
-	 * @param {string} [viewer] the text of viewer.js, which reports of fivecheck-iso.wasm need; fivecheck.wasm has its own
+	 * @param {string} [viewer] the text of viewer.js, which reports need
 	 */
 	static async load(source, viewer) {
 		if (source instanceof WebAssembly.Module)
@@ -96,7 +97,7 @@ export class Fivecheck {
 	 * @param {Files} files
 	 * @param {{input?: Uint8Array, environment?: Record<string, string>, onOutput?: (fd: 1 | 2, bytes: Uint8Array) => void,
 	 *	onRead?: (node: FileNode, offset: number) => void}} [more]
-	 * @returns {{status: number, out: string, err: string}} what it printed is there unless `onOutput` was given
+	 * @returns {{status: number, out: string, err: string, memory: number}} what it printed is there unless `onOutput` was given
 	 */
 	run(args, files, more = {}) {
 		const decoders = [new TextDecoder(), new TextDecoder()], texts = ['', ''];
@@ -108,7 +109,7 @@ export class Fivecheck {
 			files.add(VIEWER, this.viewer);
 		const wasi = new Wasi({args: ['fivecheck', ...args], files, onOutput: keep, ...more});
 		const status = statusOf(wasi.run(this.module));
-		return {status, out: texts[0], err: texts[1]};
+		return {status, out: texts[0], err: texts[1], memory: wasi.memory.buffer.byteLength};
 	}
 
 	/**
@@ -117,7 +118,9 @@ export class Fivecheck {
 	 * @returns {Result}
 	 */
 	check(job) {
-		return collect(job, (more) => this.run(argumentsOf(job), job.files, more).status);
+		if (job.report && !this.viewer)
+			throw new OtherModule();
+		return collect(job, (more) => this.run(argumentsOf(job), job.files, more));
 	}
 
 	/**
@@ -144,7 +147,7 @@ export class Fivecheck {
 /**
  * Runs a job and collects what it prints.
  * @param {Job} job
- * @param {(host: {onOutput: (fd: 1 | 2, bytes: Uint8Array) => void, onRead?: (node: FileNode, offset: number) => void}) => number} run
+ * @param {(host: {onOutput: (fd: 1 | 2, bytes: Uint8Array) => void, onRead?: (node: FileNode, offset: number) => void}) => {status: number, memory: number}} run
  * @returns {Result}
  */
 function collect(job, run) {
@@ -161,9 +164,9 @@ function collect(job, run) {
 		job.onMessage?.(line);
 	});
 	job.files.folder(RESULTS);
-	const status = run({onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes), onRead: progressOf(job)});
+	const {status, memory} = run({onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes), onRead: progressOf(job)});
 	err.add(new TextEncoder().encode('\n'));
-	return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job)};
+	return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job), memory};
 }
 
 /** @param {Job} job */
@@ -223,7 +226,7 @@ export class Session {
 	 */
 	check(job) {
 		const all = {...job, files: this.files};
-		return collect(all, (more) => this.call('session_check', argumentsOf(all), more));
+		return collect(all, (more) => ({status: this.call('session_check', argumentsOf(all), more), memory: this.wasi.memory.buffer.byteLength}));
 	}
 
 	/**

@@ -18,6 +18,8 @@ class Page {
 		this.running = 0;
 		/** @type {Map<string, Blob>} by the path of the program */
 		this.reports = new Map();
+		/** @type {Map<string, number>} bytes that the check of a program took */
+		this.memory = new Map();
 		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, (xml) => this.useMachine(xml));
 		byId('check').addEventListener('click', () => this.check());
 		byId('cancel').addEventListener('click', () => this.client.cancel());
@@ -131,6 +133,7 @@ class Page {
 				const checked = await this.client.check({files, machine, setup, programs: [path], options, report: true}, result);
 				const report = checked.reports.get(path), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});
 				result.show(checked, blob);
+				this.memory.set(path, checked.memory);
 				if (blob)
 					this.reports.set(path, blob);
 			} catch (error) {

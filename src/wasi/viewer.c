@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "report/html/viewer_files.h"
-#include "wasi/iso/other_module.h"
+#include "wasi/other_module.h"
 
 #define SCRIPT "/tmp/fivecheck/viewer.js"
 
