@@ -27,16 +27,6 @@ static double area_of(vec3 a, vec3 b, vec3 c)
 	return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-static void draw_pixel(struct raster *raster, int x, int y, float depth, uint8_t paint)
-{
-	const size_t i = (size_t)y * (size_t)raster->width + (size_t)x;
-
-	if (depth <= raster->depths[i])
-		return;
-	raster->depths[i] = depth;
-	raster->paints[i] = paint;
-}
-
 static double least_of(double a, double b, double c)
 {
 	const double ab = a < b ? a : b;
@@ -104,9 +94,33 @@ static struct share share_of(vec3 p, vec3 q, double inverse_area, int x, int y, 
 	return (struct share){area_of(p, q, (vec3){x + 0.5, y + 0.5, 0}) * inverse_area, step, -1 / step};
 }
 
+static bool is_inside(const struct share *a, const struct share *b, int x)
+{
+	const double of_a = a->at + x * a->step, of_b = b->at + x * b->step;
+
+	return of_a >= 0 && of_b >= 0 && 1 - of_a - of_b >= 0;
+}
+
+/* Paints the pixels *from to *to - 1 of a row where nothing nearer is; depths change by `step` from one to the next. */
+static void draw_row(struct raster *raster, int y, int from, int to, double at, double step, uint8_t paint)
+{
+	float *depths = raster->depths + (size_t)y * (size_t)raster->width;
+	uint8_t *paints = raster->paints + (size_t)y * (size_t)raster->width;
+
+	for (int x = from; x < to; x++) {
+		const float depth = (float)(at + x * step);
+
+		if (depth > depths[x]) {
+			depths[x] = depth;
+			paints[x] = paint;
+		}
+	}
+}
+
 void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
+	const double a_depth = p[0].z - p[2].z, b_depth = p[1].z - p[2].z;
 	int columns[2], rows[2];
 	double a_down, b_down;
 	struct share a, b, c;
@@ -124,12 +138,12 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 		narrow(&a, &from, &to);
 		narrow(&b, &from, &to);
 		narrow(&c, &from, &to);
-		for (int x = from; x < to; x++) {
-			const double of_a = a.at + x * a.step, of_b = b.at + x * b.step, of_c = 1 - of_a - of_b;
-
-			if (of_a >= 0 && of_b >= 0 && of_c >= 0)
-				draw_pixel(raster, x, y, (float)(of_a * p[0].z + of_b * p[1].z + of_c * p[2].z), paint);
-		}
+		while (from < to && !is_inside(&a, &b, from))
+			from++;
+		while (from < to && !is_inside(&a, &b, to - 1))
+			to--;
+		draw_row(raster, y, from, to, p[2].z + a.at * a_depth + b.at * b_depth,
+			 a.step * a_depth + b.step * b_depth, paint);
 		a.at += a_down;
 		b.at += b_down;
 		c.at -= a_down + b_down;
