@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "check/step.h"
 #include "motion/path.h"
 
@@ -144,24 +145,55 @@ enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep 
 	return answer_of(stock_sweep_chord(sweep, &chord, (double)number, contact));
 }
 
-/* Proves a distance at q, at this time, and begins a budget with it. False: it is too small. */
-static bool start_budget(struct stock_pair *check, const axis_values *q, double time)
+/* Part of a motion that a budget has to cover, from the position `low` to `high`. */
+struct coverage {
+	axis_values low, high;
+	const struct position_errors *errors;
+};
+
+/* mm: the room that a budget which begins at the state needs for that. */
+static double room_for(struct stock_pair *check, const axis_values *q, const struct chain_state *state,
+		       const struct coverage *coverage)
+{
+	struct motion_budget budget = check->budget;
+
+	motion_budget_set(&budget, q, state, FAR);
+	return FAR - motion_budget_rest(&budget, &coverage->low, &coverage->high, coverage->errors);
+}
+
+/* Proves a distance at q, at this time, and begins a budget with it. False: it is too small for the coverage. */
+static bool start_budget(struct stock_pair *check, const axis_values *q, double time, const struct coverage *coverage)
 {
 	const struct body_pair *bodies = &check->bodies;
 	const struct placed_obstacle placed = stock_sweep_place(&check->sweep, q);
 	const double needed = check->sweep.clearance + check->sweep.least_way + check->margin +
 			      body_pair_rounding(bodies, q, placed.to_obstacle.translation);
-	const struct distance_query query = {.least = needed + check->margin, .enough = FAR, .share = 1};
-	const double room = stock_cells_distance(check->sweep.cells, &placed, time, &query) - needed;
+	struct distance_query query = {.enough = FAR, .share = 1};
 	struct chain_state state;
+	double room;
 
 	check->queries++;
 	check->asked = true;
-	if (!(room > check->margin))
-		return false;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
+	query.least = needed + larger(check->margin, room_for(check, q, &state, coverage));
+	room = stock_cells_distance(check->sweep.cells, &placed, time, &query) - needed;
+	if (!(room > query.least - needed))
+		return false;
 	motion_budget_set(&check->budget, q, &state, room);
 	return true;
+}
+
+/* The least part of a step, from s on, that a budget has to cover. */
+static struct coverage least_part(const struct motion_step *step, const struct position_errors *errors, double s)
+{
+	const double end = s + (1 - s) / (1 << (SHARE_HALVINGS - 1));
+	struct motion_step part = *step;
+	struct coverage coverage = {.errors = errors};
+
+	part.span.q0 = axis_values_between(&step->span.q0, &step->span.q1, s);
+	part.span.q1 = axis_values_between(&step->span.q0, &step->span.q1, end);
+	step_box(&part, &coverage.low, &coverage.high);
+	return coverage;
 }
 
 /* Goes on from s as far along the step as the budget covers. False: not far enough to matter. */
@@ -198,8 +230,9 @@ static bool advance(struct stock_pair *check, const struct motion_step *step, lo
 
 	while (s < 1) {
 		const axis_values q = axis_values_between(&step->span.q0, &step->span.q1, s);
+		const struct coverage coverage = least_part(step, &errors, s);
 
-		if (check->sweep.broken_off || !start_budget(check, &q, (double)number + s) ||
+		if (check->sweep.broken_off || !start_budget(check, &q, (double)number + s, &coverage) ||
 		    !go_on(check, &step->span, &errors, &s))
 			return false;
 	}
@@ -209,12 +242,12 @@ static bool advance(struct stock_pair *check, const struct motion_step *step, lo
 static bool advance_box(struct stock_pair *check, const struct motion_step *step, long number)
 {
 	const struct position_errors errors = step_errors(check->bodies.chain, step);
-	axis_values low, high;
+	struct coverage box = {.errors = &errors};
 
-	step_box(step, &low, &high);
-	return motion_budget_covers_box(&check->budget, &low, &high, &step->span.q1, &errors) ||
-	       (start_budget(check, &step->span.q0, (double)number) &&
-		motion_budget_covers_box(&check->budget, &low, &high, &step->span.q1, &errors));
+	step_box(step, &box.low, &box.high);
+	return motion_budget_covers_box(&check->budget, &box.low, &box.high, &step->span.q1, &errors) ||
+	       (start_budget(check, &step->span.q0, (double)number, &box) &&
+		motion_budget_covers_box(&check->budget, &box.low, &box.high, &step->span.q1, &errors));
 }
 
 static enum query_answer pass(struct stock_pair *check, const struct motion_step *step, long number,

@@ -137,13 +137,27 @@ uint64_t cut_log_end(const struct cut_log *log, double time)
 	return (uint64_t)(low - 1) * CUT_CHUNK + (uint64_t)cuts_before(cut_store_get(log->store, low - 1), time);
 }
 
-static bool holds(const struct cut_box *box, const struct cube *cube)
+static bool holds(const struct cut_box *box, vec3 low, vec3 high)
 {
-	const vec3 c = cube->centre;
-	const double h = cube->half;
+	return low.x >= box->low.x && high.x <= box->high.x && low.y >= box->low.y && high.y <= box->high.y &&
+	       low.z >= box->low.z && high.z <= box->high.z;
+}
 
-	return c.x - h >= box->low.x && c.x + h <= box->high.x && c.y - h >= box->low.y && c.y + h <= box->high.y &&
-	       c.z - h >= box->low.z && c.z + h <= box->high.z;
+static bool holds_cube(const struct cut_box *box, const struct cube *cube)
+{
+	const vec3 half = {cube->half, cube->half, cube->half};
+
+	return holds(box, vec3_sub(cube->centre, half), vec3_add(cube->centre, half));
+}
+
+/* The number of cuts, places of the log, below a box of this level. */
+static uint64_t places_below(int level)
+{
+	uint64_t span = CUT_CHUNK;
+
+	for (int i = 0; i < level; i++)
+		span *= CUT_FAN;
+	return span;
 }
 
 static double search_chunk(const struct cut_log *log, size_t number, const struct cube *cube, uint64_t from,
@@ -169,12 +183,10 @@ static double search_chunk(const struct cut_log *log, size_t number, const struc
 static double search_box(const struct cut_log *log, int level, size_t number, const struct cube *cube, uint64_t from,
 			 uint64_t end)
 {
-	uint64_t span = CUT_CHUNK;
+	const uint64_t span = places_below(level);
 	double found = INFINITY;
 
-	for (int i = 0; i < level; i++)
-		span *= CUT_FAN;
-	if ((number + 1) * span <= from || number * span >= end || !holds(&log->boxes[level][number], cube))
+	if ((number + 1) * span <= from || number * span >= end || !holds_cube(&log->boxes[level][number], cube))
 		return INFINITY;
 	if (level == 0)
 		return search_chunk(log, number, cube, from, end);
@@ -206,6 +218,67 @@ double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64
 	if (isinf(found))
 		*place = end;
 	return found;
+}
+
+/* A question about a part of a cell. */
+struct part_query {
+	const struct cut_log *log;
+	const struct cell_part *part;
+	double time;
+	uint64_t end;
+	size_t *chunk;
+};
+
+static bool chunk_removes(const struct part_query *query, size_t number)
+{
+	const struct cut_chunk *chunk = cut_store_get(query->log->store, number);
+	const uint64_t first = (uint64_t)number * CUT_CHUNK;
+
+	if (chunk->region)
+		return false;
+	for (int i = 0; i < chunk->count && first + (uint64_t)i < query->end; i++) {
+		const struct cut_end *a = &chunk->ends[i], *b = &chunk->ends[i + 1];
+		const struct cutter_way way = {a->place, b->place};
+		const double latest = b->time > query->time ? (query->time - a->time) / (b->time - a->time) : 1;
+
+		if (cutter_removes_part(&query->log->cutters[chunk->cutter], &way, query->part, b->error, latest)) {
+			*query->chunk = number;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Looks below a box; as deep as the levels. */
+static bool box_removes(const struct part_query *query, int level, size_t number)
+{
+	const struct cut_log *log = query->log;
+
+	if (number * places_below(level) >= query->end ||
+	    !holds(&log->boxes[level][number], query->part->low, query->part->high))
+		return false;
+	if (level == 0)
+		return chunk_removes(query, number);
+	for (size_t i = number * CUT_FAN; i < (number + 1) * CUT_FAN && i < log->box_count[level - 1]; i++)
+		if (box_removes(query, level - 1, i))
+			return true;
+	return false;
+}
+
+bool cut_log_removes_part(const struct cut_log *log, const struct cell_part *part, double time, uint64_t end,
+			  size_t *chunk)
+{
+	const struct part_query query = {log, part, time, end, chunk};
+	const int top = top_level(log);
+
+	if (!end)
+		return false;
+	if (*chunk < log->store->count && box_removes(&query, 0, *chunk))
+		return true;
+	for (size_t i = 0; i < log->box_count[top]; i++)
+		if (box_removes(&query, top, i))
+			return true;
+	return false;
 }
 
 /* A question about a ball. */

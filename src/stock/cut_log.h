@@ -67,6 +67,13 @@ uint64_t cut_log_end(const struct cut_log *log, double time);
 double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64_t *place, uint64_t end);
 
 /*
+ * Does one cut remove the whole part of a cell, at an instant that is not after `time`? `end` is cut_log_end for that
+ * time. *chunk is where to look first; it becomes the chunk with such a cut, and tells nothing but that.
+ */
+bool cut_log_removes_part(const struct cut_log *log, const struct cell_part *part, double time, uint64_t end,
+			  size_t *chunk);
+
+/*
  * May anything that begins before `time` have touched the ball? What is false here is certain: until then no cutter has
  * been at any point of the ball.
  */

@@ -215,15 +215,26 @@ static double entry_time(const struct revolved *piece, const struct cutter_way *
 	return inside;
 }
 
-/* The time at which the cutter's axis comes nearest to the point, as if the cutter did not turn. */
-static double nearest_time(const struct cutter_way *way, vec3 point)
+/* Where the cutter's axis is nearest to a point, as if the cutter did not turn. */
+struct closest {
+	double s;	/* when */
+	double distance2;	/* mm^2: of the point from the axis then */
+};
+
+static struct closest closest_of(const struct cutter_way *way, vec3 point, double latest)
 {
 	const vec3 from = vec3_sub(point, way->from.origin), to = vec3_sub(point, way->to.origin);
 	const vec3 w0 = vec3_mad(from, -vec3_dot(from, way->from.up), way->from.up);
 	const vec3 along = vec3_sub(vec3_mad(to, -vec3_dot(to, way->to.up), way->to.up), w0);
 	const double length2 = vec3_norm2(along);
+	const double s = length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), latest) : 0;
 
-	return length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
+	return (struct closest){s, vec3_norm2(vec3_mad(w0, s, along))};
+}
+
+static double nearest_time(const struct cutter_way *way, vec3 point)
+{
+	return closest_of(way, point, 1).s;
 }
 
 /* mm: how much the distance of any point from the cutter changes at most over the way. */
@@ -365,6 +376,32 @@ double cutter_removes(const struct cutter *cutter, const struct cutter_way *way,
 	for (size_t i = 0; i < cutter->piece_count; i++)
 		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth, near));
 	return cutter->piece_count > 1 ? smaller(first, whole_removes(&cutter->whole, way, cube, depth, near)) : first;
+}
+
+static bool is_part_inside(const struct revolved *piece, const struct cutter_place *place,
+			   const struct cell_part *part, double depth)
+{
+	for (int i = 0; i < part->count; i++)
+		if (point_distance(piece, place, part->points[i]) > -depth)
+			return false;
+	return true;
+}
+
+bool cutter_removes_part(const struct cutter *cutter, const struct cutter_way *way, const struct cell_part *part,
+			 double depth, double latest)
+{
+	const struct closest closest = closest_of(way, part->middle, latest);
+	const double radius = cutter->whole.radius;
+	struct cutter_place place;
+
+	/* Most cuts end here. Where the cutter turns, this leaves out little. */
+	if (closest.distance2 > radius * radius)
+		return false;
+	place = place_at(way, closest.s);
+	for (size_t i = 0; i < cutter->piece_count; i++)
+		if (is_part_inside(&cutter->pieces[i], &place, part, depth))
+			return true;
+	return false;
 }
 
 /* A part of a way, and by how much the distance of a point from the cutter changes at most over the whole way, mm. */

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "geom/vec3.h"
+#include "stock/cell_part.h"
 #include "stock/cube.h"
 #include "stock/revolved.h"
 
@@ -42,6 +43,13 @@ void cutter_way_bounds(const struct cutter *cutter, const struct cutter_way *way
  * cutter, across the seams of its pieces, by the ball around them. The answer depends on the arguments alone.
  */
 double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth);
+
+/*
+ * Does the whole part of a cell lie at least `depth` mm inside one convex piece of the cutter, at the time of its way,
+ * up to `latest`, at which the cutter's axis comes nearest to the middle of the part? It may at another time.
+ */
+bool cutter_removes_part(const struct cutter *cutter, const struct cutter_way *way, const struct cell_part *part,
+			 double depth, double latest);
 
 /*
  * May the cutter come within `distance` mm of the point? False is certain; true may be wrong where it stays only some

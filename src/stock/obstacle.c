@@ -60,40 +60,101 @@ static double box_reach(const xform *to_obstacle, vec3 unit, vec3 half)
 
 /*
  * The signed distance to a convex solid is a convex function, also with a straight way: it lies above its tangent
- * plane in the middle of the box, and the plane is least at a corner.
+ * plane in a point.
  */
-static double piece_distance(const struct obstacle *obstacle, const struct revolved *piece, const xform *to_obstacle,
-			     vec3 centre, vec3 half)
+struct tangent {
+	double distance;	/* in the point */
+	vec3 out;	/* unit, the obstacle's coordinates: where the distance grows; 0: no direction is known */
+};
+
+static struct tangent tangent_at(const struct obstacle *obstacle, const struct revolved *piece, vec3 point)
 {
-	const vec3 point = xform_apply(to_obstacle, centre);
-	double dx, dy, r, out_r, out_z, distance, length;
-	vec3 out;
+	double dx, dy, r, out_r, out_z, length;
+	struct tangent tangent = {.distance = 0};
 
 	off_axis(obstacle, point, &dx, &dy);
 	r = sqrt(dx * dx + dy * dy);
-	distance = revolved_nearest(piece, r, point.z, &out_r, &out_z);
-	length = fabs(distance);
+	tangent.distance = revolved_nearest(piece, r, point.z, &out_r, &out_z);
+	length = fabs(tangent.distance);
 	/* Without a direction: on the surface, and on the axis. */
 	if (length < TINY || (r < TINY && fabs(out_r) > 0))
-		return distance - vec3_norm(half);
-	out = r < TINY ? (vec3){0, 0, out_z} : (vec3){out_r * dx / r, out_r * dy / r, out_z};
-	return distance - box_reach(to_obstacle, vec3_scale(1 / length, out), half);
+		return tangent;
+	tangent.out = r < TINY ? (vec3){0, 0, out_z} : (vec3){out_r * dx / r, out_r * dy / r, out_z};
+	tangent.out = vec3_scale(1 / length, tangent.out);
+	return tangent;
+}
+
+/* Of the points of a box: at least so far from the piece, because the tangent plane is least at a corner. */
+static double piece_distance(const struct tangent *tangent, const xform *to_obstacle, vec3 half)
+{
+	return tangent->distance - (vec3_norm2(tangent->out) > 0 ? box_reach(to_obstacle, tangent->out, half)
+								 : vec3_norm(half));
+}
+
+/* The convex piece that begins with this band. */
+static struct revolved piece_from(const struct obstacle *obstacle, size_t first)
+{
+	const struct revolved *whole = obstacle->revolved;
+
+	return (struct revolved){.bands = &whole->bands[first], .count = revolved_convex_run(whole, first)};
+}
+
+/* Pieces that meet are together deeper inside than each of them, so the core of several is not that of each. */
+static bool has_pieces(const struct obstacle *obstacle)
+{
+	const struct revolved *whole = obstacle->revolved;
+
+	return whole && !(obstacle->inset > 0 && revolved_convex_run(whole, 0) < whole->count);
 }
 
 double obstacle_box_distance(const struct obstacle *obstacle, const xform *to_obstacle, vec3 centre, vec3 half)
 {
-	const struct revolved *whole = obstacle->revolved;
+	const vec3 point = xform_apply(to_obstacle, centre);
 	double least = INFINITY;
-	size_t length;
+	struct revolved piece;
 
-	/* Pieces that meet are together deeper inside than each of them, so the core of several is not that of each. */
-	if (!whole || (obstacle->inset > 0 && revolved_convex_run(whole, 0) < whole->count))
-		return obstacle_distance(obstacle, xform_apply(to_obstacle, centre)) - vec3_norm(half);
-	for (size_t i = 0; i < whole->count; i += length) {
-		struct revolved piece = {.bands = &whole->bands[i]};
+	if (!has_pieces(obstacle))
+		return obstacle_distance(obstacle, point) - vec3_norm(half);
+	for (size_t i = 0; i < obstacle->revolved->count; i += piece.count) {
+		struct tangent tangent;
 
-		piece.count = length = revolved_convex_run(whole, i);
-		least = smaller(least, piece_distance(obstacle, &piece, to_obstacle, centre, half));
+		piece = piece_from(obstacle, i);
+		tangent = tangent_at(obstacle, &piece, point);
+		least = smaller(least, piece_distance(&tangent, to_obstacle, half));
 	}
 	return least + obstacle->inset;
+}
+
+/* The points of the box where the tangent plane does not prove more than `within` mm. */
+static struct half_space half_space_of(const struct tangent *tangent, const xform *to_obstacle, vec3 half,
+				       double within)
+{
+	struct half_space space = {.normal = mat3_apply_transposed(&to_obstacle->rotation, tangent->out)};
+
+	if (vec3_norm2(tangent->out) > 0)
+		space.offset = within - tangent->distance + 2 * ROUNDING * vec3_norm(half);
+	return space;
+}
+
+int obstacle_half_spaces(const struct obstacle *obstacle, const xform *to_obstacle, vec3 centre, vec3 half,
+			 double within, struct half_space spaces[OBSTACLE_HALF_SPACES])
+{
+	const vec3 point = xform_apply(to_obstacle, centre);
+	struct revolved piece;
+	int count = 0;
+
+	if (!has_pieces(obstacle))
+		return -1;
+	for (size_t i = 0; i < obstacle->revolved->count; i += piece.count) {
+		struct tangent tangent;
+
+		piece = piece_from(obstacle, i);
+		tangent = tangent_at(obstacle, &piece, point);
+		if (piece_distance(&tangent, to_obstacle, half) > within - obstacle->inset)
+			continue;
+		if (count == OBSTACLE_HALF_SPACES)
+			return -1;
+		spaces[count++] = half_space_of(&tangent, to_obstacle, half, within - obstacle->inset);
+	}
+	return count;
 }

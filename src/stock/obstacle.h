@@ -6,6 +6,7 @@
 #include "geom/topology.h"
 #include "geom/vec3.h"
 #include "geom/xform.h"
+#include "stock/cell_part.h"
 #include "stock/revolved.h"
 
 /* Borrows everything. */
@@ -29,5 +30,13 @@ double obstacle_distance(const struct obstacle *obstacle, vec3 point);
  * each of its points. `to_obstacle` takes the box's coordinates to the body's.
  */
 double obstacle_box_distance(const struct obstacle *obstacle, const xform *to_obstacle, vec3 centre, vec3 half);
+
+/*
+ * Half-spaces about the middle of such a box, in its coordinates: each point of the box that is nearer than `within` mm
+ * to what counts of the body lies in one of them. Returns their number; -1: it takes too many, or none are known.
+ */
+enum { OBSTACLE_HALF_SPACES = 6 };
+int obstacle_half_spaces(const struct obstacle *obstacle, const xform *to_obstacle, vec3 centre, vec3 half,
+			 double within, struct half_space spaces[OBSTACLE_HALF_SPACES]);
 
 #endif

@@ -9,6 +9,9 @@
 #include "geom/point_distance.h"
 #include "geom/tolerance.h"
 
+/* A cell keeps so many bits of the number of a chunk. */
+#define CHUNK_MASK ((UINT32_C(1) << 30) - 1)
+
 static const double sqrt3 = 1.7320508075688773;
 
 /* How a cell whose parent is partly in the blank lies in it. */
@@ -80,7 +83,7 @@ static void divide(struct stock_cells *cells, size_t index, const struct cube *c
 
 		cells->cells[8 * group + (size_t)i] = (struct stock_cell){
 			.removed = INFINITY,
-			.kind = side == BLANK_PARTLY ? side_of(&cells->blank, &child) : side,
+			.kind = (side == BLANK_PARTLY ? side_of(&cells->blank, &child) : side) & 3u,
 		};
 	}
 }
@@ -122,17 +125,55 @@ static bool has_part(const struct stock_cells *cells, const struct cube *cube)
 	       c.z - h < cells->high.z && c.z + h > cells->low.z;
 }
 
-static double gap_of(const struct search *search, const struct cube *cube)
+/* What of the cell is within the blank's bounds: the rest does not count. False: nothing is. */
+static bool bounded_box(const struct stock_cells *cells, const struct cube *cube, vec3 *centre, vec3 *half)
 {
 	const vec3 reach = {cube->half, cube->half, cube->half};
-	/* What of the cell is beyond the blank's bounds does not count. */
-	const vec3 low = vec3_max(vec3_sub(cube->centre, reach), search->cells->low);
-	const vec3 high = vec3_min(vec3_add(cube->centre, reach), search->cells->high);
+	const vec3 low = vec3_max(vec3_sub(cube->centre, reach), cells->low);
+	const vec3 high = vec3_min(vec3_add(cube->centre, reach), cells->high);
 
-	if (low.x > high.x || low.y > high.y || low.z > high.z)
+	*centre = vec3_scale(0.5, vec3_add(low, high));
+	*half = vec3_scale(0.5, vec3_sub(high, low));
+	return low.x <= high.x && low.y <= high.y && low.z <= high.z;
+}
+
+/*
+ * Is all of the cell that may be nearer to the obstacle than `within` removed, each part of it by one cut? Beside a
+ * wall this says of a large cell what else only many small ones do.
+ */
+static bool is_cut_near(struct search *search, size_t index, const struct cube *cube, double gap, double within)
+{
+	struct stock_cell *cell = &search->cells->cells[index];
+	struct half_space spaces[OBSTACLE_HALF_SPACES];
+	struct cell_part part;
+	size_t chunk = cell->chunk;
+	vec3 centre, half;
+	int count;
+
+	/* The part that matters is the whole cell, of which is_there has asked. */
+	if (within >= gap + 2 * sqrt3 * cube->half)
+		return false;
+	if (!search->log_end || !bounded_box(search->cells, cube, &centre, &half))
+		return false;
+	count = obstacle_half_spaces(search->placed->obstacle, &search->placed->to_obstacle, centre, half, within,
+				     spaces);
+	for (int i = 0; i < count; i++) {
+		cell_part_init(&part, centre, half, &spaces[i]);
+		if (part.count &&
+		    !cut_log_removes_part(search->cells->log, &part, search->time, search->log_end, &chunk))
+			return false;
+	}
+	cell->chunk = chunk & CHUNK_MASK;
+	return count >= 0;
+}
+
+static double gap_of(const struct search *search, const struct cube *cube)
+{
+	vec3 centre, half;
+
+	if (!bounded_box(search->cells, cube, &centre, &half))
 		return INFINITY;
-	return obstacle_box_distance(search->placed->obstacle, &search->placed->to_obstacle,
-				     vec3_scale(0.5, vec3_add(low, high)), vec3_scale(0.5, vec3_sub(high, low)));
+	return obstacle_box_distance(search->placed->obstacle, &search->placed->to_obstacle, centre, half);
 }
 
 /* The children of a cell in the order of their distances; the first `index` of their group. */
@@ -177,7 +218,9 @@ static void nearest(struct search *search, size_t index, const struct cube *cube
 
 		if (!(children.gaps[i] < search->best))
 			return;
-		if (is_there(search, children.first + (size_t)i, &children.cubes[i]))
+		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
+		    !is_cut_near(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i],
+				 search->best))
 			nearest(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i]);
 	}
 }
@@ -210,6 +253,8 @@ static bool meets(struct search *search, size_t index, const struct cube *cube)
 		if (children.gaps[i] > search->within)
 			return false;
 		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
+		    !is_cut_near(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i],
+				 search->within) &&
 		    meets(search, children.first + (size_t)i, &children.cubes[i]))
 			return true;
 	}

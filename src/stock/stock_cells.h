@@ -33,7 +33,8 @@ struct stock_cell {
 	double removed;	/* time at which it left; INFINITY: it had not when the log was searched up to `searched` */
 	uint64_t searched;	/* place in the log */
 	uint32_t children;	/* number of the group of its eight children; 0: not divided yet */
-	uint32_t kind;	/* enum blank_side */
+	uint32_t kind : 2;	/* enum blank_side */
+	uint32_t chunk : 30;	/* of the log: a cut in it removed a part of the cell that was asked for; else any */
 };
 
 /* How a cell lies in the blank. */

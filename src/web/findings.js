@@ -171,6 +171,7 @@ export class FindingsView {
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
 		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`${fixed(finding.clearance, 3)} mm apart here${required ? `; required: more than ${shortest(required)} mm` : ''}.`);
 		else if (finding.allowed_depth) text.push(`The cutter may enter it ${shortest(finding.allowed_depth)} mm deep, and is deeper.`);
+		if (finding.certain !== undefined) text.push(certainty(finding.certain));
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return [this.callers(finding), ...text.map((line) => h('p', {}, line))];
 	}
@@ -190,6 +191,11 @@ export class FindingsView {
 			if (now) card.scrollIntoView({block: 'nearest'});
 		});
 	}
+}
+
+/** Of a finding with the stock: does it hold for all that can be left? @param {boolean} certain */
+function certainty(certain) {
+	return certain ? 'Certain: they meet in this block where no cutter has been.' : 'Possible: all that they meet may have been cut, within the tolerances.';
 }
 
 /** The title with the bodies in the colours of the picture. @param {Finding} finding */

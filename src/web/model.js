@@ -41,6 +41,7 @@
  * @property {Vec3|null} point
  * @property {number|null} clearance
  * @property {number} [allowed_depth]	mm, of a cutter in the part or the stock
+ * @property {boolean} [certain]	with the stock: it is met where no cutter has been; else it may have been cut
  * @property {string|null} block
  * @property {{file: string, line: number, column: number}[]} [callers]	of a subprogram: the call of it, the call of its caller ...
  * @property {string} [accepted]
