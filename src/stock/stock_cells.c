@@ -30,6 +30,23 @@ static enum blank_side side_of(const struct blank *blank, const struct cube *cub
 	return distance > radius + margin + blank->uncertainty ? BLANK_OUTSIDE : BLANK_PARTLY;
 }
 
+/* Only the root is left. */
+static void start_over(struct stock_cells *cells)
+{
+	cells->group_count = 1;
+	cells->cells[0] = (struct stock_cell){.removed = INFINITY, .kind = side_of(&cells->blank, &cells->root) & 3u};
+}
+
+/*
+ * Cells are answers that were given before, and can be found again: memory does not grow with the program. Called where
+ * a question begins.
+ */
+static void limit_memory(struct stock_cells *cells)
+{
+	if (cells->group_count > cells->most_groups)
+		start_over(cells);
+}
+
 void stock_cells_init(struct stock_cells *cells, const struct blank *blank, const struct cut_log *log, double edge)
 {
 	const vec3 half = blank->bvh->half;
@@ -39,7 +56,7 @@ void stock_cells_init(struct stock_cells *cells, const struct blank *blank, cons
 	const double needed = larger(half.x, larger(half.y, half.z)) + beyond;
 	const vec3 reach = vec3_add(half, (vec3){beyond, beyond, beyond});
 
-	*cells = (struct stock_cells){.blank = *blank, .log = log, .group_count = 1};
+	*cells = (struct stock_cells){.blank = *blank, .log = log, .most_groups = STOCK_CELL_GROUPS};
 	cells->rounding = rounding;
 	cells->low = vec3_sub(blank->bvh->origin, reach);
 	cells->high = vec3_add(blank->bvh->origin, reach);
@@ -219,8 +236,8 @@ static void nearest(struct search *search, size_t index, const struct cube *cube
 		if (!(children.gaps[i] < search->best))
 			return;
 		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
-		    !is_cut_near(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i],
-				 search->best))
+		    !(search->distance->by_parts && is_cut_near(search, children.first + (size_t)i, &children.cubes[i],
+								children.gaps[i], search->best)))
 			nearest(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i]);
 	}
 }
@@ -233,6 +250,7 @@ double stock_cells_distance(struct stock_cells *cells, const struct placed_obsta
 				.distance = query};
 	const double gap = gap_of(&search, &cells->root);
 
+	limit_memory(cells);
 	if (gap < search.best && is_there(&search, 0, &cells->root))
 		nearest(&search, 0, &cells->root, gap);
 	return search.best;
@@ -268,6 +286,7 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 				.log_end = cut_log_end(cells->log, time), .within = within, .finest_half = finest_half,
 				.found = found};
 
+	limit_memory(cells);
 	return gap_of(&search, &cells->root) <= within && is_there(&search, 0, &cells->root) &&
 	       meets(&search, 0, &cells->root);
 }
@@ -322,6 +341,7 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 				.point = point};
 	const double gap = gap_of(&search, &cells->root);
 
+	limit_memory(cells);
 	if (gap > -depth || !is_there(&search, 0, &cells->root))
 		return false;
 	/*
@@ -363,6 +383,7 @@ void stock_cells_visit(struct stock_cells *cells, double time, stock_cells_visit
 {
 	struct search search = {.cells = cells, .time = time, .log_end = cut_log_end(cells->log, time)};
 
+	limit_memory(cells);
 	if (is_there(&search, 0, &cells->root))
 		visit_cell(&search, 0, &cells->root, visit, context);
 }

@@ -40,6 +40,9 @@ struct stock_cell {
 /* How a cell lies in the blank. */
 enum blank_side { BLANK_PARTLY, BLANK_INSIDE, BLANK_OUTSIDE };
 
+/* 32 MB of cells. */
+#define STOCK_CELL_GROUPS 174000
+
 struct stock_cells {
 	struct blank blank;
 	const struct cut_log *log;	/* borrowed */
@@ -49,6 +52,7 @@ struct stock_cells {
 	double least_half;	/* mm: half the edge of the smallest cells */
 	struct stock_cell *cells;	/* groups of eight; cell 0 is the root, group 0 has no other */
 	size_t group_count, group_capacity;
+	size_t most_groups;	/* beyond this many a question begins with the root alone; the answers stay the same */
 	long visits;	/* cells that were looked at */
 };
 
@@ -69,6 +73,7 @@ struct placed_obstacle {
 struct distance_query {
 	double least, enough;	/* mm: distances below the one do not matter; those beyond the other are all alike */
 	double share;	/* cells are divided as long as half their diagonal is more than this share of their distance */
+	bool by_parts;	/* leave out cells of which all that is nearer was removed: pays with a small share alone */
 };
 
 /*

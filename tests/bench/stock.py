@@ -79,6 +79,17 @@ def relief(path, blocks):
     return path
 
 
+def slot(path, laps):
+    """A round slot as wide as its cutter, 1 mm deeper with each lap of 200 blocks."""
+    with open(path, 'w') as out:
+        out.write('G21 G90 G17 G94 G61 F3000\nM3 S1000\nG0 X20 Y0 Z5\n')
+        for i in range(200 * laps + 1):
+            turn = math.pi * i / 100
+            out.write('G1 X%.4f Y%.4f Z%.4f\n' % (20 * math.cos(turn), 20 * math.sin(turn), -i / 200))
+        out.write('G0 Z5\nM2\n')
+    return path
+
+
 def copy(source, target, changes):
     """A program with some lines changed: (pattern, replacement)."""
     with open(source, errors='replace') as text:
@@ -94,6 +105,9 @@ def mill_jobs(tools, folder):
     """(job, blocks a second that are wanted of it)"""
     yield Job('relief', relief(os.path.join(folder, 'relief.ngc'), 100000), Tool(6, 20, 6, 30, 60),
               (0, 0, 0), (100, 60, 20), 0), 50000
+    # 0.1 mm beside both walls, as deep as the slot.
+    yield Job('slot', slot(os.path.join(folder, 'slot.ngc'), 30), Tool(6, 8, 5.8, 30, 50),
+              (-30, -30, -40), (30, 30, 0), 0), 1000
     real = os.path.join(tools.real or folder, 'nc')
     if os.path.exists(os.path.join(real, 'stellabee1.ngc')):
         program = copy(os.path.join(real, 'stellabee1.ngc'), os.path.join(folder, 'stellabee1.ngc'), [])

@@ -52,7 +52,8 @@ static void renew_budget(struct stock_clearance *clearance, const struct motion_
 	const struct stock_pair *pair = clearance->pair;
 	const axis_values *q = &step->span.q1;
 	const struct placed_obstacle placed = stock_sweep_place(&pair->sweep, q);
-	const struct distance_query query = {.enough = BUDGET_CAPS * clearance->cap, .share = CELL_SHARE};
+	const struct distance_query query = {.enough = BUDGET_CAPS * clearance->cap, .share = CELL_SHARE,
+					     .by_parts = true};
 	const double distance = stock_cells_distance(pair->sweep.cells, &placed, (double)number, &query);
 	struct chain_state state;
 
