@@ -33,6 +33,7 @@ static enum blank_side side_of(const struct blank *blank, const struct cube *cub
 /* Only the root is left. */
 static void start_over(struct stock_cells *cells)
 {
+	/* The root is alone in its group. */
 	cells->group_count = 1;
 	cells->cells[0] = (struct stock_cell){.removed = INFINITY, .kind = side_of(&cells->blank, &cells->root) & 3u};
 }
@@ -65,7 +66,7 @@ void stock_cells_init(struct stock_cells *cells, const struct blank *blank, cons
 	while (cells->root.half < needed * (1 + POSE_ROUNDING))
 		cells->root.half *= 2;
 	cells->cells = mem_grow(NULL, &cells->group_capacity, 1, 8 * sizeof(*cells->cells));
-	cells->cells[0] = (struct stock_cell){.removed = INFINITY, .kind = side_of(blank, &cells->root)};
+	start_over(cells);
 }
 
 void stock_cells_release(struct stock_cells *cells)

@@ -263,6 +263,7 @@ START_TEST(slot_is_exact_to_a_cell)
 	cut_log_add(&log, &cut);
 	blank = (struct blank){bvh, &topology, 0, 0};
 	stock_cells_init(&cells, &blank, &log, 0.05);
+	ck_assert_uint_eq(cells.group_count, 1);
 	if (_i)
 		cells.most_groups = 20;
 	revolved_init(&revolved, &probe);
