@@ -6,7 +6,7 @@ and runs it there plainly and in all the ways that only tell more or only save t
 is kept. Only Python's standard library is needed.
 
     one_verdict.py --fivecheck build/fivecheck --cases 4 --seed 1 --keep FOLDER [--only CASE] [--blocks MOST]
-        [--programs COUNT] [--ways COUNT] [--patience SECONDS] [--progress]
+        [--programs COUNT] [--ways COUNT] [--patience SECONDS] [--progress] [--stock]
 """
 
 import argparse
@@ -78,7 +78,7 @@ class Case:
     stock = False  # the setup has a blank, which the program cuts
     rapids = 0.05  # the share of the blocks that are rapids
 
-    def __init__(self, seed, number, folder, most=5000):
+    def __init__(self, seed, number, folder, most=5000, with_stock=False):
         self.random = random.Random(f"{seed} {number}")
         self.folder = folder
         self.between = {}  # lines before blocks, by the number of the block
@@ -89,7 +89,8 @@ class Case:
         self.wrap = r.choice(["none", "shortest", "sign"])
         self.clearance = r.choice([0, 0, 0, 0.5])
         self.e = r.choice([0.001, 0.001, 0.01, 0.1])
-        r.choice([self.head_over_table, self.trunnion, self.tilting_head, self.cutting, self.milling])()
+        r.choice([self.milling] if with_stock else
+                 [self.head_over_table, self.trunnion, self.tilting_head, self.cutting, self.milling])()
         most = min(most, STOCK_BLOCKS) if self.stock else most
         self.blocks = self.walk(min(most, r.randrange(3000, 5001) if r.random() < 0.8 else r.randrange(5, 200)))
 
@@ -140,7 +141,18 @@ class Case:
             tool = self.random.choice((1, 2))
             guided = f"\nG43.4 H{tool}" if self.tip else ""
             self.between[self.random.randrange(STOCK_BLOCKS)] = self.random.choice(
-                ["M5", "M3 S500", "/M5", f"T{tool} M6{guided}", f"T{tool} M6{guided}\nM3 S800"])
+                ["M5", "M3 S500", "/M5", f"T{tool} M6{guided}", f"T{tool} M6{guided}\nM3 S800"] +
+                [f"G91\n{move}\nG90" for move in self.curves()])
+
+    def curves(self):
+        """Incremental moves that end where they begin, or that the next block leaves: arcs, a cycle, a touch."""
+        r = self.random
+        if self.tip or self.rapid != "linear":
+            return []
+        turn = f"{r.choice(['G2', 'G3'])} I{r.uniform(-2, 2):.3f} J{r.uniform(0.3, 2):.3f} F900"
+        return [turn, f"{turn} Z-{r.uniform(0.1, 2):.3f}", f"G18 G3 I{r.uniform(0.3, 2):.3f} K0.2 F900\nG17",
+                f"G81 X{r.uniform(-3, 3):.3f} Y0 Z-{r.uniform(0.5, 3):.3f} R-0.2 F600\nG80",
+                f"G38.3 Z-{r.uniform(0.1, 1):.3f} F300"]
 
     def trunnion(self, cutting=False):
         """A tool, or the bare spindle nose, above a table that tilts and turns."""
@@ -322,7 +334,7 @@ class Asker:
 # Ways to ask that only tell more or only save time.
 def ways(levels, with_glb):
     yield "-v", ["-v"], None
-    yield "--timing", ["--timing=timing.csv"], None
+    yield "--timing", ["--timing=timing.csv", "--max-blocks=100000"], None
     yield "--clearance-report", ["--clearance-report=near.csv"], None
     yield "--clearance-cap", ["--clearance-report=near.csv", "--clearance-cap=0.01"], None
     yield "--waivers", ["--waivers=none.xml"], None
@@ -442,9 +454,9 @@ def places_near(case, near, far, count):
     return places[:count]
 
 
-def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience, programs_wanted):
+def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience, programs_wanted, with_stock):
     """Returns what is found first in how many programs, and the number of runs."""
-    case = Case(seed, number, folder, most)
+    case = Case(seed, number, folder, most, with_stock)
     asker = Asker(fivecheck, case, patience)
 
     case.program(case.range[1], "clear.nc")
@@ -480,6 +492,7 @@ def main():
     parser.add_argument("--ways", type=int, help="ask each program in so many ways, drawn by lot, instead of in all")
     parser.add_argument("--patience", type=int, metavar="SECONDS",
                         help="leave out, and count, cases that take more processor time")
+    parser.add_argument("--stock", action="store_true", help="only cases with a blank that is cut")
     parser.add_argument("--progress", action="store_true", help="say on standard error how far it is")
     parser.add_argument("--keep", default="build/verdicts", help="where cases that disagree are kept")
     arguments = parser.parse_args()
@@ -495,7 +508,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             try:
                 counts, some = check(fivecheck, arguments.seed, number, folder, levels, with_glb, arguments.blocks,
-                                     arguments.ways, arguments.patience, arguments.programs)
+                                     arguments.ways, arguments.patience, arguments.programs, arguments.stock)
                 kinds.update(counts)
                 runs += some
             except TooSlow:
