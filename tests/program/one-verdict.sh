@@ -2,8 +2,5 @@
 need python3
 PYTHONDONTWRITEBYTECODE=1 python3 "$(dirname "$LIB")/../verdict/one_verdict.py" --fivecheck "$FIVECHECK" --seed 1 --cases 3 --ways 4 \
 	--blocks 20 --keep .
-# With a blank that is cut.
-PYTHONDONTWRITEBYTECODE=1 python3 "$(dirname "$LIB")/../verdict/one_verdict.py" --fivecheck "$FIVECHECK" --seed 1 --cases 2 --ways 3 \
-	--programs 4 --blocks 20 --stock --keep .
 # A level that no processor has.
 FIVECHECK_SIMD=mmx status fivecheck nowhere.xml nowhere.nc
