@@ -1,9 +1,25 @@
 #include "base/xml_text.h"
 
+#include "base/utf8.h"
+
+/* Appends the character at `text`, with a sign in place of what no XML may hold; returns the bytes that it has there. */
+static size_t add_character(struct strbuf *out, const char *text)
+{
+	size_t control = strbuf_control_bytes(text), length = utf8_length(text);
+
+	if (control && *text != '\t' && *text != '\n' && *text != '\r')
+		strbuf_addf(out, "?");
+	else if (length)
+		strbuf_add(out, text, length);
+	else
+		strbuf_addf(out, "\xef\xbf\xbd");
+	return length ? length : 1;
+}
+
 void xml_text_attribute(struct strbuf *out, const char *name, const char *value)
 {
 	strbuf_addf(out, " %s=\"", name);
-	for (; *value; value++) {
+	while (*value) {
 		switch (*value) {
 		case '&':
 			strbuf_addf(out, "&amp;");
@@ -15,8 +31,10 @@ void xml_text_attribute(struct strbuf *out, const char *name, const char *value)
 			strbuf_addf(out, "&quot;");
 			break;
 		default:
-			strbuf_add(out, value, 1);
+			value += add_character(out, value);
+			continue;
 		}
+		value++;
 	}
 	strbuf_addf(out, "\"");
 }
@@ -24,7 +42,13 @@ void xml_text_attribute(struct strbuf *out, const char *name, const char *value)
 void xml_text_comment(struct strbuf *out, const char *text)
 {
 	strbuf_addf(out, "<!-- ");
-	for (; *text; text++)
-		strbuf_add(out, *text == '-' && text[1] == '-' ? "=" : text, 1);
+	while (*text) {
+		if (*text == '-' && text[1] == '-') {
+			strbuf_addf(out, "=");
+			text++;
+		} else {
+			text += add_character(out, text);
+		}
+	}
 	strbuf_addf(out, " -->\n");
 }

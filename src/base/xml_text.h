@@ -4,7 +4,10 @@
 
 #include "base/strbuf.h"
 
-/* Appends ` name="value"` with what may not stand in it escaped. */
+/*
+ * Texts may hold any bytes: a control character becomes a question mark, a byte that is not UTF-8 U+FFFD. Appends
+ * ` name="value"` with what may not stand in it escaped.
+ */
 void xml_text_attribute(struct strbuf *out, const char *name, const char *value);
 
 /* Appends a line with a comment, whose text cannot end it. */

@@ -53,15 +53,25 @@ static bool is_root(const char *text, const char *name)
 	return !strncmp(root, name, length) && root[length] && strchr(" \t\r\n/>", root[length]);
 }
 
-/* Sections that an ini file of such a machine has; one of them may be in a file that it includes. */
+/* Is the line the name of a section, such as [DISPLAY]? No JSON begins so. */
+static bool is_section(const char *line)
+{
+	size_t name = line[0] == '[' ? strspn(line + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
+
+	return name && line[1 + name] == ']';
+}
+
+/* The first line of an ini file that says something is a section, or takes in a file that has some. */
 static bool is_ini(const char *text)
 {
-	static const char *const sections[] = {"\n[EMC]", "\n[KINS]", "\n[TRAJ]"};
+	const char *line = skip_space(text);
 
-	for (size_t i = 0; i < sizeof(sections) / sizeof(*sections); i++)
-		if (strstr(text, sections[i]) || !strncmp(text, sections[i] + 1, strlen(sections[i]) - 1))
+	while (*line == '#' || *line == ';') {
+		if (!strncmp(line, "#INCLUDE ", strlen("#INCLUDE ")))
 			return true;
-	return false;
+		line = skip_space(line + strcspn(line, "\n"));
+	}
+	return is_section(line);
 }
 
 static bool ends_with(const char *path, const char *end)

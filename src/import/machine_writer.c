@@ -2,10 +2,13 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/axes.h"
 #include "base/math/math_functions.h"
+#include "base/mem.h"
+#include "base/utf8.h"
 #include "base/xml_text.h"
 #include "control/dialects.h"
 #include "geom/stl_bytes.h"
@@ -218,6 +221,23 @@ void machine_writer_todo(struct strbuf *out, const struct import_machine *machin
 	}
 }
 
+/* A machine file takes names of up to 200 bytes; a byte that is not UTF-8 becomes three. */
+static void add_name(struct strbuf *out, const char *name)
+{
+	enum { NAME_MAX_BYTES = 200 };
+	struct strbuf clean = {0};
+	size_t length = 0;
+	char *clipped;
+
+	utf8_add_clean(&clean, name);
+	for (const char *at = strbuf_text(&clean); at[length] && length + utf8_length(at + length) <= NAME_MAX_BYTES;)
+		length += utf8_length(at + length);
+	clipped = mem_strndup(strbuf_text(&clean), length);
+	xml_text_attribute(out, "name", clipped);
+	free(clipped);
+	strbuf_release(&clean);
+}
+
 void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin)
 {
 	const struct machine_description *d = &machine->description;
@@ -226,7 +246,7 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 	xml_text_comment(out, origin);
 	strbuf_addf(out, "<machine version=\"1\"");
 	if (d->name)
-		xml_text_attribute(out, "name", d->name);
+		add_name(out, d->name);
 	strbuf_addf(out, " units=\"mm\">\n");
 	add_controller(out, machine);
 	machine_writer_todo(out, machine);

@@ -17,6 +17,7 @@ enum doubt_kind {
 	DOUBT_SIGN, /* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
 	DOUBT_ROTARY_SIGN, /* a positive value turns the tool about -X, -Y, -Z */
 	DOUBT_ROTARY_MISSES, /* the axis' line misses all bodies that it carries, by `value` */
+	DOUBT_ROTARY_BESIDE, /* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
 	DOUBT_SPINDLE_ACROSS, /* Z does not move the tool along the spindle */
 	DOUBT_SPINDLE_TOWARD, /* Z+ moves the tool where its tip points */
 	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
@@ -29,6 +30,11 @@ enum doubt_kind {
 	/* all bodies of the machine together are `value` large, the longest travel is `limit` */
 	DOUBT_BODIES_SMALL,
 	DOUBT_BODIES_LARGE,
+	DOUBT_SPINDLE_BARE, /* no body is on the spindle's link */
+	DOUBT_WORKHOLDING_BARE, /* no body is on the workholding's link */
+	DOUBT_BASE_BARE, /* no body is on the base */
+	DOUBT_TRAVEL_LONG, /* the travel of axis is `value`, all bodies reach over `limit` along it */
+	DOUBT_TRAVEL_ENDLESS, /* axis has no end of its travel, others have */
 	/*
 	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.
 	 */
@@ -42,6 +48,7 @@ enum doubt_kind {
 	DOUBT_TOOL_LONG, /* the tool is `value` long, the travel of Z is `limit` */
 	DOUBT_TOOL_TINY, /* the same */
 	DOUBT_TOOL_BELOW, /* the tool's tip is `value` below the part and the fixtures at its highest position */
+	DOUBT_TOOL_BARE, /* the tool and `value` others have no holder */
 	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
 	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */
 	DOUBT_OFFSET_FAR /* program zero is `value` away from everything that is set up; the setup is `limit` large */

@@ -57,6 +57,13 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 		    "its direction, or give the axis checked=\"reason\"",
 		    axis->name, doubt->value);
 		break;
+	case DOUBT_ROTARY_BESIDE:
+		strbuf_addf(
+		    out,
+		    "no circle of what axis %s turns, or of what carries it, has its middle on the axis: the nearest "
+		    "one, %.5g mm wide, is %.4g mm beside it; check the location, or give the axis checked=\"reason\"",
+		    axis->name, doubt->limit, doubt->value);
+		break;
 	case DOUBT_SPINDLE_ACROSS:
 		strbuf_addf(
 		    out,
@@ -126,6 +133,43 @@ static void add_place_doubt(struct strbuf *out, const struct scene *scene, const
 	}
 }
 
+static void add_travel_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	const char *name = scene->machine->axes[doubt->axis].name;
+
+	if (doubt->kind == DOUBT_TRAVEL_ENDLESS)
+		strbuf_addf(out,
+			    "axis %s has no end of its travel, though other linear axes have: no position of it is "
+			    "refused, and a limit_min or limit_max may be missing",
+			    name);
+	else
+		strbuf_addf(out, "axis %s has a travel of %.5g mm, but all bodies together reach over %.5g mm along it: "
+				 "check its limits and the units of the meshes",
+			    name, doubt->value, doubt->limit);
+	strbuf_addf(out, ", or say why it is right: <axis name=\"%s\" checked=\"reason\">", name);
+}
+
+static void add_missing_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	switch (doubt->kind) {
+	case DOUBT_SPINDLE_BARE:
+		strbuf_addf(out, "no body moves with the spindle, so that no head is checked: a <body> is missing or on "
+				 "another axis, or give <spindle checked=\"reason\">");
+		break;
+	case DOUBT_WORKHOLDING_BARE:
+		strbuf_addf(out, "no body moves with the workholding, so that no table is checked: a <body> is missing "
+				 "or on another axis, or give <workholding checked=\"reason\">");
+		break;
+	case DOUBT_BASE_BARE:
+		strbuf_addf(out, "no body stands still, so that no bed is checked: a <body> of <base> is missing or on "
+				 "an axis, or give <workholding checked=\"reason\">");
+		break;
+	default:
+		add_travel_doubt(out, scene, doubt);
+		break;
+	}
+}
+
 static void add_checked_body(struct strbuf *out)
 {
 	strbuf_addf(out, ", or give it checked=\"reason\"");
@@ -178,6 +222,13 @@ static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const 
 {
 	strbuf_addf(out, "tool %d ", scene->setup->tools[doubt->item].number);
 	switch (doubt->kind) {
+	case DOUBT_TOOL_BARE:
+		if (doubt->value > 0)
+			strbuf_addf(out, "and %.0f more have", doubt->value);
+		else
+			strbuf_addf(out, "has");
+		strbuf_addf(out, " no <holder>, which is what collides first; describe it");
+		break;
 	case DOUBT_TOOL_SHORT:
 		strbuf_addf(
 		    out,
@@ -249,6 +300,8 @@ void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct 
 		add_axis_doubt(out, scene, doubt);
 	else if (doubt->kind <= DOUBT_BODIES_LARGE)
 		add_place_doubt(out, scene, doubt);
+	else if (doubt->kind <= DOUBT_TRAVEL_ENDLESS)
+		add_missing_doubt(out, scene, doubt);
 	else if (doubt->kind <= DOUBT_PART_BESIDE)
 		add_part_doubt(out, scene, doubt);
 	else if (doubt->kind <= DOUBT_LENGTH_OFFSET)

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "report/format/format_units.h"
-#include "report/format/utf8.h"
 
 bool waiver_match_is_expired(const struct waiver_match *waiving, const struct waiver *waiver)
 {

@@ -6,7 +6,9 @@
 #include "base/minmax.h"
 #include "base/units.h"
 #include "machine/kinematics_check.h"
+#include "scene/missing_check.h"
 #include "scene/placed_box.h"
+#include "scene/ring_check.h"
 #include "scene/setup_check.h"
 
 /* mm: a gauge point or a workholding may be this far from the body that it belongs to (nose rings, cut-outs). */
@@ -251,6 +253,7 @@ bool model_check(struct scene *scene, struct diag *diag)
 	if (!read_meshes(scene, diag))
 		return false;
 	check_turning(scene, doubts);
+	ring_check(scene, doubts);
 	if (spindle->present && !spindle->checked) {
 		check_head(scene, doubts);
 		check_mount(scene, DOUBT_SPINDLE_FAR, spindle->link, spindle->location, SPINDLE_OFF, doubts);
@@ -259,6 +262,7 @@ bool model_check(struct scene *scene, struct diag *diag)
 		check_mount(scene, DOUBT_WORKHOLDING_FAR, workholding->link, workholding->frame.translation,
 			    WORKHOLDING_OFF, doubts);
 	check_size(scene, doubts);
+	missing_check(scene, doubts);
 	setup_check(scene, doubts, diag);
 	return true;
 }

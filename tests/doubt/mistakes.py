@@ -57,6 +57,35 @@ def scale(pattern, factor):
     return change
 
 
+def mirror(name):
+    """X of the mesh with the other sign, and its triangles turned round again."""
+    def change(folder):
+        path = folder / name
+        data = bytearray(path.read_bytes())
+        for triangle in range(struct.unpack_from("<I", data, 80)[0]):
+            at = 84 + 50 * triangle + 12
+            v = [(-c if k % 3 == 0 else c) for k, c in enumerate(struct.unpack_from("<9f", data, at))]
+            struct.pack_into("<9f", data, at, *v[0:3], *v[6:9], *v[3:6])
+        path.write_bytes(data)
+    return change
+
+
+def no_holders(folder):
+    """Each holder becomes a part of the shank."""
+    path = folder / "setup.xml"
+    text = path.read_text()
+    after = re.sub(r"<holder>.*?</holder>\s*<shank>", lambda m: '<shank><section length="%g" diameter="12"/>' % sum(
+        float(length) for length in re.findall(r' length="([^"]*)"', m.group(0))), text, flags=re.S)
+    assert after != text
+    path.write_text(after)
+
+
+def halve_diameters(folder):
+    path = folder / "setup.xml"
+    path.write_text(re.sub(r'(diameter(?:_end)?)="([^"]*)"', lambda m: f'{m.group(1)}="{float(m.group(2)) / 2:g}"',
+                           path.read_text()))
+
+
 def every(*changes):
     def change(folder):
         for one in changes:
@@ -130,7 +159,7 @@ MISTAKES = [
     ("gauge point 100 mm below the head", AC, machine('<spindle location="0 0 520"', '<spindle location="0 0 420"'), True),
     ("gauge point 100 mm inside the head", AC, machine('<spindle location="0 0 520"', '<spindle location="0 0 620"'), True),
     ("gauge point at the origin", AC, machine('<spindle location="0 0 520"', '<spindle location="0 0 0"'), True),
-    ("A turns about the drawing's origin", AC, machine('(direction="-1 0 0" location=)"0 0 120"', r'\1"0 0 0"'), False),
+    ("A turns about the drawing's origin", AC, machine('(direction="-1 0 0" location=)"0 0 120"', r'\1"0 0 0"'), True),
     ("A's location in inches", AC, machine('(direction="-1 0 0" location=)"0 0 120"', r'\1"0 0 4.724"'), True),
     ("C turns about a point 50 mm beside the table", AC, machine('(direction="0 0 -1" location=)"0 0 120"', r'\1"50 0 120"'),
      True),
@@ -155,6 +184,29 @@ MISTAKES = [
     ("limits of A exchanged", AC, machine('limit_min="-120" limit_max="30"', 'limit_min="-30" limit_max="120"'), True),
     ("limits of Z of the other sign", AC, machine('limit_min="-400" limit_max="0"', 'limit_min="0" limit_max="400"'), True),
     ("a limit without its last digit", AC, machine('limit_min="-400"', 'limit_min="-40"'), True),
+    # pivots, drawings and things that are not there
+    ("A's location with exchanged digits", AC, machine('(direction="-1 0 0" location=)"0 0 120"', r'\1"0 0 210"'), True),
+    ("C turns about a point 5 mm beside the table", BC, machine('(direction="0 0 -1" location=)"0 0 0"', r'\1"5 0 0"'), True),
+    ("B of the head turns about a point 18 mm too low", BC, machine('(direction="0 1 0" location=)"0 0 720"', r'\1"0 0 702"'),
+     True),
+    ("B of the fork turns about the gauge point", CB, machine('(name="B"[^>]*location=)"0 0 1050"', r'\1"0 0 800"'), True),
+    ("the head's body is missing", AC, machine(r'\n *<body name="head"[^>]*/>', ''), True),
+    ("the table's body is missing", AC, machine(r'\n *<body name="table"[^>]*/>', ''), True),
+    ("the bed's bodies are missing", AC, machine(r'(\n *<body name="(bed|bearing_left|bearing_right)"[^>]*/>)+', ''), True),
+    ("the spindle on the carriage", AC, every(machine(r'\n *<spindle[^>]*/>', ''),
+                                             machine('(<body name="carriage"[^>]*/>)',
+                                                     r'\1<spindle location="0 0 520" direction="0 0 -1"/>')), True),
+    ("the workholding on the bed", AC, every(machine(r'\n *<workholding[^>]*/>', ''),
+                                            machine('(<body name="bed"[^>]*/>)', r'\1<workholding location="0 0 80"/>')), True),
+    ("the meshes of table and cradle exchanged", AC, machine('stl/cradle.stl(.*)stl/table.stl', r'stl/table.stl\1stl/cradle.stl'),
+     True),
+    ("no travel of Z", AC, machine(' limit_min="-400" limit_max="0"', ''), True),
+    ("a travel of X that is ten times too long", AC, machine('limit_min="-300" limit_max="300"',
+                                                            'limit_min="-3000" limit_max="3000"'), True),
+    ("the travel of A in radians", AC, machine('limit_min="-120" limit_max="30"', 'limit_min="-2.094" limit_max="0.524"'), True),
+    ("tools without holders", AC, no_holders, True),
+    ("the radii of the tools as diameters", AC, halve_diameters, False),
+    ("the part mirrored", BC, mirror("blade.stl"), False),
     ("rates in mm a second", AC, machine('rate_max="30000"', 'rate_max="500"'), False),
 ]
 

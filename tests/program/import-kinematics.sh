@@ -165,3 +165,17 @@ fault 's/0.1 0.2 0.3"/0.1 0.2"/'
 fault 's/TABLE/..\/..\/TABLE/'
 fault 's/<box size="0.4 0.3 0.2"/<sphere radius="1"/'
 fault 's/<child link="ram"\/>/&<mimic joint="joint_x"\/>/'
+echo "the file begins with any section or includes one, and the machine's name holds any bytes:"
+named() { # NAME
+	printf '[DISPLAY]\nCYCLE_TIME = 0.2\n'
+	sed "s/^MACHINE.*/MACHINE = $1/" ac.ini
+}
+named "$(printf 'Fr\344se \002')" >named.ini
+fivecheck import -o named named.ini 2>/dev/null
+named "$(printf 'a%.0s' $(seq 201))" >long.ini
+fivecheck import -o long long.ini 2>/dev/null
+printf '; all of it is elsewhere\n#INCLUDE ac.ini\n' >include.ini
+fivecheck import -o include include.ini 2>/dev/null
+for name in named long include; do
+	fivecheck --check-machine $name/machine.xml | head -1 | sed 's/aaaaaaaa*/a.../'
+done

@@ -1,4 +1,5 @@
 # A doubt about the model stands beside the verdict in every format, and checked="" with a reason takes it away.
+need python3
 small_machine
 program a.nc <<'NC'
 G0 X10
@@ -38,3 +39,63 @@ fivecheck --check-machine -s s.xml places.xml | sed -n '/^oddities/,$p' | sed 's
 sed -e 's/<work_offset/& checked="r"/; s/<part/& checked="r"/; s/<tool/& checked="r"/' s.xml >sc.xml
 sed -e 's/<spindle/& checked="r"/; s/<workholding/& checked="r"/' places.xml >pc.xml
 fivecheck --check-machine -s sc.xml pc.xml | sed -n '/^oddities/,$p' | sed 's/[:;].*//'
+# What is missing is said of a machine with bodies on three links; axis, spindle, workholding and tool silence it.
+machine whole.xml <<'XML'
+  <body name="bed" mesh="table.stl" location="0 0 -300"/>
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
+    <body name="slide" mesh="table.stl" location="0 0 300"/>
+    <axis name="Z" type="linear" direction="0 0 1" limit_min="-150" rate_max="6000">
+      <body name="head" mesh="head.stl"/>
+      <spindle location="0 0 190" direction="0 0 -1"/>
+    </axis>
+  </axis>
+  <axis name="Y" type="linear" direction="0 -1 0" limit_min="-200" limit_max="200" rate_max="6000">
+    <body name="table" mesh="table.stl"/>
+    <workholding location="0 0 100"/>
+  </axis>
+XML
+setup tools.xml <<'XML'
+  <tool number="1" length="100"><cutter tip="flat"><section length="100" diameter="4"/></cutter></tool>
+  <tool number="2" length="100"><cutter tip="flat"><section length="100" diameter="6"/></cutter></tool>
+XML
+missing() { # MACHINE SETUP
+	fivecheck --check-machine -s "$2" "$1" | sed -n '/^oddities/,$p' | grep -e 'no body' -e 'no end' -e 'travel of' -e holder
+}
+echo "missing:"
+missing whole.xml tools.xml
+echo "without bed, head and table:"
+for body in bed head table; do
+	sed "/name=\"$body\"/d" whole.xml >without.xml
+	missing without.xml tools.xml | grep body
+done
+echo "silenced:"
+sed -e 's/<spindle/& checked="r"/; s/<workholding/& checked="r"/; s/<axis/& checked="r"/' without.xml >silent.xml
+sed 's/<tool /& checked="r" /' tools.xml >ts.xml
+missing silent.xml ts.xml
+# A disc whose middle is beside the axis, and one on it.
+python3 - <<'PY'
+import math
+import struct
+for name, beside in ("round", 0), ("beside", 4):
+    ring = [(beside + 50 * math.cos(math.tau * k / 24), 50 * math.sin(math.tau * k / 24)) for k in range(24)]
+    faces = []
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+        faces += [((ax, ay, 0), (bx, by, 0), (bx, by, 9)), ((ax, ay, 0), (bx, by, 9), (ax, ay, 9)),
+                  ((beside, 0, 9), (ax, ay, 9), (bx, by, 9)), ((beside, 0, 0), (bx, by, 0), (ax, ay, 0))]
+    with open(name + ".stl", "wb") as f:
+        f.write(bytes(80) + struct.pack("<I", len(faces)))
+        for face in faces:
+            f.write(struct.pack("<12fH", 0, 0, 0, *(c for p in face for c in p), 0))
+PY
+for mesh in round beside; do
+	machine disc.xml <<XML
+  <axis name="C" type="rotary" direction="0 0 -1" location="0 0 0" rate_max="6000">
+    <body name="disc" mesh="$mesh.stl" location="0 0 70"/><workholding location="0 0 79"/>
+  </axis>
+  <axis name="Z" type="linear" direction="0 0 1" limit_min="-150" limit_max="100" rate_max="6000">
+    <body name="head" mesh="head.stl"/><spindle location="0 0 190" direction="0 0 -1"/>
+  </axis>
+XML
+	echo "$mesh:"
+	fivecheck --check-machine disc.xml | grep circle
+done

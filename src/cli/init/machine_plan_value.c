@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "cli/option_value.h"
-#include "report/format/utf8.h"
 
 #define COORDINATE_MAX 1e5
 #define TEXT_MAX 200	/* the reader of machine files takes no more */

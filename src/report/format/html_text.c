@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report/format/utf8.h"
+#include "base/utf8.h"
 
 static const char *entity_of(char c)
 {

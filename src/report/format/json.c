@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "base/utf8.h"
 #include "report/format/format_units.h"
-#include "report/format/utf8.h"
 
 void json_init(void)
 {

@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 
 #include "base/mem.h"
+#include "base/utf8.h"
 #include "report/format/json.h"
-#include "report/format/utf8.h"
 #include "report/html/selection.h"
 
 /* A longer window has no lines that a person would read. */

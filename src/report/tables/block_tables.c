@@ -6,7 +6,7 @@
 
 #include "base/mem.h"
 #include "base/same_double.h"
-#include "report/format/utf8.h"
+#include "base/utf8.h"
 
 static bool open_one(struct output *out, const char *path, const char *header, struct diag *diag)
 {

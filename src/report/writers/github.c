@@ -1,9 +1,9 @@
 /* github.c - findings as workflow commands, which GitHub shows beside the lines of a pull request. */
 #include "report/writers/writers.h"
 
+#include "base/utf8.h"
 #include "report/format/format_units.h"
 #include "report/writers/text.h"
-#include "report/format/utf8.h"
 
 /* Escapes % and line ends, and the characters of `more`, which separate properties. */
 static void add_escaped(struct strbuf *out, const char *text, const char *more)

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/utf8.h"
 #include "report/writers/text.h"
-#include "report/format/utf8.h"
 
 /* Makes text that XML 1.0 allows (section 2.2): no control characters but tab and line feed, no U+FFFE and U+FFFF. */
 static char *xml_text(const char *text)

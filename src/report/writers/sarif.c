@@ -3,12 +3,12 @@
 
 #include <string.h>
 
+#include "base/utf8.h"
 #include "report/format/json.h"
+#include "report/format/uri.h"
 #include "report/topics.h"
 #include "report/writers/ndjson.h"
 #include "report/writers/text.h"
-#include "report/format/uri.h"
-#include "report/format/utf8.h"
 
 /* The rules are the first topics. Their identifiers never change between versions. */
 enum { RULE_INCOMPLETE = TOPIC_INCOMPLETE, RULE_CAUTION = TOPIC_CAUTION, RULE_COUNT = TOPIC_CAUTION + 1 };

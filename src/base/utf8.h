@@ -1,6 +1,6 @@
 /* utf8.h - makes valid UTF-8 of names and blocks, which may hold any bytes. */
-#ifndef FIVECHECK_REPORT_FORMAT_UTF8_H
-#define FIVECHECK_REPORT_FORMAT_UTF8_H
+#ifndef FIVECHECK_BASE_UTF8_H
+#define FIVECHECK_BASE_UTF8_H
 
 #include <stddef.h>
 
