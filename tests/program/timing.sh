@@ -8,7 +8,7 @@ G1 X30 F6000
 G2 X-30 I-30 J0 F3000
 NC
 sed -i 's|</base>|<axis name="Y" type="linear" direction="0 1 0" rate_max="6000"/></base>|' m.xml
-# In us, by a clock that nobody sets; it counts steps of 10 ms.
+# In us, by a clock that nobody sets. It may stand still for a while on a busy computer: a second more is allowed.
 uptime_us() {
 	awk '{ printf "%d\n", $1 * 1e6 }' /proc/uptime
 }
@@ -16,7 +16,7 @@ start=$(uptime_us)
 status fivecheck -q --timing t.csv -o verdict m.xml a.nc
 end=$(uptime_us)
 cat verdict
-awk -F, -v whole=$((end - start + 10000)) '
+awk -F, -v whole=$((end - start + 1000000)) '
 	NR == 1 { print; next }
 	{ print $1, $2, $3, $4, ($5 > 1 ? "many" : $5) " steps", $6 " s"; sum += $7 + $8; good += $7 >= 0 && $8 >= 0; moving += $5 && $8 > 0 }
 	END { print NR - 1 " rows, " good " with times, " moving " checked, " (sum > 0 && sum < whole ? "within the run" : sum " of " whole) }' t.csv
