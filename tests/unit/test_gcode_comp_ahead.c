@@ -282,9 +282,52 @@ START_TEST(alone)
 }
 END_TEST
 
+/* The degrees by which the arc about this centre turns; 0: there is none. */
+static double sweep_about(const struct gcode_case *c, const char *centre)
+{
+	const char *at = strstr(strbuf_text(&c->moves), centre);
+
+	at = at ? strstr(at, "sweep ") : NULL;
+	return at ? strtod(at + strlen("sweep "), NULL) : 0;
+}
+
+/*
+ * A clockwise circle that lacks `gap` radians between arcs that are tangent to it. With many radii of the tool rounding
+ * places its compensated end behind its start.
+ */
+static void circle_stays(double gap, double tool_radius)
+{
+	const struct radius_offset radius = {1, tool_radius};
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	strbuf_addf(&program, "G94 F9 G1 G41 D1 X-5 Y-5\nG3 X0 Y0 J5\nG2 X%.16f Y%.16f I50\n", 50 - 50 * cos(gap),
+		    -50 * sin(gap));
+	strbuf_addf(&program, "G3 X%.16f Y%.16f I%.16f J%.16f\nG1 G40 X-30\nM30\n",
+		    50 - 55 * cos(gap) + 5 * sin(gap), 5 * cos(gap) - 55 * sin(gap), -5 * cos(gap), -5 * sin(gap));
+	init(&c, &dialect_fanuc, A, CIRCULAR);
+	c.config.radii = &radius;
+	c.config.radius_count = 1;
+	ck_assert_msg(case_run(&c, strbuf_text(&program)), "%s", strbuf_text(&c.messages));
+	ck_assert_double_eq_tol(sweep_about(&c, "centre 50 0 0"), gap * 180 / PI - 360, 1e-5);
+	case_release(&c);
+	strbuf_release(&program);
+}
+
+START_TEST(nearly_whole_circles)
+{
+	for (int radius = 1; radius <= 40; radius++) {
+		circle_stays(0, 0.1217 * radius);
+		for (double gap = 1e-12; gap < 0.1; gap *= 10)
+			circle_stays(gap, 0.1217 * radius);
+	}
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, cancel_alone, every_way_is_covered, faults, alone};
+	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, cancel_alone, every_way_is_covered, faults, alone,
+				nearly_whole_circles};
 
 	return RUN_TESTS("comp_ahead", tests);
 }

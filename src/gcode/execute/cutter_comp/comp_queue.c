@@ -32,19 +32,20 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item)
 }
 
 /*
- * Radians: up to this angle the ends of a compensated whole circle are one point. Where it meets another path
- * tangentially, the point common to both is known only to the square root of the rounding.
+ * Radians: the compensated end of a whole circle, or nearly whole one, may lie so far behind its start, because the
+ * point common to paths that meet tangentially is known only to the square root of the rounding.
  */
-#define WHOLE_CIRCLE 1e-4
+#define ENDS_MEET 5e-4
 
 static double sweep_to(const struct comp_queue *queue, const struct comp_item *item, struct plane_point end)
 {
 	double radius = math_hypot(queue->start.a - item->centre.a, queue->start.b - item->centre.b);
+	double sweep = arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns, SAME_POINT / radius);
 
-	const bool whole = item->programmed_sweep > 2 * PI * item->turns - SAME_POINT / radius;
-
-	return arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns,
-			 whole ? WHOLE_CIRCLE : SAME_POINT / radius);
+	/* Compensation takes no turn off an arc. */
+	if (fabs(sweep) + 2 * PI <= item->programmed_sweep + ENDS_MEET)
+		sweep += copysign(2 * PI, sweep);
+	return sweep;
 }
 
 enum comp_end comp_queue_end_at(struct comp_queue *queue, struct plane_point end, double slack,
