@@ -152,6 +152,35 @@ START_TEST(goes_on)
 }
 END_TEST
 
+/* Backward the tool comes to the last point first, on any way from where it was; forward nothing leads there. */
+START_TEST(comes_to_the_end)
+{
+	static const char *const far = "M30\n%_N_KON_SPF\nG0 X0 Y0\nG1 X60\nY50\nM17\n";
+	static const struct {
+		const char *cycle;
+		bool comes;
+	} variants[] = {{CYCLE("KON", "1", "1", "4"), false}, {CYCLE("KON", "10001", "1", "4"), true}};
+
+	for (size_t i = 0; i < 2; i++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		strbuf_addf(&program, HEAD "%s%s", variants[i].cycle, far);
+		mill(&c, strbuf_text(&program));
+		for (int j = 0; j <= 10; j++) {
+			const double share = j / 10.0;
+			const vec3 way = {-30 + 90 * share, -40 + 90 * share, 60 - 10 * share};
+
+			ck_assert(!variants[i].comes || outside(way) <= 1e-9);
+		}
+		ck_assert_int_eq(outside((vec3){-30, 50, 60}) <= 1e-9, variants[i].comes);
+		ck_assert_int_eq(outside((vec3){60, -40, 60}) <= 1e-9, variants[i].comes);
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* The contour needs no F, and its G-codes hold in it alone. */
 START_TEST(modes_come_back)
 {
@@ -208,6 +237,20 @@ static const struct refused_program {
 	 "the program ends in the contour of CYCLE72"},
 	{"G500 F6 T1 D1 M6\nCYCLE72(\"A:B\",50,0,1,-5,,,,100,,1,41,1,2)\nM30\nA:\nX0 Y0\nRET\nB:\n", 6, 1,
 	 "the program ends in the contour of CYCLE72"},
+	{"G500 F6 T1 D1 M6\nCYCLE72(\"A:B\",50,0,1,-5,,,,100,,1,41,1,2)\nM30\nA:\nG91 X0 Y0\nB:\n", 5, 5,
+	 "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both given, absolutely: write "
+	 "G90 and both of them"},
+	{"G500 F6 T1 D1 M6\nCYCLE72(\"A:B\",50,0,1,-5,,,,100,,1,41,1,2)\nM30\nA:\nY0\nB:\n", 5, 1,
+	 "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both given, absolutely: write "
+	 "G90 and both of them"},
+	{"G500 F6 T1 D1 M6\nCYCLE72(\"A:B\",50,0,1,-5,,,,100,,1,41,1,2)\nM30\nA:\nX0 Y=IC(0)\nB:\n", 5, 1,
+	 "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both given, absolutely: write "
+	 "G90 and both of them"},
+	{"CYCLE62(\"A\",0.6,,)\n", 1, 1,
+	 "CYCLE62 with a contour of type 0.6 is not supported, only 0 (a subprogram), 1 (a contour's name) and 2 (two labels)"},
+	{"G500 F6 T1 D1 M6\nCYCLE62(,2,\"A\",\"B\")\nL1\nA:\nX0 Y0\nB:\nM30\n%_N_L1_SPF\n"
+	 "CYCLE72(\"\",50,0,1,-5,,,,100,,1,41,1,2)\nM17\n", 9, 1,
+	 "no line of this program has the label A of the contour"},
 	{"MCALL CYCLE72(\"A:B\",50,0,1,-5)\n", 1, 7,
 	 "CYCLE72: milling of a contour is not supported yet"},
 };
@@ -231,7 +274,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {covers, goes_on, modes_come_back, refuses};
+	const TTest *const tests[] = {covers, goes_on, comes_to_the_end, modes_come_back, refuses};
 
 	return run_tests("gcode_sinumerik_contour", tests, sizeof(tests) / sizeof(tests[0]));
 }

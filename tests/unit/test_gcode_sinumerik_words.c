@@ -115,6 +115,9 @@ static const struct program {
 	 "rapid 0 0 10 0 0\nrapid 1 0 10 0 0\nrapid 1 50 10 0 0\nrapid 1 50 9 0 0\nrapid 0 1 9 0 0\nrapid 0 51 9 0 0\n"
 	 "rapid 0 51 8 0 0\nrapid 2 0 8 0 0\nrapid 2 50 8 0 0\nrapid 2 50 7 0 0\nrapid 0 2 7 0 0\nrapid 0 52 7 0 0\n"
 	 "rapid 0 52 6 0 0\nrapid 0 0 6 0 0\n"},
+	/* A pattern is a subprogram with SAVE: G1, G91 and TRANS of what runs at its holes end with it. */
+	{"F6 G500 G0 Z10\nMCALL LEAVES\nHOLES1(0,0,0,10,5,2)\nMCALL\nX0 Y1\nM30\n%_N_LEAVES_SPF\nTRANS X100\nG91 G1 Z-1\nM17\n",
+	 "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nfeed 10 0 9 0 0\nrapid 115 0 9 0 0\nfeed 115 0 8 0 0\nrapid 0 1 8 0 0\n"},
 };
 
 static const struct bad {
@@ -123,6 +126,8 @@ static const struct bad {
 	{"F6 G500 G0 Z10\nMCALL TURNS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_TURNS_SPF\nG18\nM17\n",
 	 "TURNS has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of HOLES1; PROC with SAVE "
 	 "brings them back"},
+	{"F6 G500 G450 T1 D1 M6 G0 Z10\nMCALL BESIDE\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_BESIDE_SPF\nG1 G41 X=IC(20)\nX=IC(20)\nM17\n",
+	 "BESIDE has left tool radius compensation on at a hole of HOLES1; G40 first"},
 	{"F6 G500 G0 Z10\nMCALL ROWS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_ROWS_SPF\nHOLES1(0,0,0,1,1,2)\nM17\n",
 	 "HOLES1 in the subprogram ROWS, which MCALL calls, is not supported"},
 	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},

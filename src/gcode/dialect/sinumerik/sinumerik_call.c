@@ -345,7 +345,12 @@ bool sinumerik_call_round(struct interp *interp, bool *left)
 
 	*left = call && call->last_line && interp->at.line == call->last_line + 1 &&
 		call->entry.source == interp->program.source;
-	return !*left || next_round(interp);
+	if (!*left)
+		return true;
+	/* This line is behind the part, and was not carried out. */
+	if (interp->furthest == interp->at.line && interp->program.source == interp->program.sources.items[0])
+		interp->furthest--;
+	return next_round(interp);
 }
 
 void sinumerik_call_jumped(struct interp *interp, long line)

@@ -53,7 +53,7 @@ bool sinumerik_contour_select(struct interp *interp, int column)
 
 	for (size_t i = sinumerik->argument_count; i < 4; i++)
 		sinumerik->argument_texts[i].bytes[0] = '\0';
-	if (!(type >= 0 && type <= 2))
+	if (!(type >= 0 && type <= 2) || !same_double(floor(type), type))
 		return fault(&interp->at, column, "CYCLE62 with a contour of type %.9g is not supported, only 0 (a "
 						  "subprogram), 1 (a contour's name) and 2 (two labels)", type);
 	if (type < 1)
@@ -156,6 +156,7 @@ static bool read_arguments(struct interp *interp, struct sinumerik_contour *cont
 	contour->safe = height.safe;
 	contour->bottom = height.bottom;
 	contour->stays_low = sinumerik_argument_digit(&of, VARI, 2) > 1;
+	contour->backward = sinumerik_argument_digit(&of, VARI, 4) > 0;
 	contour->feed = sinumerik_argument_or(&of, FFP1, 0) * sinumerik->feed_scale / SECONDS_PER_MINUTE;
 	if (!(contour->feed > 0))
 		contour->feed = interp->state.feed_linear / SECONDS_PER_MINUTE;
@@ -204,23 +205,32 @@ static bool go(struct interp *interp, const slot_values *to, double height, doub
 	return sinumerik_open_place_go(interp, &target, half, feed);
 }
 
-/* Over the first point, one axis after the other or all at once, and into the material in every pass. */
-static bool approach(struct interp *interp, const slot_values *target)
+/* From where the tool was before the cycle to over an end of the contour, one axis after the other or all at once. */
+static bool come_over(struct interp *interp, const slot_values *target)
 {
-	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
-	const slot_values from = *sinumerik_frame_place(interp);
-	slot_values centre = from, over_it = *target;
+	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const slot_values *from = &contour->from;
+	slot_values centre = *from, over_it = *target;
 	double half[SLOT_Z + 1];
 
 	over_it.v[across(contour)] = contour->clear;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		centre.v[slot] = (from.v[slot] + over_it.v[slot]) / 2;
-		half[slot] = fabs(from.v[slot] - over_it.v[slot]) / 2 + (slot == (int)across(contour) ? 0 : contour->ends);
+		centre.v[slot] = (from->v[slot] + over_it.v[slot]) / 2;
+		half[slot] = fabs(from->v[slot] - over_it.v[slot]) / 2 + (slot == (int)across(contour) ? 0 : contour->ends);
 	}
+	return sinumerik_open_place_go(interp, &centre, half, 0);
+}
+
+/* Over the first point, and into the material in every pass. */
+static bool approach(struct interp *interp, const slot_values *target)
+{
+	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+
+	contour->from = *sinumerik_frame_place(interp);
 	sinumerik_open_place_take_over(interp);
 	contour->begun = true;
 	contour->start = *target;
-	return sinumerik_open_place_go(interp, &centre, half, 0) &&
+	return come_over(interp, target) &&
 	       go(interp, target, contour->clear, contour->ends, 0, 0) &&
 	       go(interp, target, contour->bottom, contour->ends, 0, contour->feed) &&
 	       go(interp, target, middle(contour), 0, 0, contour->feed);
@@ -290,6 +300,22 @@ static int foreign_word(const struct sinumerik_block *block)
 	return block->call[0] ? block->call_column : block->modal ? block->modal_column : 0;
 }
 
+/* Does the block give both coordinates of the plane, or both polar ones, and none by an increment of its own? */
+static bool names_point(const struct sinumerik_contour *contour, const struct sinumerik_block *block)
+{
+	bool straight = true;
+
+	if (sinumerik_block_has_address(block, SINUMERIK_AP) && sinumerik_block_has_address(block, SINUMERIK_RP))
+		return block->address_way[SINUMERIK_AP] != SINUMERIK_WAY_IC &&
+		       block->address_way[SINUMERIK_RP] != SINUMERIK_WAY_IC;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (slot != (int)across(contour))
+			straight = straight && sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
+				   block->way[AXIS_LETTERS[slot] - 'A'] != SINUMERIK_WAY_IC;
+	}
+	return straight;
+}
+
 bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -300,6 +326,7 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 	if (!sinumerik_contour_check_inside(interp, 1))
 		return false;
 	column = foreign_word(block);
+	sinumerik_of(interp)->contour.names_point = names_point(&sinumerik->contour, block);
 	for (int i = 0; i < block->m_count; i++) {
 		/* Of a subprogram they are the end; a part between labels ends with its label. */
 		if ((block->m[i] == 2 || block->m[i] == 17 || block->m[i] == 30) &&
@@ -320,6 +347,22 @@ bool sinumerik_contour_check_inside(struct interp *interp, int column)
 		     sinumerik->contour.line.line);
 }
 
+/* What counts from the place before is refused: where the control's cycle is then is not known. */
+static bool begin_contour(struct interp *interp, const slot_values *target, bool by_circle)
+{
+	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const int column = interp->block.g_column[G_MOTION];
+
+	if (by_circle)
+		return fault(&interp->at, column,
+			     "the contour of CYCLE72 begins with a circle: its first point is not known");
+	if (!contour->names_point || interp->state.incremental)
+		return fault(&interp->at, column,
+			     "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both given, "
+			     "absolutely: write G90 and both of them");
+	return approach(interp, target);
+}
+
 bool sinumerik_contour_take(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
 {
 	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -333,9 +376,7 @@ bool sinumerik_contour_take(struct interp *interp, const slot_values *target, co
 	if (!check_move(interp, target, circle))
 		return false;
 	if (!contour->begun)
-		return !circle ? approach(interp, target)
-			       : fault(&interp->at, interp->block.g_column[G_MOTION],
-				       "the contour of CYCLE72 begins with a circle: its first point is not known");
+		return begin_contour(interp, target, circle != NULL);
 	return circle ? go_round(interp, target, circle, aside, over)
 		      : go(interp, target, middle(contour), aside, over, contour->feed);
 }
@@ -373,6 +414,7 @@ bool sinumerik_contour_end(struct interp *interp)
 	}
 	if (!go(interp, &end, contour->bottom, contour->ends, 0, contour->feed) ||
 	    !go(interp, &end, contour->clear, contour->ends, 0, 0) ||
+	    (contour->backward && (!come_over(interp, &end) || !go(interp, &end, contour->clear, contour->ends, 0, 0))) ||
 	    !go(interp, &start, (low + contour->clear) / 2, contour->ends, (contour->clear - low) / 2, 0) ||
 	    !go(interp, &between, contour->clear, contour->ends, (contour->clear - low) / 2, 0))
 		return false;

@@ -12,6 +12,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_save.h"
 #include "gcode/dialect/sinumerik/sinumerik_region.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 
@@ -277,6 +278,7 @@ bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 					   .scale = interp->state.scale,
 					   .from = *sinumerik_frame_place(interp),
 					   .argument_count = sinumerik->argument_count};
+	sinumerik_save_modes(interp, &left->before);
 	strcpy(left->name, name);
 	memcpy(left->arguments, sinumerik->arguments, sizeof(left->arguments));
 	return run_left(interp);
@@ -302,5 +304,10 @@ bool sinumerik_pattern_go_on(struct interp *interp)
 			     "%s has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of %s; "
 			     "PROC with SAVE brings them back",
 			     sinumerik->modal.name, left->name);
-	return run_left(interp);
+	if (interp->comp.side != 0)
+		return fault(&interp->at, left->column, "%s has left tool radius compensation on at a hole of %s; G40 first",
+			     sinumerik->modal.name, left->name);
+	/* The cycles of the control are subprograms with SAVE: what ran at the holes ran inside of one. */
+	return sinumerik_target_check_cycle(interp, left->column) && run_left(interp) &&
+	       (left->on || sinumerik_save_restore(interp, &left->before, left->column));
 }

@@ -146,6 +146,7 @@ struct sinumerik_pattern {
 	double scale;	/* mm per unit of length */
 	slot_values from;	/* program coordinates of the tool: a row begins at the nearer end */
 	long done;	/* holes */
+	struct sinumerik_saved before;	/* modes that hold again behind it */
 	size_t argument_count;
 	double arguments[SINUMERIK_ARGUMENTS_MAX];
 };
@@ -159,11 +160,13 @@ struct sinumerik_contour {
 	int depth;	/* of calls at this line */
 	int column, plane;
 	bool begun;	/* its first point is known: */
-	slot_values start;	/* program coordinates, mm */
+	bool names_point;	/* the block in hand gives a whole point of the plane */
+	slot_values from, start;	/* before the cycle, and the first point: program coordinates, mm */
 	double clear, safe, bottom;	/* heights */
 	double beside, ends;	/* mm: how far the tool may be beside the contour, and about its ends */
 	double rounded;	/* mm: by what a rounding or chamfer leaves the end of the last block */
 	bool stays_low;	/* between two passes it may go back within the material */
+	bool backward;	/* the tool comes to the last point first */
 	double feed;	/* mm/s */
 	struct sinumerik_saved before;	/* modes and the feed (mm/min) that hold again behind the cycle */
 	double feed_before;
