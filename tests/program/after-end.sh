@@ -26,3 +26,10 @@ for format in github sarif; do
 done
 # A pipe is not read any further: its writer may be waiting.
 cat behind.nc | fivecheck -q --parse-only m.xml -
+# A part that is repeated is carried out, though it stands behind M30; the line right behind it is not.
+sed 's|dialect="fanuc"|dialect="sinumerik"|' m.xml >sinumerik.xml
+printf 'G90 G71 G500\nREPEAT A B\nM30\nA: G0 X10\nB:\n' >part.mpf
+sed '$aG0 X20' part.mpf >behind-part.mpf
+for program in part behind-part; do
+	status fivecheck -q --parse-only sinumerik.xml $program.mpf
+done
