@@ -89,6 +89,9 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: Q343=1 needs the point angle of the tool: give the tool of the setup a <cutter> with "
 	 "tip=\"cone\" and its angle, or write Q343=0 and the depth of the tip in Q201"},
+	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=+10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
+	 "p.nc:3:1: error: Q344=10: what a depth above the surface does depends on a machine parameter; a diameter below it "
+	 "is negative"},
 	{"CYCL DEF 208 BORE MILLING Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 208 lacks Q335"},
 	{"CYCL DEF 20 DATA Q1=-15 Q3=6 Q5=0 Q6=2 Q7=50\nCYCL DEF 24 SIDE Q10=-5 Q11=150 Q12=500 Q14=0.2\nM99\n",

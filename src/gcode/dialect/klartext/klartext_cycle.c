@@ -66,13 +66,19 @@ static bool find_point_height(const struct klartext_call_of *call, int q, double
 	return true;
 }
 
-/* "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, and not to the depth Q201. */
+/* "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, whose sign is that of a depth, and not to the depth Q201. */
 static bool centre_by_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double diameter, depth;
 
-	if (!klartext_parameter_length(call, 344, &diameter) ||
-	    !find_point_height(call, 343, fabs(diameter), &depth))
+	if (!klartext_parameter_length(call, 344, &diameter))
+		return false;
+	if (diameter > 0)
+		return fault(&call->interp->at, call->column,
+			     "Q344=%g: what a depth above the surface does depends on a machine parameter; a diameter "
+			     "below it is negative",
+			     diameter);
+	if (!find_point_height(call, 343, -diameter, &depth))
 		return false;
 	hole->bottom = hole->start - hole->clearance - depth;
 	hole->nothing = same_double(depth, 0);
