@@ -25,6 +25,9 @@ enum { FAL = 5, FFP1 = 7, VARI = 9, RL = 10, AS1 = 11, LP1 = 12, AS2 = 14, LP2 =
 /* Radii: how far a sharp corner may be drawn out, where it is not led round (of up to 2.4 radians, comp_turn.c). */
 #define DRAWN_OUT 3.0
 
+/* Radians: a path that turns by less goes on as it was. */
+#define TANGENT 1e-3
+
 /* Radians: a chord of a circle spans at most this. */
 #define CHORD 0.2
 
@@ -133,6 +136,7 @@ static bool find_margins(struct sinumerik_contour *contour, const struct sinumer
 			     "the control chooses is not known");
 	contour->beside = fabs(sinumerik_argument_length(of, FAL)) +
 			  (centred ? 0 : radius * (sinumerik_comp_rounds(interp) ? 1 : DRAWN_OUT));
+	contour->drawn_out = fabs(sinumerik_argument_length(of, FAL)) + (centred ? 0 : radius * DRAWN_OUT);
 	/* A line of LP, from the edge of the tool or from its centre; a half circle of radius LP. */
 	contour->ends = contour->beside + 2 * (leads + radius);
 	return true;
@@ -261,6 +265,33 @@ static bool go_round(struct interp *interp, const slot_values *target, const str
 	return go(interp, target, middle(contour), aside + sagitta, over, contour->feed);
 }
 
+/*
+ * A corner before this move: whether the cycle leaves G450 as it is, or draws corners out by its own G451, is not said.
+ * Both are covered. Where the path goes on as it was there is no corner.
+ */
+static bool go_about_corner(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
+{
+	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
+	const enum axis_slot a = contour->plane == G17 ? SLOT_X : contour->plane == G18 ? SLOT_Z : SLOT_Y;
+	const enum axis_slot b = contour->plane == G17 ? SLOT_Y : contour->plane == G18 ? SLOT_X : SLOT_Z;
+	const slot_values place = *sinumerik_frame_place(interp);
+	const slot_values from = sinumerik_frame_straight(interp, &place), to = sinumerik_frame_straight(interp, target);
+	const vec3 before = contour->heading, way = {to.v[a] - from.v[a], to.v[b] - from.v[b], 0};
+	const double turn = circle ? (circle->clockwise ? -1 : 1) : 0;
+	vec3 start = way, end = way;
+
+	if (circle) {
+		start = (vec3){turn * (circle->centre.b - from.v[b]), turn * (from.v[a] - circle->centre.a), 0};
+		end = (vec3){turn * (circle->centre.b - to.v[b]), turn * (to.v[a] - circle->centre.a), 0};
+	}
+	if (!(vec3_norm(start) > 0))
+		return true;
+	contour->heading = vec3_unit(end);
+	if (!(vec3_norm(before) > 0) || vec3_norm(vec3_sub(before, vec3_unit(start))) < TANGENT)
+		return true;
+	return go(interp, &place, middle(contour), contour->drawn_out, (contour->safe - contour->bottom) / 2, contour->feed);
+}
+
 static bool check_move(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
 {
 	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -377,6 +408,8 @@ bool sinumerik_contour_take(struct interp *interp, const slot_values *target, co
 		return false;
 	if (!contour->begun)
 		return begin_contour(interp, target, circle != NULL);
+	if (contour->drawn_out > contour->beside && !go_about_corner(interp, target, circle))
+		return false;
 	return circle ? go_round(interp, target, circle, aside, over)
 		      : go(interp, target, middle(contour), aside, over, contour->feed);
 }

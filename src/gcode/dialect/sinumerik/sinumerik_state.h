@@ -164,6 +164,8 @@ struct sinumerik_contour {
 	slot_values from, start;	/* before the cycle, and the first point: program coordinates, mm */
 	double clear, safe, bottom;	/* heights */
 	double beside, ends;	/* mm: how far the tool may be beside the contour, and about its ends */
+	double drawn_out;	/* mm: how far it may be beside a corner */
+	vec3 heading;	/* unit, in the plane: of the end of the last move; 0: none yet */
 	double rounded;	/* mm: by what a rounding or chamfer leaves the end of the last block */
 	bool stays_low;	/* between two passes it may go back within the material */
 	bool backward;	/* the tool comes to the last point first */
