@@ -183,6 +183,22 @@ START_TEST(comes_to_the_end)
 }
 END_TEST
 
+/* In a loop, with the contour at the end of the file: the loop is outside of it. */
+START_TEST(repeats)
+{
+	struct gcode_case c;
+
+	mill(&c, HEAD "FOR R1=1 TO 2\n" CYCLE("A1:A2", "1", "1", "4") "G0 X=100*R1 Y100\nENDFOR\nM30\nA1:\n" CONTOUR "A2:\n");
+	ck_assert(strstr(strbuf_text(&c.moves), "rapid 100 100 150 0 0"));
+	ck_assert(strstr(strbuf_text(&c.moves), "rapid 200 100 150 0 0"));
+	case_release(&c);
+	sinumerik_case_init(&c);
+	ck_assert(!case_run(&c, "G500 F6\nREPEAT A B\nM30\nA: X1\nFOR R1=1 TO 2\nB: X2"));
+	ck_assert(strstr(strbuf_text(&c.messages), "error: the loop of line 5 is not closed at the end of the file\n"));
+	case_release(&c);
+}
+END_TEST
+
 /* The contour needs no F, and its G-codes hold in it alone. */
 START_TEST(modes_come_back)
 {
@@ -253,6 +269,12 @@ static const struct refused_program {
 	{"G500 F6 T1 D1 M6\nCYCLE62(,2,\"A\",\"B\")\nL1\nA:\nX0 Y0\nB:\nM30\n%_N_L1_SPF\n"
 	 "CYCLE72(\"\",50,0,1,-5,,,,100,,1,41,1,2)\nM17\n", 9, 1,
 	 "no line of this program has the label A of the contour"},
+	{"G500 F6 T1 D1 M6\nSCALE Y0.5\nCYCLE72(\"A:B\",50,0,1,-5,,,,100,,1,41,1,2)\nM30\nA:\nX0 Y0\nB:\n", 3, 1,
+	 "CYCLE72 while SCALE is in force is not supported"},
+	{"G500 F6 T1 D1 M6\nSCALE X2 Y2 Z2\nPOCKET4(50,0,2,-10,20,30,30,5,0,0,300,100,0,11,1)\n", 3, 1,
+	 "POCKET4 while SCALE is in force is not supported"},
+	{"G500 F6 T1 D1 M6\nSCALE Y2\nG1 G41 X0 Y0\n", 3, 4,
+	 "tool radius compensation while SCALE is in force is not supported yet"},
 	{"MCALL CYCLE72(\"A:B\",50,0,1,-5)\n", 1, 7,
 	 "CYCLE72: milling of a contour is not supported yet"},
 };
@@ -276,7 +298,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {covers, goes_on, comes_to_the_end, modes_come_back, refuses};
+	const TTest *const tests[] = {covers, goes_on, comes_to_the_end, repeats, modes_come_back, refuses};
 
 	return run_tests("gcode_sinumerik_contour", tests, sizeof(tests) / sizeof(tests[0]));
 }

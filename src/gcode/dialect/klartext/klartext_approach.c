@@ -196,7 +196,8 @@ bool klartext_approach_check_none(struct interp *interp)
 }
 
 /* PH, and the path from there to PA; LN has none. The tool's centre there is told of LCT alone. False: reported. */
-static bool find_approach(struct interp *interp, vec3 direction, struct klartext_tangent_helper *helper, struct klartext_path *last)
+static bool find_approach(struct interp *interp, vec3 direction, struct klartext_tangent_helper *helper,
+			  struct klartext_path *last)
 {
 	const struct klartext_approach *approach = &klartext_of(interp)->approach;
 	const struct klartext_way_words *words = &approach->words;

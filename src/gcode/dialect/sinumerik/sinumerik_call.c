@@ -467,14 +467,16 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
+	const struct sinumerik_call *call = top_call(sinumerik);
+	const size_t outside = call && call->last_line ? call->loops : 0;
 
-	if (sinumerik->loop_count > 0 && sinumerik->loops[sinumerik->loop_count - 1].level == sinumerik->level) {
+	if (sinumerik->loop_count > outside && sinumerik->loops[sinumerik->loop_count - 1].level == sinumerik->level) {
 		diag_error(interp->diag, loc, "the loop of line %ld is not closed at the end of the file",
 			   sinumerik->loops[sinumerik->loop_count - 1].start.line);
 		return false;
 	}
 	/* Its last line is that of the file. */
-	if (sinumerik->depth && top_call(sinumerik)->last_line)
+	if (call && call->last_line)
 		return next_round(interp);
 	if (!sinumerik_call_is_inside(interp))
 		return true;

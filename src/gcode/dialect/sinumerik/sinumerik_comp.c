@@ -96,7 +96,7 @@ static bool check_plane(struct interp *interp, int column)
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "tool radius compensation while TRAORI is on is not supported");
-	if (state->frame.on && state->frame.distorts && fabs(vec3_norm(state->frame.turn.x) - 1) > DIRECTION_TOLERANCE)
+	if (sinumerik_frame_resizes(interp))
 		return fault(&interp->at, column,
 			     "tool radius compensation while SCALE is in force is not supported yet");
 	if (sinumerik_of(interp)->turns_plane)

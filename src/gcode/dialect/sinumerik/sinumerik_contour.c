@@ -180,6 +180,8 @@ bool sinumerik_contour_mill(struct interp *interp, int column)
 
 	if (contour->on)
 		return fault(&interp->at, column, "CYCLE72 in a contour that CYCLE72 follows");
+	if (sinumerik_frame_resizes(interp))
+		return fault(&interp->at, column, "CYCLE72 while SCALE is in force is not supported");
 	if (!own[0] && contour->selected != 1)
 		return fault(&interp->at, column,
 			     contour->selected ? "CYCLE72 behind several CYCLE62: a contour made of several is not supported"

@@ -35,6 +35,22 @@ static vec3 apply_inverse(const mat3 *m, vec3 p)
 						  vec3_dot(vec3_cross(m->x, m->y), p)});
 }
 
+bool sinumerik_frame_resizes(const struct interp *interp)
+{
+	const struct rotated_frame *frame = &interp->state.frame;
+	const vec3 rows[3] = {frame->turn.x, frame->turn.y, frame->turn.z};
+
+	if (!frame->on || !frame->distorts)
+		return false;
+	/* Of a matrix that keeps lengths the rows are unit vectors at right angles. */
+	for (int i = 0; i < 3; i++) {
+		if (fabs(vec3_norm(rows[i]) - 1) > DIRECTION_TOLERANCE ||
+		    fabs(vec3_dot(rows[i], rows[(i + 1) % 3])) > DIRECTION_TOLERANCE)
+			return true;
+	}
+	return false;
+}
+
 struct sinumerik_frame sinumerik_frame_none(void)
 {
 	return (struct sinumerik_frame){.matrix = mat3_identity()};

@@ -34,6 +34,9 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 /* How a frame changes lengths: its factor. False: it differs from direction to direction. */
 bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
+/* Does what is in force change lengths in any direction (SCALE)? Turning and mirroring do not. */
+bool sinumerik_frame_resizes(const struct interp *interp);
+
 struct sinumerik_frame sinumerik_frame_none(void);
 
 /*

@@ -355,6 +355,9 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 	const int plane = interp->state.plane;
 	struct milling m = {.of = {interp, name, column, arguments, count}, .radius = sinumerik_tool_radius(interp)};
 
+	/* The tool's radius keeps its size. */
+	if (sinumerik_frame_resizes(interp))
+		return fault(&interp->at, column, "%s while SCALE is in force is not supported", name);
 	m.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 	m.a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
 	m.b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
