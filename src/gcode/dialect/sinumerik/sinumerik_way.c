@@ -19,10 +19,10 @@ bool sinumerik_way_read(struct interp *interp, struct lexer *lexer, double *valu
 
 	*way = SINUMERIK_WAY_MODAL;
 	if (sinumerik_name_read(lexer, name) && lexer_peek(lexer) == '(') {
-		for (unsigned char i = SINUMERIK_WAY_AC; i <= SINUMERIK_WAY_ACN; i++) {
+		for (int i = SINUMERIK_WAY_AC; i <= SINUMERIK_WAY_ACN; i++) {
 			if (strcmp(name, names[i]) != 0)
 				continue;
-			*way = i;
+			*way = (unsigned char)i;
 			lexer_take(lexer);
 			return sinumerik_expr_number(interp, lexer, value) &&
 			       sinumerik_name_need(lexer, ')', "the coordinate");
