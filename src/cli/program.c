@@ -254,12 +254,13 @@ static void report(struct program *program, const struct verdict *verdict, const
 
 	if (verdict && !has_text(context->sinks))
 		tell_verdict(program, verdict);
-	if (program->recorder)
-		write_report(program, &about);
 	for (size_t i = 0; i < context->sinks->count; i++) {
 		context->sinks->items[i].writer->program(&program->text[i], &context->run, &about);
 		program_output_write(program->output, i, &program->text[i]);
 	}
+	/* Last: who waits has the verdict by now, and a fault of it adds to the errors, which may move them. */
+	if (program->recorder)
+		write_report(program, &about);
 }
 
 /* Probably a setup whose --setup was forgotten. */

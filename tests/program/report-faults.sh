@@ -27,6 +27,10 @@ G999
 NC
 status fivecheck -q --report=bad.html m.xml bad.nc
 grep -o 'G999[^<]*</li>' bad.html
+# A report that cannot be written adds an error behind those that the output already has.
+[ -e /dev/full ] && fivecheck -q --report=/dev/full -f ndjson m.xml bad.nc >bad.ndjson
+echo "status $?"
+grep -o '"errors":.*' bad.ndjson
 # A program that is not there.
 status fivecheck -q --report=none.html m.xml none.nc
 grep -o 'incomplete: the program could not be opened' none.html | head -n 1

@@ -137,7 +137,10 @@ class Page {
 				if (blob)
 					this.reports.set(path, blob);
 			} catch (error) {
-				result.fail(error instanceof Cancelled ? 'Cancelled: nothing is known of this program.' : String(error));
+				if (error instanceof Cancelled)
+					result.cancel();
+				else
+					result.fail(String(error));
 			}
 			this.running--;
 			this.showButtons();
@@ -169,8 +172,23 @@ class ProgramResult {
 	onEvent(event) {
 		if (FINDINGS.has(event.kind))
 			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
-		for (const caution of event.kind === 'program' ? event.cautions ?? [] : [])
+		if (event.kind !== 'program')
+			return;
+		for (const caution of event.cautions ?? [])
 			this.onMessage(caution);
+		this.tell(event.verdict);
+	}
+
+	/**
+	 * Tells the verdict. It stands before the report is written; if that fails, `show` says so.
+	 * @param {string} verdict
+	 */
+	tell(verdict) {
+		this.card.dataset.verdict = verdict;
+		this.verdict.textContent = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found: the machine hits itself.',
+			incomplete: 'Incomplete: not everything could be checked.'}[verdict] ?? '';
+		if (verdict === 'found' && !this.findings.querySelector('.collision'))
+			this.verdict.textContent = 'Found: see below.';
 	}
 
 	/** @param {string} message */
@@ -184,13 +202,8 @@ class ProgramResult {
 	 * @param {Blob | undefined} report
 	 */
 	show(result, report) {
-		const verdict = VERDICTS[result.status];
 		this.progress.remove();
-		this.card.dataset.verdict = verdict;
-		this.verdict.textContent = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found: the machine hits itself.',
-			incomplete: 'Incomplete: not everything could be checked.'}[verdict] ?? '';
-		if (verdict === 'found' && result.events.every(({kind}) => kind !== 'collision'))
-			this.verdict.textContent = 'Found: see below.';
+		this.tell(VERDICTS[result.status]);
 		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
 		if (report)
 			this.showReport(report);
@@ -209,6 +222,14 @@ class ProgramResult {
 				document.dispatchEvent(new Event('report-shown'));
 		});
 		this.more.append(element('p', {}, save), frame);
+	}
+
+	/** A verdict that was told stands. */
+	cancel() {
+		if (this.card.dataset.verdict)
+			this.progress.remove();
+		else
+			this.fail('Cancelled: nothing is known of this program.');
 	}
 
 	/** @param {string} text */
