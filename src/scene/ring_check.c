@@ -18,6 +18,9 @@ static const double ROUND = 2e-3;
 /* mm: a circle has its middle on the axis if it is no farther off. */
 static const double MIDDLE_OFF = 0.2;
 
+/* Triangles: a larger mesh would take longer to look at than to read. */
+enum { MESH_MOST = 50000 };
+
 /* A corner in a plane across the axis: the height of the plane, and the place in it, with the axis at 0. */
 struct corner {
 	double height, x, y;
@@ -203,7 +206,7 @@ static void judge_edges(struct rings *rings)
 	free(roots);
 }
 
-/* Judges the circles of the bodies on a link until one is on the axis; false: a mesh has not been read. */
+/* Judges the circles of the bodies on a link until one is on the axis; false: a mesh is too large, or was not read. */
 static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 {
 	for (size_t i = 0; i < scene->body_count && rings->nearest > MIDDLE_OFF; i++) {
@@ -211,7 +214,7 @@ static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 
 		if (body->body->link != link || body->body->role != ROLE_MACHINE)
 			continue;
-		if (!body->bvh)
+		if (!body->bvh || body->bvh->mesh.count > MESH_MOST)
 			return false;
 		rings->count = 0;
 		add_walls(rings, body);

@@ -164,6 +164,11 @@ def peer(tools, truth, step, limit, name='fcl', skip=False):
     return row, float(seconds)
 
 
+def moves(scene):
+    with open(scene.path) as text:
+        return bool(text.readline() and text.readline())
+
+
 def position_at(scene, time):
     """The axes on the path, in the scene's order."""
     with open(scene.path) as text:

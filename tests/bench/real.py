@@ -26,7 +26,6 @@ def fcl(tools, scene, verdict):
     """Seconds a block of FCL at samples of 0.01 s; '' without FCL, or where it would stop at a contact."""
     if 'fcl' not in tools.peers or verdict != 'clear':
         return ''
-    scene.prepare(tools)
     return judge.peer(tools, judge.Clear(scene), 0.01, 5)[0]['seconds_per_block']
 
 
@@ -36,6 +35,10 @@ def rows(tools, out):
         say('real: ' + scene.name)
         if tools.check(scene, ['-q'], expect=(0, 1, 2)).status == 2:
             say('real: %s is not checked to its end, and left out' % scene.name)
+            continue
+        scene.prepare(tools)
+        if not judge.moves(scene):
+            say('real: %s moves no axis, and is left out' % scene.name)
             continue
         methods = ['certified', 'conventional', 'interpolated']
         runs = rounds(tools.runs, *[lambda m=m: tools.check(scene, ['-j', '1', '--method', m]) for m in methods])
