@@ -33,13 +33,15 @@ def rows(tools, out):
     result = []
     for scene in scenes(tools, out):
         say('real: ' + scene.name)
-        if tools.check(scene, ['-q'], expect=(0, 1, 2)).status == 2:
+        status = tools.check(scene, ['-q'], expect=(0, 1, 2)).status
+        if status == 2:
             say('real: %s is not checked to its end, and left out' % scene.name)
             continue
-        scene.prepare(tools)
-        if not judge.moves(scene):
-            say('real: %s moves no axis, and is left out' % scene.name)
-            continue
+        if status == 0:
+            scene.prepare(tools)
+            if not judge.moves(scene):
+                say('real: %s moves no axis, and is left out' % scene.name)
+                continue
         methods = ['certified', 'conventional', 'interpolated']
         runs = rounds(tools.runs, *[lambda m=m: tools.check(scene, ['-j', '1', '--method', m]) for m in methods])
         read = [tools.check(scene, ['--parse-only']).cpu for _ in range(tools.runs)]
