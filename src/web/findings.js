@@ -160,7 +160,7 @@ export class FindingsView {
 					state.beforeFinding();
 					state.toggle();
 				}}, '\u25b6 from 2 s before')),
-			...(index ? [] : question(model, finding)));
+			...(finding.certain === undefined ? [] : [h('p.note', {}, certainty(finding.certain))]), ...(index ? [] : question(model, finding)));
 	}
 
 	/** @param {Finding} finding */
@@ -171,7 +171,6 @@ export class FindingsView {
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
 		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`${fixed(finding.clearance, 3)} mm apart here${required ? `; required: more than ${shortest(required)} mm` : ''}.`);
 		else if (finding.allowed_depth) text.push(`The cutter may enter it ${shortest(finding.allowed_depth)} mm deep, and is deeper.`);
-		if (finding.certain !== undefined) text.push(certainty(finding.certain));
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return [this.callers(finding), ...text.map((line) => h('p', {}, line))];
 	}
