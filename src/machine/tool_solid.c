@@ -312,12 +312,20 @@ static void add_band(struct mesh *mesh, const struct vertex *upper, const struct
 	}
 }
 
+/* A fan at either end, and two triangles a vertex between rings. */
+static size_t most_triangles(const struct plan *plan, const struct outline *outline)
+{
+	return 2 * plan->ring * outline->count;
+}
+
 size_t tool_solid_triangles(const struct tool_solid *solid)
 {
-	struct plan plan = make_plan(solid);
+	const struct plan plan = make_plan(solid);
+	struct outline outline;
 
-	/* A fan at either end, and two triangles a vertex between rings. */
-	return 2 * plan.ring * most_corners(solid, &plan);
+	outline_init(&outline, solid, &plan);
+	free(outline.corners);
+	return most_triangles(&plan, &outline);
 }
 
 static void mesh_by(const struct plan *plan, const struct tool_solid *solid, struct arena *arena, struct mesh *out)
@@ -329,7 +337,8 @@ static void mesh_by(const struct plan *plan, const struct tool_solid *solid, str
 
 	circle_init(&circle, plan->ring);
 	outline_init(&outline, solid, plan);
-	*out = (struct mesh){.triangles = arena_alloc(arena, 2 * plan->ring * outline.count * sizeof(mesh_triangle))};
+	*out = (struct mesh){
+		.triangles = arena_alloc(arena, most_triangles(plan, &outline) * sizeof(mesh_triangle))};
 	fill_ring(lower, &circle, outline.corners[0]);
 	add_cap(out, lower, plan->ring, true);
 	for (size_t i = 1; i < outline.count; i++) {

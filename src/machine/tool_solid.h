@@ -48,7 +48,7 @@ void tool_solid_cut(const struct tool_solid *solid, double height, struct arena 
 /* mm: the height of the tip, which is cut from the last section; that section must be at least as long. */
 double tool_solid_tip_height(const struct tool_solid *solid);
 
-/* An upper bound on the triangles that tool_solid_mesh makes. */
+/* The triangles that tool_solid_mesh makes, or a few more: rounding makes some of them lines, which it leaves out. */
 size_t tool_solid_triangles(const struct tool_solid *solid);
 
 /*

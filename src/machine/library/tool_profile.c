@@ -11,6 +11,8 @@
 #define ARC_DEVIATION 0.005
 /* mm: heights nearer than this are one; the sections of a setup are at least this long. */
 #define SAME_HEIGHT TOOL_SECTION_MIN
+/* mm: how far rounding may move a point that lies on a line. */
+#define SAME_LINE 1e-9
 enum { ARC_STEPS_MAX = 256 };
 
 void tool_profile_release(struct tool_profile *profile)
@@ -225,6 +227,31 @@ static struct section_description section_between(const struct tool_profile *pro
 		.length = high - low, .diameter = 2 * at_high, .diameter_end = given(2 * at_low)};
 }
 
+/* Does the joint of two sections lie on the line from the top of the upper one to the end of the lower one? */
+static bool is_straight(const struct section_description *upper, const struct section_description *lower)
+{
+	const double share = upper->length / (upper->length + lower->length);
+	const double joint = upper->diameter + share * (lower->diameter_end.value - upper->diameter);
+
+	return fabs(upper->diameter_end.value - joint) < SAME_LINE && fabs(lower->diameter - joint) < SAME_LINE;
+}
+
+/*
+ * Adds a section below the others, or makes the last one longer: an outline that other pieces only touch from inside
+ * is cut at their ends, too.
+ */
+static void add_section(struct piece_description *out, struct section_description section)
+{
+	struct section_description *last = out->section_count ? &out->sections[out->section_count - 1] : NULL;
+
+	if (!last || !is_straight(last, &section)) {
+		out->sections[out->section_count++] = section;
+		return;
+	}
+	last->length += section.length;
+	last->diameter_end = section.diameter_end;
+}
+
 void tool_profile_sections(const struct tool_profile *profile, double low, double high, double gap,
 			   struct arena *arena, struct piece_description *out)
 {
@@ -237,7 +264,7 @@ void tool_profile_sections(const struct tool_profile *profile, double low, doubl
 	for (size_t i = heights.count + 1; i > 0; i--) {
 		double below = i > 1 ? heights.z[i - 2] : low;
 
-		out->sections[out->section_count++] = section_between(profile, below, above, gap);
+		add_section(out, section_between(profile, below, above, gap));
 		above = below;
 	}
 	free(heights.z);
