@@ -40,7 +40,6 @@ void import_machine_release(struct import_machine *machine);
 struct import_options {
 	const char *meshes;	/* a folder in which meshes are searched first; or NULL */
 	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
-	const char *work;	/* the component that carries the work, where there are several; or NULL: the first */
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 	const char *head;	/* of those that carry the tool; or NULL: not given */
 	const char *device;	/* name, uuid or id of the device to take, where there are several; or NULL: not given */

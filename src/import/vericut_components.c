@@ -5,9 +5,6 @@
 #include <string.h>
 #include <strings.h>
 
-/* More than any machine has. The tree is searched by names, so a limit keeps hostile files fast. */
-#define COMPONENTS_MAX 1000
-
 struct vericut_component *vericut_components_find(const struct vericut_components *components, const char *name)
 {
 	for (size_t i = 0; i < components->count; i++)
@@ -50,6 +47,7 @@ static bool read_component(struct vericut_components *components, struct xml_rea
 	}
 	*c = (struct vericut_component){
 		.node = node,
+		.xml = xml,
 		.name = name,
 		.type = type,
 		.attach = foreign_text(arena, foreign_child(node, "Attach")),
@@ -60,7 +58,7 @@ static bool read_component(struct vericut_components *components, struct xml_rea
 }
 
 /* Places what hangs on what is placed already. Returns how many there were. */
-static size_t place_more(struct vericut_components *components, struct xml_reader *xml, size_t placed)
+static size_t place_more(struct vericut_components *components, size_t placed)
 {
 	size_t before = placed;
 
@@ -70,7 +68,7 @@ static size_t place_more(struct vericut_components *components, struct xml_reade
 
 		if (c->placed || (c->parent && !c->parent->placed))
 			continue;
-		if (!vericut_frame(xml, c->node, &local))
+		if (!vericut_frame(c->xml, c->node, &local))
 			return 0;
 		c->frame = c->parent ? xform_mul(&c->parent->frame, &local) : local;
 		c->placed = true;
@@ -79,23 +77,30 @@ static size_t place_more(struct vericut_components *components, struct xml_reade
 	return placed - before;
 }
 
-static bool place_all(struct vericut_components *components, struct xml_reader *xml)
+static bool place_all(struct vericut_components *components)
 {
 	size_t placed = 0, more;
 
 	do {
-		more = place_more(components, xml, placed);
+		more = place_more(components, placed);
 		placed += more;
 	} while (more && placed < components->count);
-	for (size_t i = 0; i < components->count && !xml->errors; i++)
-		if (!components->items[i].placed)
-			xml_error(xml, components->items[i].node, "Name", "the component '%s' is carried by itself",
-				  xml_quote(components->items[i].name).text);
-	return !xml->errors;
+	for (size_t i = 0; i < components->count; i++)
+		if (components->items[i].xml->errors)
+			return false;
+	for (size_t i = 0; i < components->count; i++) {
+		const struct vericut_component *c = &components->items[i];
+
+		if (c->placed)
+			continue;
+		xml_error(c->xml, c->node, "Name", "the component '%s' is carried by itself", xml_quote(c->name).text);
+		return false;
+	}
+	return true;
 }
 
-/* `mount`: what may carry components though it is none of them, or NULL. */
-static bool find_parents(struct vericut_components *components, struct xml_reader *xml, const char *mount)
+/* False, reported: a component of the machine hangs on nothing known, or there are two bases. */
+static bool find_parents(struct vericut_components *components)
 {
 	const struct vericut_component *base = NULL;
 
@@ -103,24 +108,21 @@ static bool find_parents(struct vericut_components *components, struct xml_reade
 		struct vericut_component *c = &components->items[i];
 
 		c->parent = *c->attach ? vericut_components_find(components, c->attach) : NULL;
-		if (mount && !strcmp(c->attach, mount))
-			continue;
-		if (!c->parent && mount)
-			xml_error(xml, foreign_child(c->node, "Attach"), NULL,
-				  "'%s' is attached to '%s', which is neither a component of this setup nor '%s', where "
-				  "the machine carries the work",
-				  xml_quote(c->name).text, xml_quote(c->attach).text, xml_quote(mount).text);
-		else if (*c->attach && !c->parent)
-			xml_error(xml, foreign_child(c->node, "Attach"), NULL,
-				  "'%s' is attached to '%s', which is no component of this machine",
-				  xml_quote(c->name).text, xml_quote(c->attach).text);
+		if (!c->parent && (*c->attach || c->of_setup))
+			xml_error(c->xml, *c->attach ? foreign_child(c->node, "Attach") : c->node, NULL,
+				  "'%s' is attached to '%s', which is no component of %s",
+				  xml_quote(c->name).text, xml_quote(c->attach).text,
+				  c->of_setup ? "this setup or its machine" : "this machine");
 		else if (!c->parent && base)
-			xml_error(xml, c->node, NULL,
+			xml_error(c->xml, c->node, NULL,
 				  "'%s' and '%s' are both attached to nothing: a machine has one base",
 				  xml_quote(base->name).text, xml_quote(c->name).text);
-		base = c->parent ? base : c;
+		else
+			base = c->parent ? base : c;
+		if (c->xml->errors)
+			return false;
 	}
-	return !xml->errors;
+	return true;
 }
 
 static void mark_carriers(const struct vericut_components *components)
@@ -137,27 +139,62 @@ static void mark_carriers(const struct vericut_components *components)
 	}
 }
 
+static void make_room(struct vericut_components *components, size_t count, struct arena *arena)
+{
+	*components = (struct vericut_components){
+		.items = arena_alloc(arena, count * sizeof(*components->items)),
+		.order = arena_alloc(arena, count * sizeof(struct vericut_component *)),
+	};
+}
+
+/* Adds the components of a setup that are mounted, or all of them. */
+static bool add_parts(struct vericut_components *components, const struct vericut_build *build, bool all,
+		      struct arena *arena)
+{
+	for (size_t i = 0; i < build->count; i++) {
+		const struct vericut_part *part = &build->parts[i];
+		struct vericut_component *c = &components->items[components->count];
+
+		if (!all && !part->mounted)
+			continue;
+		if (!read_component(components, build->xml, part->node, arena))
+			return false;
+		c->of_setup = true;
+		c->mounted = part->mounted;
+	}
+	return true;
+}
+
 bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, const xmlNode *root,
-			     const char *mount, struct arena *arena)
+			     const struct vericut_build *build, struct arena *arena)
 {
 	size_t count = 0;
 
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		count++;
-	if ((count == 0 && !mount) || count > COMPONENTS_MAX) {
+	if (count == 0 || count > VERICUT_COMPONENTS_MAX) {
 		xml_error(xml, root, NULL, "the machine has %zu components; 1 to %d can be read", count,
-			  COMPONENTS_MAX);
+			  VERICUT_COMPONENTS_MAX);
 		return false;
 	}
-	*components = (struct vericut_components){
-		.items = arena_alloc(arena, count * sizeof(*components->items)),
-		.order = arena_alloc(arena, count * sizeof(struct vericut_component *)),
-	};
+	make_room(components, count + (build ? build->count : 0), arena);
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		if (!read_component(components, xml, node, arena))
 			return false;
-	if (!find_parents(components, xml, mount) || !place_all(components, xml))
+	if ((build && !add_parts(components, build, true, arena)) || !find_parents(components) || !place_all(components))
 		return false;
 	mark_carriers(components);
 	return true;
+}
+
+/* What is attached to the mount has no parent; all others have one, since the mount is their carrier. */
+bool vericut_components_mounted(struct vericut_components *components, const struct vericut_build *build,
+				struct arena *arena)
+{
+	make_room(components, build->count, arena);
+	if (!add_parts(components, build, false, arena))
+		return false;
+	for (size_t i = 0; i < components->count; i++)
+		components->items[i].parent = vericut_components_find(components, components->items[i].attach);
+	return place_all(components);
 }

@@ -7,14 +7,17 @@
 
 #include "base/arena.h"
 #include "geom/xform.h"
+#include "import/vericut_build.h"
 #include "machine/xml/foreign_xml.h"
 
 struct vericut_component {
 	const xmlNode *node;
+	struct xml_reader *xml;	/* of the file that it is in: of the machine, or of a project */
 	const char *name, *type, *attach;	/* attach: the name of what carries it, "" for the base */
 	struct vericut_component *parent;	/* NULL: none */
 	xform frame;	/* in machine coordinates with every axis at 0, mm */
 	bool placed;
+	bool of_setup, mounted;	/* it stands in a setup, which mounts it as work: it is no part of the machine */
 	bool carries_work;	/* the mount of the work is on it, or on what it carries */
 	int slot;	/* of the axis that it is; -1: it is none */
 	int link;	/* that it belongs to: 0 the base, else 1 + the number of the axis */
@@ -27,12 +30,15 @@ struct vericut_components {
 };
 
 /*
- * Reads the components of an element. Those of <VcMachine> hang on one base (`mount` is NULL); those of the <Build> of a
- * setup hang on `mount`, the component that carries the work, and their frames are relative to it. False, reported: a
- * part of the tree is missing, doubled, or carries itself.
+ * Reads the components of <VcMachine>, which hang on one base, and with them those of a setup (`build`, or NULL), which
+ * hang on each other and on the machine. False, reported: a part of the tree is missing, doubled, or carries itself.
  */
 bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, const xmlNode *root,
-			     const char *mount, struct arena *arena);
+			     const struct vericut_build *build, struct arena *arena);
+
+/* Places the components that a setup mounts as work against its mount. False: reported. */
+bool vericut_components_mounted(struct vericut_components *components, const struct vericut_build *build,
+				struct arena *arena);
 
 struct vericut_component *vericut_components_find(const struct vericut_components *components, const char *name);
 

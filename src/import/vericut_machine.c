@@ -17,19 +17,21 @@ struct reading {
 	struct import_machine *machine;
 	const struct import_options *options;
 	struct xml_reader xml;
+	const struct vericut_build *build;	/* of the setup whose machine this is, or NULL */
 	struct vericut_components components;
 	struct diag *diag;
 };
 
-static void warn(const struct reading *r, const xmlNode *node, const char *format, ...)
+/* `xml` is the reader of the file that has the node. */
+static void warn(const struct xml_reader *xml, const xmlNode *node, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
-static void warn(const struct reading *r, const xmlNode *node, const char *format, ...)
+static void warn(const struct xml_reader *xml, const xmlNode *node, const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
-	diag_report(r->diag, DIAG_WARNING, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, node)}, NULL,
+	diag_report(xml->diag, DIAG_WARNING, (struct srcloc){.file = xml->path, .line = xml_line(xml, node)}, NULL,
 		    format, args);
 	va_end(args);
 }
@@ -37,7 +39,7 @@ static void warn(const struct reading *r, const xmlNode *node, const char *forma
 /* -------------------------------------------------------------------- axes */
 
 /* A unit vector of the component's own frame, from X, -X, Y and so on, in machine coordinates. */
-static bool axis_direction(struct reading *r, const struct vericut_component *c, const xmlNode *link, vec3 *direction)
+static bool axis_direction(const struct vericut_component *c, const xmlNode *link, vec3 *direction)
 {
 	const char *word = foreign_attribute(link, "Axis");
 	double sense = 1;
@@ -45,7 +47,7 @@ static bool axis_direction(struct reading *r, const struct vericut_component *c,
 	if (word && (*word == '-' || *word == '+'))
 		sense = *word++ == '-' ? -1 : 1;
 	if (!word || strlen(word) != 1 || !strchr("XYZxyz", *word)) {
-		xml_error(&r->xml, link, "Axis", "the Axis of '%s' must be X, Y or Z, with a sign or without",
+		xml_error(c->xml, link, "Axis", "the Axis of '%s' must be X, Y or Z, with a sign or without",
 			  xml_quote(c->name).text);
 		return false;
 	}
@@ -66,13 +68,13 @@ static bool axis_direction(struct reading *r, const struct vericut_component *c,
  * Does the axis move against its positive sense, because it carries the work? DisableAuto ("off") of version 7.0 became
  * PartSide ("auto") in 7.1.
  */
-static bool is_reversed(struct reading *r, const struct vericut_component *c, const xmlNode *link, bool *reversed)
+static bool is_reversed(const struct vericut_component *c, const xmlNode *link, bool *reversed)
 {
 	const char *disabled = foreign_attribute(link, "DisableAuto"), *side = foreign_attribute(link, "PartSide");
 
 	if (side && strcasecmp(side, "auto") != 0) {
 		xml_error(
-		    &r->xml, link, "PartSide",
+		    c->xml, link, "PartSide",
 		    "PartSide=\"%s\" of '%s' is not known: only \"auto\" is; which way the axis moves for a positive "
 		    "value has to be written into machine.xml by hand",
 		    xml_quote(side).text, xml_quote(c->name).text);
@@ -92,9 +94,9 @@ static int slot_of(const xmlNode *link)
 }
 
 /* <TlRecord>: the travel. Of several, which hold under conditions, the widest counts. */
-static bool read_travel(struct reading *r, const xmlNode *link, struct axis_description *axis)
+static bool read_travel(struct xml_reader *xml, const xmlNode *link, struct axis_description *axis)
 {
-	const double scale = axis->rotary ? math_acos(-1) / 180 : r->xml.unit;
+	const double scale = axis->rotary ? math_acos(-1) / 180 : xml->unit;
 	const xmlNode *record = foreign_child(link, "TlRecord");
 	bool several = record && foreign_next(record, "TlRecord");
 	double least = INFINITY, greatest = -INFINITY, low, high;
@@ -102,21 +104,21 @@ static bool read_travel(struct reading *r, const xmlNode *link, struct axis_desc
 	axis->limit_min = -INFINITY;
 	axis->limit_max = INFINITY;
 	if (several)
-		warn(r, record, "%c has several travels that hold under conditions: the widest is taken",
+		warn(xml, record, "%c has several travels that hold under conditions: the widest is taken",
 		     AXIS_LETTERS[axis->slot]);
 	for (; record; record = foreign_next(record, "TlRecord")) {
 		if (foreign_attribute_is(record, "TlIgnore", "on")) {
-			warn(r, record, "the travel of %c is switched off in this file: the axis gets no limits",
+			warn(xml, record, "the travel of %c is switched off in this file: the axis gets no limits",
 			     AXIS_LETTERS[axis->slot]);
 			return true;
 		}
-		if (!foreign_number(&r->xml, record, "TlMin", &low) || !foreign_number(&r->xml, record, "TlMax", &high))
+		if (!foreign_number(xml, record, "TlMin", &low) || !foreign_number(xml, record, "TlMax", &high))
 			return false;
 		least = fmin(least, low);
 		greatest = fmax(greatest, high);
 	}
 	if (least > greatest) {
-		warn(r, link, "%c has no travel in this file: the axis gets no limits", AXIS_LETTERS[axis->slot]);
+		warn(xml, link, "%c has no travel in this file: the axis gets no limits", AXIS_LETTERS[axis->slot]);
 		return true;
 	}
 	axis->limit_min = scale * least;
@@ -125,13 +127,13 @@ static bool read_travel(struct reading *r, const xmlNode *link, struct axis_desc
 }
 
 /* mm or degrees a minute. 0: the file does not say it. */
-static bool read_rate(struct reading *r, const xmlNode *link, struct axis_description *axis)
+static bool read_rate(struct xml_reader *xml, const xmlNode *link, struct axis_description *axis)
 {
 	double rate = 0;
 
-	if (foreign_attribute(link, "RapidRate") && !foreign_number(&r->xml, link, "RapidRate", &rate))
+	if (foreign_attribute(link, "RapidRate") && !foreign_number(xml, link, "RapidRate", &rate))
 		return false;
-	axis->rate_max = rate > 0 ? rate * (axis->rotary ? 1 : r->xml.unit) : 0;
+	axis->rate_max = rate > 0 ? rate * (axis->rotary ? 1 : xml->unit) : 0;
 	return true;
 }
 
@@ -149,20 +151,20 @@ static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNo
 	};
 	axis->has_location = axis->rotary;
 	if (axis->rotary != slot_is_rotary(slot)) {
-		xml_error(&r->xml, c->node, "Type", "the component '%s' is %s, but its register is %c",
+		xml_error(c->xml, c->node, "Type", "the component '%s' is %s, but its register is %c",
 			  xml_quote(c->name).text, axis->rotary ? "rotary" : "linear", AXIS_LETTERS[slot]);
 		return false;
 	}
 	for (size_t i = 0; i < d->axis_count; i++) {
 		if (d->axes[i].slot != slot)
 			continue;
-		xml_error(&r->xml, link, "Register", "'%s' is the second component with the register %c; fivecheck "
+		xml_error(c->xml, link, "Register", "'%s' is the second component with the register %c; fivecheck "
 						     "moves one for each letter",
 			  xml_quote(c->name).text, AXIS_LETTERS[slot]);
 		return false;
 	}
-	if (!axis_direction(r, c, link, &axis->direction) || !is_reversed(r, c, link, &reversed) ||
-	    !read_travel(r, link, axis) || !read_rate(r, link, axis))
+	if (!axis_direction(c, link, &axis->direction) || !is_reversed(c, link, &reversed) ||
+	    !read_travel(c->xml, link, axis) || !read_rate(c->xml, link, axis))
 		return false;
 	if (reversed)
 		axis->direction = vec3_scale(-1, axis->direction);
@@ -186,7 +188,7 @@ static bool read_axis(struct reading *r, struct vericut_component *c)
 	slot = link ? slot_of(link) : -1;
 	if (slot >= 0)
 		return add_axis(r, c, link, slot);
-	warn(r, c->node, "the component '%s' moves by no axis of the control (X to W): it is taken as fixed",
+	warn(c->xml, c->node, "the component '%s' moves by no axis of the control (X to W): it is taken as fixed",
 	     xml_quote(c->name).text);
 	return true;
 }
@@ -250,7 +252,7 @@ static bool read_home(struct reading *r)
 			return false;
 		home = fmin(fmax(value, axis->limit_min), axis->limit_max);
 		if (fabs(home - value) > 0)
-			warn(r, xml_root(&r->xml),
+			warn(&r->xml, xml_root(&r->xml),
 			     "%c starts beyond its travel in this file: it gets the nearer end as its home",
 			     AXIS_LETTERS[axis->slot]);
 		axis->home = (struct optional_number){.given = fabs(home) > 0, .value = home};
@@ -265,7 +267,7 @@ static bool read_model(struct reading *r, const struct vericut_component *c, con
 {
 	struct vericut_model model;
 
-	if (!vericut_model_read(&model, &r->xml, node, c, r->options, &r->machine->description.arena))
+	if (!vericut_model_read(&model, c->xml, node, c, r->options, &r->machine->description.arena))
 		return false;
 	r->machine->left_out += model.left_out;
 	if (!model.left_out)
@@ -280,19 +282,16 @@ static bool read_models(struct reading *r)
 	for (size_t i = 0; i < r->components.count; i++) {
 		const struct vericut_component *c = r->components.order[i];
 
-		for (const xmlNode *at = foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
-			good = (!vericut_model_is(at) || read_model(r, c, at)) && good;
+		for (const xmlNode *at = c->mounted ? NULL : foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
+			good = (!vericut_part_is_model(at) || read_model(r, c, at)) && good;
 	}
 	return good;
 }
 
 /* ------------------------------------------------------------------ mounts */
 
-/*
- * The first component of the type, or the one of the name (NULL: any), with a warning if there are more; NULL: there is
- * none.
- */
-static const struct vericut_component *choose(const struct reading *r, const char *type, const char *name)
+/* The first component of the type, with a warning if there are more; NULL: there is none. */
+static const struct vericut_component *choose(const struct reading *r, const char *type)
 {
 	const struct vericut_component *chosen = NULL;
 	size_t count = 0;
@@ -302,21 +301,30 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 
 		if (strcasecmp(c->type, type) != 0)
 			continue;
-		if (!count++ || (name && !strcmp(c->name, name)))
+		if (!count++)
 			chosen = c;
 	}
 	if (count > 1)
-		warn(r, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count, type,
+		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count, type,
 		     xml_quote(chosen->name).text);
 	return chosen;
+}
+
+/* What carries the work; NULL: nothing does. A setup says what it stands on. */
+static const struct vericut_component *find_work(const struct reading *r)
+{
+	const struct vericut_component *mount = NULL;
+
+	if (r->build && r->build->mount)
+		mount = vericut_components_find(&r->components, r->build->mount);
+	return mount ? mount : choose(r, "attach");
 }
 
 /* Tools are mounted with their gauge point at the component's origin, and point against its Z. */
 static void read_mounts(struct reading *r)
 {
 	struct machine_description *d = &r->machine->description;
-	const struct vericut_component *tool = choose(r, "tool", NULL),
-				       *work = choose(r, "attach", r->options->work);
+	const struct vericut_component *tool = choose(r, "tool"), *work = find_work(r);
 
 	if (tool) {
 		d->spindles = arena_alloc(&d->arena, sizeof(*d->spindles));
@@ -327,7 +335,7 @@ static void read_mounts(struct reading *r)
 		};
 		r->machine->tool_name = arena_strdup(&d->arena, tool->name);
 	} else {
-		warn(r, xml_root(&r->xml), "the machine has no component of the type tool: no tool can be mounted");
+		warn(&r->xml, xml_root(&r->xml), "the machine has no component of the type tool: no tool can be mounted");
 	}
 	if (work) {
 		d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
@@ -335,7 +343,30 @@ static void read_mounts(struct reading *r)
 			(struct workholding_description){.link = work->link, .frame = work->frame};
 		r->machine->work_name = arena_strdup(&d->arena, work->name);
 	} else {
-		warn(r, xml_root(&r->xml), "the machine has no component of the type attach: no work can be mounted");
+		warn(&r->xml, xml_root(&r->xml), "the machine has no component of the type attach: no work can be mounted");
+	}
+}
+
+/*
+ * What a setup fixes to the machine beside the work is kept from all that moves against it, as a fixture is; without
+ * these pairs the bodies of a link next to it may be excused as neighbours.
+ */
+static void add_pairs_of_setup(struct reading *r)
+{
+	const struct machine_description *d = &r->machine->description;
+
+	for (size_t i = 0; i < d->body_count; i++) {
+		const struct vericut_component *c = d->bodies[i].at;
+		const int link = d->bodies[i].link, parent = link ? d->axes[link - 1].parent : 0;
+
+		if (!c->of_setup || c->slot >= 0)
+			continue;
+		for (size_t k = 0; k < d->axis_count; k++)
+			if (d->axes[k].parent == link || parent == 1 + (int)k)
+				import_machine_add_pair(r->machine, d->bodies[i].name,
+							vericut_axis_names[d->axes[k].slot], 0);
+		if (link && !parent)
+			import_machine_add_pair(r->machine, d->bodies[i].name, "base", 0);
 	}
 }
 
@@ -343,19 +374,20 @@ static bool read_machine(struct reading *r)
 {
 	r->xml.unit = vericut_unit(&r->xml, xml_root(&r->xml));
 	if (!(r->xml.unit > 0) ||
-	    !vericut_components_read(&r->components, &r->xml, xml_root(&r->xml), NULL,
+	    !vericut_components_read(&r->components, &r->xml, xml_root(&r->xml), r->build,
 				     &r->machine->description.arena) || !read_axes(r) ||
 	    !read_home(r) || !read_models(r))
 		return false;
 	read_mounts(r);
+	add_pairs_of_setup(r);
 	return vericut_pairs_read(r->machine, &r->components, &r->xml);
 }
 
-bool vericut_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
-			  struct diag *diag)
+bool vericut_machine_read(struct import_machine *machine, const char *path, const struct vericut_build *build,
+			  const struct import_options *options, struct diag *diag)
 {
 	static const char *const elements[] = {"VcMachine", NULL};
-	struct reading r = {.machine = machine, .options = options, .diag = diag};
+	struct reading r = {.machine = machine, .options = options, .build = build, .diag = diag};
 	bool good;
 
 	if (!xml_open(&r.xml, path, elements, diag))

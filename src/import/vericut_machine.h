@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "import/import.h"
+#include "import/vericut_build.h"
 
 /*
  * What is taken over: components with their places, axes with travels and rapid rates, models, the mount of tools and
@@ -14,9 +15,12 @@
  * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
  * otherwise (ISO 841: a positive value is a motion of the tool against the work).
  *
+ * `build`: the components of a setup, which the machine gets as far as they belong to it, and which say what carries the
+ * work; or NULL.
+ *
  * False, reported: the file is faulty, or says something that cannot be taken over.
  */
-bool vericut_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
-			  struct diag *diag);
+bool vericut_machine_read(struct import_machine *machine, const char *path, const struct vericut_build *build,
+			  const struct import_options *options, struct diag *diag);
 
 #endif

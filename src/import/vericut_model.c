@@ -94,12 +94,6 @@ static bool read_cylinder(struct mesh *mesh, struct xml_reader *xml, const xmlNo
 	return true;
 }
 
-bool vericut_model_is(const xmlNode *node)
-{
-	/* Each of these is in models only; a model that was not recognised would be a body that nobody misses. */
-	return foreign_attribute(node, "Mirror") || foreign_child(node, "File") || foreign_child(node, "Position");
-}
-
 bool vericut_model_read(struct vericut_model *model, struct xml_reader *xml, const xmlNode *node,
 			const struct vericut_component *component, const struct import_options *options,
 			struct arena *arena)

@@ -14,9 +14,6 @@ double vericut_unit(struct xml_reader *xml, const xmlNode *node);
 /* The name of a file without its folder and its suffix, in the arena. */
 const char *vericut_stem(struct arena *arena, const char *path);
 
-/* Is a child element of a component a model? */
-bool vericut_model_is(const xmlNode *node);
-
 struct vericut_model {
 	const char *name;	/* that of its file, else of the component */
 	xform frame;	/* of the component, and the model's own in it */

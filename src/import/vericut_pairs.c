@@ -3,8 +3,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/axes.h"
-
 struct side {
 	const struct vericut_component *component;
 	bool with_all;	/* that it carries */
@@ -16,8 +14,7 @@ struct pairing {
 	double clearance;
 };
 
-/* The letters as strings. */
-static const char *const axis_names[SLOT_COUNT] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
+const char *const vericut_axis_names[SLOT_COUNT] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
 
 static bool is_type(const struct vericut_component *c, const char *type)
 {
@@ -40,17 +37,18 @@ static void for_names(const struct pairing *p, const struct vericut_component *c
 {
 	static const char *const tool[] = {"holder", "shank", "cutter"};
 	const struct machine_description *d = &p->machine->description;
+	const bool has_work = p->machine->work_name && !strcmp(c->name, p->machine->work_name);
 
+	if (is_type(c, "attach") || has_work)
+		for (int i = 0; i < 2; i++)
+			use(p, i ? "part" : "fixture", context);
 	if (c->slot >= 0)
-		use(p, axis_names[c->slot], context);
+		use(p, vericut_axis_names[c->slot], context);
 	else if (!c->parent)
 		use(p, "base", context);
 	else if (is_type(c, "tool"))
 		for (size_t i = 0; i < sizeof(tool) / sizeof(*tool); i++)
 			use(p, tool[i], context);
-	else if (is_type(c, "attach"))
-		for (int i = 0; i < 2; i++)
-			use(p, i ? "part" : "fixture", context);
 	else
 		for (size_t i = 0; i < d->body_count; i++)
 			if (d->bodies[i].at == c)

@@ -12,6 +12,7 @@
 #include "base/strbuf.h"
 #include "import/file_kind.h"
 #include "import/mesh_file.h"
+#include "import/vericut_build.h"
 #include "import/vericut_components.h"
 #include "import/vericut_machine.h"
 #include "import/vericut_model.h"
@@ -24,6 +25,7 @@ enum { SETUPS_MAX = 100, PROGRAMS_MAX = 1000 };
 
 struct reading {
 	struct import_project *project;
+	struct vericut_build first;	/* of the first setup, which the machine is made with */
 	const struct import_options *options;
 	struct xml_reader xml;
 	struct arena arena;
@@ -148,29 +150,6 @@ static void find_programs(struct reading *r, struct import_setup *setup, const x
 
 /* -------------------------------------------------------------------- bodies */
 
-static bool is_built(const xmlNode *build, const char *name)
-{
-	const xmlNode *at = foreign_child(build, "Component");
-
-	while (at && !(foreign_attribute(at, "Name") && !strcmp(foreign_attribute(at, "Name"), name)))
-		at = foreign_next(at, "Component");
-	return at != NULL;
-}
-
-/* What the first setup hangs on, in the arena; NULL: nothing. */
-static const char *find_mount(struct reading *r)
-{
-	const xmlNode *build = foreign_child(foreign_child(xml_root(&r->xml), "Setup"), "Build");
-
-	for (const xmlNode *at = foreign_child(build, "Component"); at; at = foreign_next(at, "Component")) {
-		const char *name = foreign_text(&r->arena, foreign_child(at, "Attach"));
-
-		if (*name && !is_built(build, name))
-			return name;
-	}
-	return NULL;
-}
-
 /* False: the component is no part of a setup. */
 static bool role_of(const struct vericut_component *component, enum body_role *role)
 {
@@ -243,8 +222,8 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 
 	if (!role_of(component, &role)) {
 		xml_error(&r->xml, component->node, "Type",
-			  "'%s' of the setup is of the type %s, which cannot be taken over: fixture, stock and design "
-			  "are; what moves belongs to the machine",
+			  "'%s' of the setup is of the type %s, which cannot be taken over: axes, fixture, stock and design "
+			  "are",
 			  xml_quote(component->name).text, xml_quote(component->type).text);
 		return false;
 	}
@@ -273,7 +252,7 @@ static bool read_bodies(struct reading *r, struct import_setup *setup, const str
 		const struct vericut_component *component = components->order[i];
 
 		for (const xmlNode *at = foreign_child(component->node, NULL); at; at = foreign_next(at, NULL))
-			if (vericut_model_is(at) && !read_body(r, setup, component, at))
+			if (vericut_part_is_model(at) && !read_body(r, setup, component, at))
 				return false;
 	}
 	return true;
@@ -328,6 +307,40 @@ static void note_collisions(struct reading *r, struct import_setup *setup, const
 		     r->xml.unit * most);
 }
 
+/* Which of several places has the work, and what of the first setup is in machine.xml. */
+static void note_build(struct reading *r, struct import_setup *setup, const xmlNode *node,
+		       const struct vericut_build *build)
+{
+	if (build->other_mount)
+		note(r, setup, foreign_child(node, "Build"),
+		     "Stock and design have no models in this setup: the work is taken to stand on '%s', not on '%s'. "
+		     "Where that is wrong, give one of them its model in the project, and import it again.",
+		     xml_quote(build->mount).text, xml_quote(build->other_mount).text);
+	for (size_t i = 0; setup == r->project->setups && i < build->count; i++) {
+		const struct vericut_part *part = &build->parts[i];
+
+		if (!part->mounted && (vericut_part_is_axis(part) || vericut_part_has_model(part)))
+			diag_note(r->diag,
+				  (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, part->node)},
+				  "'%s' of the setup is in machine.xml, because it moves or stands beside the work",
+				  xml_quote(part->name).text);
+	}
+}
+
+/* The bodies that the setup mounts. The first setup is that of r->first. */
+static bool read_build(struct reading *r, struct import_setup *setup, const xmlNode *node,
+		       struct vericut_components *components)
+{
+	struct arena *arena = &setup->bodies.description.arena;
+	struct vericut_build build = r->first;
+
+	if (setup != r->project->setups &&
+	    (!vericut_build_read(&build, &r->xml, node, arena) || !vericut_build_same(&build, &r->first)))
+		return false;
+	note_build(r, setup, node, &build);
+	return vericut_components_mounted(components, &build, arena) && read_bodies(r, setup, components);
+}
+
 static bool read_setup(struct reading *r, const xmlNode *node)
 {
 	struct import_project *project = r->project;
@@ -341,10 +354,7 @@ static bool read_setup(struct reading *r, const xmlNode *node)
 		xml_error(&r->xml, node, NULL, "the machine has no component of the type attach, so no work is on it");
 		return false;
 	}
-	if (foreign_child(node, "Build") &&
-	    (!vericut_components_read(&components, &r->xml, foreign_child(node, "Build"), project->machine.work_name,
-				      &setup->bodies.description.arena) ||
-	     !read_bodies(r, setup, &components)))
+	if (!read_build(r, setup, node, &components))
 		return false;
 	if (!vericut_offsets_read(setup, &project->machine, &components, &r->xml, node))
 		return false;
@@ -360,7 +370,6 @@ static bool read_setup(struct reading *r, const xmlNode *node)
 static bool read_project(struct reading *r)
 {
 	const xmlNode *root = xml_root(&r->xml);
-	struct import_options options = *r->options;
 	const char *machine;
 	size_t count = 0;
 
@@ -371,9 +380,9 @@ static bool read_project(struct reading *r)
 		xml_error(&r->xml, root, NULL, "the project has %zu setups; 1 to %d can be read", count, SETUPS_MAX);
 		return false;
 	}
-	options.work = find_mount(r);
 	if (!(r->xml.unit > 0) || !find_machine(r, &machine) ||
-	    !vericut_machine_read(&r->project->machine, machine, &options, r->diag))
+	    !vericut_build_read(&r->first, &r->xml, foreign_child(root, "Setup"), &r->arena) ||
+	    !vericut_machine_read(&r->project->machine, machine, &r->first, r->options, r->diag))
 		return false;
 	r->project->setups = mem_zalloc(count, sizeof(*r->project->setups));
 	for (const xmlNode *node = foreign_child(root, "Setup"); node; node = foreign_next(node, "Setup"))

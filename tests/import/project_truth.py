@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """project_truth.py FILE.VcProject FILE.mch FOLDER - compares an imported project with the VERICUT files.
 
-Both sides are read anew. Twenty points of each fixture, part and stock must have the same place under fifty random axis
-positions, to 1e-6 mm. Where the axes stand at a work offset, and all others at 0, the gauge point must be at the place
+Both sides are read anew. Twenty points of each body of the machine and of each fixture, part and stock must have the same
+place under fifty random axis positions, to 1e-6 mm. Where the axes stand at a work offset, and all others at 0, the gauge point must be at the place
 that the row of the project names with To.
 """
 
@@ -24,7 +24,10 @@ class Project(Vericut):
         for c in self.own:
             self.components[c.get("Name")] = c
             self.parent[c.get("Name")] = (c.findtext("Attach") or "").strip()
-            self.work.add(c.get("Name"))
+        for name in [c.get("Name") for c in self.own if c.get("Type").lower() in ("stock", "fixture", "design")]:
+            while name:
+                self.work.add(name)
+                name = self.parent[name]
 
     def places(self, values):
         for row in self.setup.iter("Row"):
@@ -60,23 +63,29 @@ def frame(element):
 
 
 def compare_bodies(project, machine, setup, rng):
-    models = [(c, m) for c in project.own for m in c if m.find("Position") is not None]
-    bodies = [b for b in setup if b.tag in ("fixture", "part", "stock")]
-    assert len(models) == len(bodies), (len(models), len(bodies))
-    kinds = {"fixture": "fixture", "design": "part", "stock": "stock"}
-    assert sorted(kinds[c.get("Type")] for c, _ in models) == sorted(b.tag for b in bodies)
+    """Each model of the machine and of the setup is one body, of machine.xml or of the setup, at the same place."""
+    models = [(n, c.get("Type").lower(), m) for n, c in project.components.items() for m in c
+              if m.get("Mirror") is not None or m.find("Position") is not None]
+    work = [b for b in setup if b.tag in ("fixture", "part", "stock")]
+    tags = ["machine"] * len(machine.bodies) + [b.tag for b in work]
+    assert len(models) == len(tags), (len(models), len(tags))
+    kinds = {"fixture": ("fixture", "machine"), "design": ("part",), "stock": ("stock",)}
     mount, chain = workholding(machine.root.find("base"), [])
     worst = 0
     for _ in range(50):
         values = {k: rng.uniform(-180, 180) if k in "ABC" else rng.uniform(-1000, 1000) for k in LETTERS}
         points = [[rng.uniform(-500, 500) for _ in range(3)] for _ in range(20)]
-        have = [(b.tag, times(machine.pose(mount, chain, values), frame(b))) for b in bodies]
-        for c, model in models:
-            want = times(project.pose(c.get("Name"), values), project.frame(model))
-            rows = [max(math.dist(apply(want, p), apply(m, p)) for p in points) for tag, m in have
-                    if tag == kinds[c.get("Type")]]
-            worst = max(worst, min(rows))
-    return len(bodies), worst
+        have = [machine.pose(b, c, values) for b, c in machine.bodies]
+        have += [times(machine.pose(mount, chain, values), frame(b)) for b in work]
+        free = list(range(len(have)))
+        for name, kind, model in models:
+            want = times(project.pose(name, values), project.frame(model))
+            rows = {i: max(math.dist(apply(want, p), apply(have[i], p)) for p in points) for i in free
+                    if tags[i] in kinds.get(kind, ("machine",))}
+            best = min(rows, key=rows.get)
+            free.remove(best)
+            worst = max(worst, rows[best])
+    return len(tags), worst
 
 
 def compare_offsets(project, setup):

@@ -154,9 +154,9 @@ fivecheck import --meshes . --output job/bare job/bare.VcProject 2>&1 | grep -v 
 ls job/bare
 project_fault 's/DMU.mch/gone.mch/'
 project_fault 's,<File>C:[^<]*<,<File><,'
-project_fault 's/Attach>Attach</Attach>C</'
+project_fault 's/Attach>Attach</Attach>Q</'
 project_fault 's/<Attach>Attach</<Attach>Design</'
-project_fault 's/Type="design"/Type="rotary"/'
+project_fault 's/Type="design"/Type="other"/'
 project_fault 's/Type="design"/Type="stock"/'
 project_fault 's,<Value>0</Value>,<Value>O</Value>,'
 project_fault 's,CSystem="on" X="0",CSystem="on" X="nan",'

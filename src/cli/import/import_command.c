@@ -138,7 +138,7 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	case FILE_TOOLS:
 		break;
 	}
-	return vericut_machine_read(machine, request->file, &request->options, request->diag);
+	return vericut_machine_read(machine, request->file, NULL, &request->options, request->diag);
 }
 
 /* Writes the machine, and its pictures if they are wanted. False: reported. */
