@@ -1,4 +1,4 @@
-/* vericut_build.h - which components of a setup of a VERICUT project are mounted as work, and which belong to the machine. */
+/* vericut_build.h - which components of a setup of VERICUT are mounted as work, and which belong to the machine. */
 #ifndef FIVECHECK_IMPORT_VERICUT_BUILD_H
 #define FIVECHECK_IMPORT_VERICUT_BUILD_H
 

@@ -181,7 +181,8 @@ bool vericut_components_read(struct vericut_components *components, struct xml_r
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		if (!read_component(components, xml, node, arena))
 			return false;
-	if ((build && !add_parts(components, build, true, arena)) || !find_parents(components) || !place_all(components))
+	if ((build && !add_parts(components, build, true, arena)) || !find_parents(components) ||
+	    !place_all(components))
 		return false;
 	mark_carriers(components);
 	return true;

@@ -282,7 +282,9 @@ static bool read_models(struct reading *r)
 	for (size_t i = 0; i < r->components.count; i++) {
 		const struct vericut_component *c = r->components.order[i];
 
-		for (const xmlNode *at = c->mounted ? NULL : foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
+		if (c->mounted)
+			continue;
+		for (const xmlNode *at = foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
 			good = (!vericut_part_is_model(at) || read_model(r, c, at)) && good;
 	}
 	return good;
@@ -305,8 +307,8 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 			chosen = c;
 	}
 	if (count > 1)
-		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count, type,
-		     xml_quote(chosen->name).text);
+		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count,
+		     type, xml_quote(chosen->name).text);
 	return chosen;
 }
 
@@ -335,7 +337,8 @@ static void read_mounts(struct reading *r)
 		};
 		r->machine->tool_name = arena_strdup(&d->arena, tool->name);
 	} else {
-		warn(&r->xml, xml_root(&r->xml), "the machine has no component of the type tool: no tool can be mounted");
+		warn(&r->xml, xml_root(&r->xml),
+		     "the machine has no component of the type tool: no tool can be mounted");
 	}
 	if (work) {
 		d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
@@ -343,7 +346,8 @@ static void read_mounts(struct reading *r)
 			(struct workholding_description){.link = work->link, .frame = work->frame};
 		r->machine->work_name = arena_strdup(&d->arena, work->name);
 	} else {
-		warn(&r->xml, xml_root(&r->xml), "the machine has no component of the type attach: no work can be mounted");
+		warn(&r->xml, xml_root(&r->xml),
+		     "the machine has no component of the type attach: no work can be mounted");
 	}
 }
 

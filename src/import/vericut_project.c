@@ -222,8 +222,8 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 
 	if (!role_of(component, &role)) {
 		xml_error(&r->xml, component->node, "Type",
-			  "'%s' of the setup is of the type %s, which cannot be taken over: axes, fixture, stock and design "
-			  "are",
+			  "'%s' of the setup is of the type %s, which cannot be taken over: axes, fixture, stock and "
+			  "design are",
 			  xml_quote(component->name).text, xml_quote(component->type).text);
 		return false;
 	}

@@ -196,6 +196,7 @@ struct machine_description {
 	double unit;	/* mm per unit of length of the control */
 	struct controller_description controller;
 	const void *base;
+	const char *base_checked;	/* or NULL */
 	struct axis_description *axes;	/* an axis comes before the axes that it carries */
 	size_t axis_count;
 	struct body_description *bodies;

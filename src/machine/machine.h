@@ -81,6 +81,7 @@ struct machine {
 	struct pair_rule *rules;	/* in file order; scene finds the bodies in machine and setup */
 	size_t rule_count;
 	double adjacent_within;	/* mm */
+	const char *base_checked;	/* why the base is right though it looks wrong; or NULL */
 	struct spindle spindle;
 	struct workholding workholding;
 	struct setup *setup;	/* the <setup> inside <machine>, or NULL; owned */

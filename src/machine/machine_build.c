@@ -245,6 +245,7 @@ struct machine *machine_build(struct machine_description *described, struct diag
 	described->arena = (struct arena){0};
 	machine->path = arena_strdup(&machine->arena, file->path);
 	machine->name = described->name ? described->name : "";
+	machine->base_checked = described->base_checked;
 	controller_build(described, machine);
 	for (size_t i = 0; i < described->axis_count; i++)
 		build_axis(file, &described->axes[i], machine);

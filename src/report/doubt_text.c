@@ -162,7 +162,7 @@ static void add_missing_doubt(struct strbuf *out, const struct scene *scene, con
 		break;
 	case DOUBT_BASE_BARE:
 		strbuf_addf(out, "no body stands still, so that no bed is checked: a <body> of <base> is missing or on "
-				 "an axis, or give <workholding checked=\"reason\">");
+				 "an axis, or give <base checked=\"reason\">");
 		break;
 	default:
 		add_travel_doubt(out, scene, doubt);

@@ -44,7 +44,7 @@ static void check_links(const struct scene *scene, struct doubts *doubts)
 		doubts_add(doubts, &(struct doubt){.kind = DOUBT_SPINDLE_BARE});
 	if (!workholding->checked && !has_bodies(scene, workholding->link))
 		doubts_add(doubts, &(struct doubt){.kind = DOUBT_WORKHOLDING_BARE});
-	if (!workholding->checked && workholding->link != 0 && !has_bodies(scene, 0))
+	if (!scene->machine->base_checked && workholding->link != 0 && !has_bodies(scene, 0))
 		doubts_add(doubts, &(struct doubt){.kind = DOUBT_BASE_BARE});
 }
 

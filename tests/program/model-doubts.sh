@@ -72,6 +72,13 @@ echo "silenced:"
 sed -e 's/<spindle/& checked="r"/; s/<workholding/& checked="r"/; s/<axis/& checked="r"/' without.xml >silent.xml
 sed 's/<tool /& checked="r" /' tools.xml >ts.xml
 missing silent.xml ts.xml
+echo "the base has a reason of its own:"
+sed '/name="bed"/d; s/<workholding/& checked="r"/' whole.xml >bed.xml
+missing bed.xml ts.xml | grep -c 'no bed'
+sed 's/<base>/<base checked="the bed is far below">/' bed.xml >own.xml
+missing own.xml ts.xml | grep -c 'no bed'
+sed 's/<base>/<base checked="">/' bed.xml >none.xml
+"$FIVECHECK" --check-machine none.xml 2>&1 | grep error
 # A disc whose middle is beside the axis, and one on it.
 python3 - <<'PY'
 import math

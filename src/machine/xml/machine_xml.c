@@ -310,6 +310,7 @@ static void read_base(struct xml_reader *xml, const xmlNode *node, void *context
 	struct link_context base = {described, 0};
 
 	described->base = node;
+	described->base_checked = xml_name(xml, node, "checked", &described->arena);
 	xml_read_children(xml, node, link_children, &base);
 }
 
