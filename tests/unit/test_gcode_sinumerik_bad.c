@@ -128,7 +128,14 @@ static const struct refused_program programs[] = {
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1.5"},
 	{"R[1000]=5\n", 1, 3,
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1000"},
-	{"R1=5\nIF R1>3 AND R2==0 GOTOF LL\nLL:\n", 2, 4,
+	/* R parameters keep their values from one program to the next. */
+	{"R1=5 G500\nG0 X=R1\nIF R1>R2 GOTOF LL\nX5\nLL:\n", 3, 7,
+	 "R2 keeps its value from one program to the next, and this one has given it none so far: what it holds is known "
+	 "to the control only; assign it first, in this program or in one that calls it"},
+	{"R1=5 G500\nR[7]=R1\nG0 X=R[R1+2] Y=R[R1+3]\n", 3, 16,
+	 "R8 keeps its value from one program to the next, and this one has given it none so far: what it holds is known "
+	 "to the control only; assign it first, in this program or in one that calls it"},
+	{"R1=5 R2=0\nIF R1>3 AND R2==0 GOTOF LL\nLL:\n", 2, 4,
 	 "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than the other "
 	 "order: put the comparisons into parentheses"},
 	{"X=1<2 AND 3\n", 1, 3,

@@ -49,7 +49,7 @@ static const struct program {
 	 "feed 7 0 0 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 4 0 3 0 0\nfeed 4 0 3 0 0\n"
 	 "feed 4 0 3 0 0\nfeed 4 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\n"},
 	/* GOTOS begins the program again. */
-	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
+	{"F6 G500\nR1=$P_EP[X]+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},
 	/* Several programs in one file: labels and loops end with theirs. */
 	{"%_N_MAIN_MPF\nF6 G500\nSUB_A\nL20 P2\nGOTOC LATER\nM30\n%_N_SUB_A_SPF\nR1=0\nLATER: R1=R1+1\nX=R1\n"
@@ -58,12 +58,12 @@ static const struct program {
 	{"%_N_MAIN_MPF\nF6 G500\nX1\n%_N_SUB_A_SPF\nX2\n",
 	 "feed 1 0 0 0 0\n"},
 	/* Blanks before '=' are none: R1 and not R0 gets the value. */
-	{"F6 G500\nR1 = 4\nR2= 5 R3 =6\nR[4] = 7\nX = R1 Y = R2 Z =  R3\nX=R [ 4 ] Y=R0\n",
+	{"F6 G500\nR1 = 4\nR2= 5 R3 =6\nR[4] = 7\nX = R1 Y = R2 Z =  R3\nX=R [ 4 ] Y=R3-6\n",
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
 	/* System variables: a settable work offset by its shift; timers and markers have no geometry. */
-	{"F6 $AC_TIMER[1]=0 $AC_MARKER[2]=R1\n$P_UIFR[1,X,TR]=5 $P_UIFR[1,Y,FI]=0\n$P_UIFR[2]=CTRANS(X,1,Z,R1+3)\nG54\nX1\n"
+	{"F6 R1=0 $AC_TIMER[1]=0 $AC_MARKER[2]=R1\n$P_UIFR[1,X,TR]=5 $P_UIFR[1,Y,FI]=0\n$P_UIFR[2]=CTRANS(X,1,Z,R1+3)\nG54\nX1\n"
 	 "G55 X1 Z0\n",
 	 "feed 6 0 0 0 0\nfeed 2 0 3 0 0\n"},
 	/* ORISON and G60; K0 beside a circle in XY; RET of a subprogram that is started by itself. */

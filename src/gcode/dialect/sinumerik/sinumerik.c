@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_macro.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
+#include "gcode/dialect/sinumerik/sinumerik_proc.h"
+#include "gcode/dialect/sinumerik/sinumerik_program.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -68,7 +71,7 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	lexer->position = start;
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
 	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
-	    !sinumerik_call_name(interp, path.bytes, column, name) || !ends_block(lexer))
+	    !sinumerik_program_name(interp, path.bytes, column, name) || !ends_block(lexer))
 		return false;
 	sinumerik_of(interp)->argument_count = 0;
 	return sinumerik_call_run(interp, name, 1, column);
@@ -89,7 +92,7 @@ static bool call_by_path(struct interp *interp, struct lexer *lexer)
 		path[length++] = lexer->at->text[lexer->position++];
 	}
 	path[length] = '\0';
-	return sinumerik_call_name(interp, path, column, name) && sinumerik_call_arguments(interp, lexer) &&
+	return sinumerik_program_name(interp, path, column, name) && sinumerik_call_arguments(interp, lexer) &&
 	       ends_block(lexer) && sinumerik_call_run(interp, name, 1, column);
 }
 
@@ -108,7 +111,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	if (!strcmp(name, "DEFINE"))
 		return sinumerik_macro_define(interp, lexer);
 	if (!strcmp(name, "PROC"))
-		return sinumerik_call_proc(interp, lexer);
+		return sinumerik_proc_take(interp, lexer);
 	if (!strcmp(name, "CALL") || !strcmp(name, "EXTCALL"))
 		return call_by_text(interp, lexer);
 	if (!strcmp(name, "PCALL"))
@@ -202,7 +205,7 @@ static bool read_line(struct interp *interp, bool *done)
 	}
 	if (head.skipped && interp->config->read.block_delete)
 		return true;
-	if (sinumerik_of(interp)->entering && !is_proc(at.text + head.rest) && !sinumerik_call_no_proc(interp))
+	if (sinumerik_of(interp)->entering && !is_proc(at.text + head.rest) && !sinumerik_proc_none(interp))
 		return false;
 	if (sinumerik_of(interp)->depth &&
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
@@ -230,6 +233,8 @@ static void *new_state(void)
 
 	sinumerik->frame.matrix = sinumerik->swivel.matrix = mat3_identity();
 	sinumerik->frame_is_even = true;
+	for (size_t i = 0; i < SINUMERIK_R_COUNT; i++)
+		sinumerik->r[i] = NAN;
 	return sinumerik;
 }
 

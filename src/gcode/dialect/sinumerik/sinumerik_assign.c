@@ -118,10 +118,18 @@ static bool set_values(struct interp *interp, struct lexer *lexer, struct sinume
 static bool set_r(struct interp *interp, struct lexer *lexer, const char *name)
 {
 	int number = 0;
+	double *r;
 
-	return sinumerik_expr_r_number(interp, lexer, name, &number) &&
-	       sinumerik_name_need(lexer, '=', "an R parameter") &&
-	       sinumerik_expr_number(interp, lexer, &sinumerik_of(interp)->r[number]);
+	if (!sinumerik_expr_r_number(interp, lexer, name, &number) ||
+	    !sinumerik_name_need(lexer, '=', "an R parameter"))
+		return false;
+	r = &sinumerik_of(interp)->r[number];
+	if (sinumerik_expr_number(interp, lexer, r))
+		return true;
+	/* The fault is told here, and not again where the parameter is read. */
+	if (isnan(*r))
+		*r = 0;
+	return false;
 }
 
 bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *name, int column)

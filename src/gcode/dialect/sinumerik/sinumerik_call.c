@@ -2,24 +2,17 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/same_double.h"
-#include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_proc.h"
+#include "gcode/dialect/sinumerik/sinumerik_program.h"
 #include "gcode/dialect/sinumerik/sinumerik_save.h"
-#include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 #include "gcode/program.h"
-
-static struct sinumerik_call *top_call(struct sinumerik *sinumerik)
-{
-	return sinumerik->depth ? &sinumerik->calls[sinumerik->depth - 1] : NULL;
-}
 
 /* --------------------------------------------------------------- arguments */
 
@@ -78,87 +71,6 @@ bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer)
 	return sinumerik_name_need(lexer, ')', "the arguments");
 }
 
-/* ------------------------------------------------------------------- files */
-
-bool sinumerik_call_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1])
-{
-	static const char *const types[] = {"_MPF", "_SPF", ".MPF", ".SPF"};
-	const char *base = path;
-	size_t length;
-
-	for (const char *at = path; *at; at++)
-		base = *at == '/' || *at == '\\' || *at == ':' ? at + 1 : base;
-	if (!strncmp(base, "_N_", 3))
-		base += 3;
-	length = strlen(base);
-	for (size_t i = 0; i < sizeof(types) / sizeof(types[0]) && length > 4; i++) {
-		bool same = true;
-
-		for (size_t k = 0; k < 4; k++)
-			same = same && sinumerik_upper(base[length - 4 + k]) == types[i][k];
-		if (same) {
-			length -= 4;
-			break;
-		}
-	}
-	if (length == 0 || length > SINUMERIK_NAME)
-		return fault(&interp->at, column, "\"%s\" names no subprogram", path);
-	for (size_t i = 0; i < length; i++)
-		name[i] = sinumerik_upper(base[i]);
-	name[length] = '\0';
-	return true;
-}
-
-/* Controls keep names in upper case; files on other computers have them in either. */
-static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
-{
-	static const char *const ends[] = {".SPF", ".spf", ".MPF", ".mpf", "_SPF", "_MPF", ""};
-	char file[SINUMERIK_NAME + 16];
-
-	*source = NULL;
-	for (size_t i = 0; i < 2 * sizeof(ends) / sizeof(ends[0]) && !*source; i++) {
-		snprintf(file, sizeof(file), "%s%s", name, ends[i / 2]);
-		for (char *at = file; *at && i % 2 && at < file + strlen(name); at++) {
-			if (*at >= 'A' && *at <= 'Z')
-				*at = (char)(*at - 'A' + 'a');
-		}
-		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
-			return false;
-	}
-	return true;
-}
-
-static bool fault_missing(struct interp *interp, const char *name, int column)
-{
-	if (sinumerik_builder_number(name) > 0)
-		return fault(
-		    &interp->at, column,
-		    "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
-		    "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%ld\" "
-		    "action=\"none\"/> in the machine's <controller> says so",
-		    name, name, sinumerik_builder_number(name));
-	return fault(
-	    &interp->at, column,
-	    "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
-	    "lower case) lies beside the program or in a folder of --include; if %s is the builder's and moves no "
-	    "axis, <macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
-	    name, name, name, name);
-}
-
-/* A file of its own, or another program in the file in hand. */
-static bool find_program(struct interp *interp, const char *name, int column, struct position *entry)
-{
-	bool found = false;
-
-	*entry = (struct position){.line = 1};
-	if (!find_file(interp, name, column, &entry->source))
-		return false;
-	if (entry->source)
-		return true;
-	return sinumerik_seek_program(interp, name, column, entry, &found) &&
-	       (found || fault_missing(interp, name, column));
-}
-
 /* ------------------------------------------------------------------ levels */
 
 static bool enter(struct interp *interp, const struct position *entry, long last_line, int rounds, const char *title,
@@ -189,11 +101,11 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 			return fault(&interp->at, column, "%s with P and a text among its arguments is not supported",
 				     name);
 	}
-	if (!find_program(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
+	if (!sinumerik_program_find(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
-	top_call(sinumerik)->argument_count = sinumerik->argument_count;
-	memcpy(top_call(sinumerik)->arguments, sinumerik->arguments, sizeof(sinumerik->arguments));
-	top_call(sinumerik)->begun_count = 0;
+	sinumerik_top_call(sinumerik)->argument_count = sinumerik->argument_count;
+	memcpy(sinumerik_top_call(sinumerik)->arguments, sinumerik->arguments, sizeof(sinumerik->arguments));
+	sinumerik_top_call(sinumerik)->begun_count = 0;
 	sinumerik->level++;
 	sinumerik->entering = true;
 	return true;
@@ -223,7 +135,7 @@ bool sinumerik_call_is_inside(const struct interp *interp)
 /* Ends the repeated parts that are under way in the program in hand. */
 static void leave_repeats(struct sinumerik *sinumerik)
 {
-	while (sinumerik->depth && top_call(sinumerik)->last_line)
+	while (sinumerik->depth && sinumerik_top_call(sinumerik)->last_line)
 		sinumerik->depth--;
 }
 
@@ -238,53 +150,6 @@ static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_c
 	}
 }
 
-/* The index of the first variable of the level, or the number of all. */
-static size_t first_of_level(const struct sinumerik *sinumerik)
-{
-	size_t first = sinumerik->variable_count;
-
-	while (first > 0 && sinumerik->variables[first - 1].level == sinumerik->level)
-		first--;
-	return first;
-}
-
-/* Keeps what the parameters begin with, for check_begun. */
-static void keep_begun(struct sinumerik *sinumerik, size_t count)
-{
-	struct sinumerik_call *call = top_call(sinumerik);
-	const size_t first = first_of_level(sinumerik);
-
-	if (!call)
-		return;
-	call->begun_count = count < SINUMERIK_ARGUMENTS_MAX ? count : SINUMERIK_ARGUMENTS_MAX;
-	for (size_t i = 0; i < call->begun_count; i++) {
-		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
-
-		call->begun[i] = parameter->numbers ? parameter->numbers[0] : 0;
-	}
-}
-
-/*
- * 840D sl, "Number of program repetitions (P)": parameters are transferred at the call alone. Whether what the
- * subprogram itself makes of them holds in the next round is not said.
- */
-static bool check_begun(struct interp *interp, const struct sinumerik_call *call, int column)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const size_t first = first_of_level(sinumerik);
-
-	for (size_t i = 0; i < call->begun_count; i++) {
-		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
-
-		if (parameter->numbers && !same_double(parameter->numbers[0], call->begun[i]))
-			return fault(&interp->at, column,
-				     "%s has changed its parameter %s, and P repeats it: what the next round begins "
-				     "with is not certain; let the subprogram change a variable of its own",
-				     call->title, parameter->name);
-	}
-	return true;
-}
-
 bool sinumerik_call_return(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -294,7 +159,7 @@ bool sinumerik_call_return(struct interp *interp, int column)
 	leave_repeats(sinumerik);
 	if (!sinumerik_call_is_inside(interp))
 		return fault(&interp->at, column, "this returns, but no subprogram is being carried out");
-	call = top_call(sinumerik);
+	call = sinumerik_top_call(sinumerik);
 	sinumerik->loop_count = call->loops;
 	if (sinumerik->modal.on && sinumerik->modal.level == sinumerik->level)
 		return fault(&interp->at, column,
@@ -303,7 +168,7 @@ bool sinumerik_call_return(struct interp *interp, int column)
 			     sinumerik->modal.name);
 	if (call->saves && !sinumerik_save_restore(interp, &call->saved, column))
 		return false;
-	if (call->left > 0 && !check_begun(interp, call, column))
+	if (call->left > 0 && !sinumerik_proc_check_begun(interp, call, column))
 		return false;
 	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
 	to = call->left > 0 ? call->entry : call->back;
@@ -331,7 +196,7 @@ bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, 
 static bool next_round(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct sinumerik_call *call = top_call(sinumerik);
+	struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 
 	if (call->left-- > 0)
 		return program_jump(&interp->program, &call->entry, &interp->at, 1);
@@ -341,7 +206,7 @@ static bool next_round(struct interp *interp)
 
 bool sinumerik_call_round(struct interp *interp, bool *left)
 {
-	const struct sinumerik_call *call = top_call(sinumerik_of(interp));
+	const struct sinumerik_call *call = sinumerik_top_call(sinumerik_of(interp));
 
 	*left = call && call->last_line && interp->at.line == call->last_line + 1 &&
 		call->entry.source == interp->program.source;
@@ -358,107 +223,12 @@ void sinumerik_call_jumped(struct interp *interp, long line)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	while (sinumerik->depth) {
-		const struct sinumerik_call *call = top_call(sinumerik);
+		const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 
 		if (!call->last_line || (line >= call->entry.line && line <= call->last_line))
 			return;
 		sinumerik->depth--;
 	}
-}
-
-/* -------------------------------------------------------------- parameters */
-
-/* One parameter of PROC: [VAR] type name[,,] [= value]. */
-static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const bool given = i < sinumerik->argument_count;
-	const bool by_reference = sinumerik_name_take(lexer, "VAR");
-	struct sinumerik_variable made = {.refers_to = -1}, *variable;
-	const int column = expr_column(lexer);
-	double value = 0;
-
-	if (!sinumerik_assign_type(interp, lexer, &made.type, &made.length))
-		return false;
-	if (!sinumerik_name_read(lexer, made.name))
-		return fault(lexer->at, expr_column(lexer), "the name of a parameter is needed here");
-	if (lexer_peek(lexer) == '[') {
-		const char *close = strchr(lexer->at->text + lexer->position, ']');
-
-		if (!by_reference || !close)
-			return fault(lexer->at, column, "an array is a VAR parameter");
-		lexer->position = (size_t)(close - lexer->at->text) + 1;
-	}
-	if (by_reference) {
-		made.refers_to = given ? sinumerik->argument_variable[i] : -1;
-		if (made.refers_to < 0)
-			return fault(lexer->at, column, "the VAR parameter %s needs a variable of the caller",
-				     made.name);
-		if (sinumerik->variables[made.refers_to].type != made.type)
-			return fault(lexer->at, column, "the VAR parameter %s and its variable differ in type",
-				     made.name);
-	}
-	variable = sinumerik_variables_add(interp, &made, column);
-	if (!variable)
-		return false;
-	if (sinumerik_name_take_byte(lexer, '=')) {
-		if (made.type == SINUMERIK_STRING ? !sinumerik_expr_text(interp, lexer, &variable->texts[0])
-						  : !sinumerik_expr_number(interp, lexer, &value))
-			return false;
-	}
-	if (by_reference)
-		return true;
-	if (made.type == SINUMERIK_STRING) {
-		if (given && sinumerik->argument_is_text[i])
-			variable->texts[0] = sinumerik->argument_texts[i];
-		return true;
-	}
-	if (given && sinumerik->argument_is_text[i])
-		return fault(lexer->at, column, "the parameter %s is a number, and the call gives a text", made.name);
-	if (given && !isnan(sinumerik->arguments[i]))
-		value = sinumerik->arguments[i];
-	return sinumerik_variables_set(interp, variable, 0, value, column);
-}
-
-bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int column = expr_column(lexer);
-	char name[SINUMERIK_NAME + 1];
-	size_t count = 0;
-
-	sinumerik->entering = false;
-	if (!sinumerik_name_read(lexer, name))
-		return fault(lexer->at, column, "PROC needs the name of its subprogram");
-	if (sinumerik_name_take_byte(lexer, '(') && !sinumerik_name_take_byte(lexer, ')')) {
-		do {
-			if (!take_parameter(interp, lexer, count++))
-				return false;
-		} while (sinumerik_name_take_byte(lexer, ','));
-		if (!sinumerik_name_need(lexer, ')', "the parameters"))
-			return false;
-	}
-	if (sinumerik->argument_count > count)
-		return fault(lexer->at, column, "%s has %zu parameters, and the call gives %zu", name, count,
-			     sinumerik->argument_count);
-	keep_begun(sinumerik, count);
-	while (sinumerik_name_read(lexer, name)) {
-		if (!strcmp(name, "SAVE") && sinumerik->depth) {
-			top_call(sinumerik)->saves = true;
-			sinumerik_save_modes(interp, &top_call(sinumerik)->saved);
-		}
-	}
-	return true;
-}
-
-bool sinumerik_call_no_proc(struct interp *interp)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct sinumerik_call *call = top_call(sinumerik);
-
-	sinumerik->entering = false;
-	return !call || sinumerik->argument_count == 0 ||
-	       fault(&interp->at, 1, "%s is called with arguments, but does not begin with PROC", call->title);
 }
 
 /* ------------------------------------------------------------------- hooks */
@@ -467,7 +237,7 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
-	const struct sinumerik_call *call = top_call(sinumerik);
+	const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 	const size_t outside = call && call->last_line ? call->loops : 0;
 
 	if (sinumerik->loop_count > outside && sinumerik->loops[sinumerik->loop_count - 1].level == sinumerik->level) {

@@ -1,4 +1,4 @@
-/* sinumerik_call.h - subprograms: calls, parameters, returns, and parts of a program that are repeated. */
+/* sinumerik_call.h - subprograms: calls, returns, and parts of a program that are repeated. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CALL_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CALL_H
 
@@ -12,15 +12,6 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 
 /* Calls the subprogram of MCALL with its arguments. False: reported. */
 bool sinumerik_call_modal(struct interp *interp);
-
-/* The program name in a path, as CALL and EXTCALL take it: no folders, no _N_, no type. False: reported. */
-bool sinumerik_call_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1]);
-
-/* PROC: takes over the arguments of the call. False: reported. */
-bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer);
-
-/* The first block of a subprogram without PROC: it has no parameters. False: reported. */
-bool sinumerik_call_no_proc(struct interp *interp);
 
 /* RET, M17, or M30 of a subprogram: goes back to the caller, or begins the next round. False: reported. */
 bool sinumerik_call_return(struct interp *interp, int column);

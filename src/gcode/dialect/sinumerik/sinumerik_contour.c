@@ -12,6 +12,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_program.h"
 #include "gcode/dialect/sinumerik/sinumerik_save.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
@@ -102,7 +103,7 @@ static bool call_contour(struct interp *interp)
 			return fault(&interp->at, column, "the contour ends before it begins");
 		if (!sinumerik_call_repeat(interp, &first, last.line, 1, column))
 			return false;
-	} else if (!sinumerik_call_name(interp, name, column, program) ||
+	} else if (!sinumerik_program_name(interp, name, column, program) ||
 		   !sinumerik_call_run(interp, program, 1, column)) {
 		return false;
 	}

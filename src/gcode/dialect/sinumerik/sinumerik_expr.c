@@ -234,13 +234,34 @@ static bool constant_value(struct lexer *lexer, double *value)
 	return true;
 }
 
+/* 840D sl operating manual, "R variables": they keep their values, also while the control is off. */
+static bool r_value(struct interp *interp, struct lexer *lexer, const char *name, int column, double *value)
+{
+	double *r;
+	int number;
+
+	if (!sinumerik_expr_r_number(interp, lexer, name, &number))
+		return false;
+	r = &sinumerik_of(interp)->r[number];
+	if (isnan(*r)) {
+		/* Told once. */
+		*r = 0;
+		return fault(
+		    lexer->at, column,
+		    "R%d keeps its value from one program to the next, and this one has given it none so far: what it "
+		    "holds is known to the control only; assign it first, in this program or in one that calls it",
+		    number);
+	}
+	*value = *r;
+	return true;
+}
+
 static bool variable_value(struct expr *expr, struct expr_operand *value)
 {
 	struct interp *interp = expr->context;
 	struct lexer *lexer = expr->lexer;
 	const int column = expr_column(lexer);
 	char name[SINUMERIK_NAME + 1];
-	int number;
 
 	if (sinumerik_text_follows(interp, lexer))
 		return sinumerik_text_compare(expr, value);
@@ -250,10 +271,7 @@ static bool variable_value(struct expr *expr, struct expr_operand *value)
 		return fault(lexer->at, column, "a value is needed here");
 	if (!is_r(name) || (name[1] == '\0' && lexer_peek(lexer) != '['))
 		return named(expr, name, column, value);
-	if (!sinumerik_expr_r_number(interp, lexer, name, &number))
-		return false;
-	value->number = sinumerik_of(interp)->r[number];
-	return true;
+	return r_value(interp, lexer, name, column, &value->number);
 }
 
 /* -------------------------------------------------------------- operators */

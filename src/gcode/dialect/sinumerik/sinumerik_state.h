@@ -185,7 +185,7 @@ struct sinumerik {
 	struct sinumerik_variable *variables;	/* owned */
 	size_t variable_count, variable_capacity;
 	size_t elements;	/* of all of them */
-	double r[SINUMERIK_R_COUNT];
+	double r[SINUMERIK_R_COUNT];	/* NAN: the program has not assigned it */
 	struct sinumerik_loop loops[SINUMERIK_LOOPS_MAX];
 	size_t loop_count;
 	struct sinumerik_call calls[SINUMERIK_LEVELS_MAX];
@@ -250,6 +250,12 @@ struct sinumerik {
 static inline struct sinumerik *sinumerik_of(const struct interp *interp)
 {
 	return interp->dialect_state;
+}
+
+/* The innermost call under way, or NULL. */
+static inline struct sinumerik_call *sinumerik_top_call(struct sinumerik *sinumerik)
+{
+	return sinumerik->depth ? &sinumerik->calls[sinumerik->depth - 1] : NULL;
 }
 
 /* Is the modal call carried out behind motions now? */
