@@ -51,6 +51,9 @@ static const struct klartext_program parameters[] = {
 	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 28: TABREAD Q2 = 5/\"X,Y\"\nFN 26: TABOPEN TNC:\\A.TAB\n"
 	 "FN 27: TABWRITE 5/\"X\" = Q1\nFN 20: WAIT FOR SYNC\nFN 15: PRINT Q1\nFN 0: Q1 = +7\nL X+Q1 FMAX\n",
 	 "rapid 7 0 0 0 0\n"},
+	/* Blocks of several lines. */
+	{"7 L X+1 ~\n  Y+2~\n Z+3 FMAX ; done\n8 L X+4 FMAX ; no more ~\nL Y+5 FMAX\nL X+6 FMAX~\n\n",
+	 "rapid 1 2 3 0 0\nrapid 4 2 3 0 0\nrapid 4 5 3 0 0\nrapid 6 5 3 0 0\n"},
 	{"Q1 = 5 * ~\n  ( 1 + ~ \n 1 ) ; twice\nL X+Q1 FMAX\n",
 	 "rapid 10 0 0 0 0\n"},
 	{"TOOL CALL 1 Z\nTOOL CALL DL-Q108 DR+1\nL Z+0 X+Q108 FMAX\nTOOL CALL DL+0 DR+0\nL X+Q108 Z+0 FMAX\n",

@@ -15,6 +15,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_free.h"
 #include "gcode/dialect/klartext/klartext_function.h"
+#include "gcode/dialect/klartext/klartext_join.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "gcode/dialect/klartext/klartext_move.h"
@@ -441,29 +442,6 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 	return klartext_define_end(interp);
 }
 
-/* A formula that '~' continues becomes one line; the lines behind it have no block numbers. */
-static bool join_formula(struct interp *interp)
-{
-	struct klartext *klartext = klartext_of(interp);
-	struct lexer lexer = klartext_lexer(interp);
-	const char *text = interp->at.text;
-
-	skip_number(&lexer);
-	if (klartext->definition.open || klartext_upper(lexer_peek(&lexer)) != 'Q' || !klartext_continues(text))
-		return true;
-	strbuf_clear(&klartext->formula);
-	strbuf_addf(&klartext->formula, "%.*s", (int)strcspn(text, ";~"), text);
-	while (klartext_continues(text)) {
-		if (reader_next(&interp->program.source->reader, &text) != READER_LINE) {
-			interp->at.text = strbuf_text(&klartext->formula);
-			return fault(&interp->at, 1, "the next line, in which this formula goes on, cannot be read");
-		}
-		strbuf_addf(&klartext->formula, "%.*s", (int)strcspn(text, ";~"), text);
-	}
-	interp->at.text = strbuf_text(&klartext->formula);
-	return true;
-}
-
 bool klartext_line_run(struct interp *interp, bool *done)
 {
 	struct klartext_cycle *definition = &klartext_of(interp)->definition;
@@ -472,7 +450,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 
 	*done = true;
 	interp->moves = 0;
-	if (!join_formula(interp))
+	if (!klartext_join(interp))
 		return false;
 	lexer = klartext_lexer(interp);
 	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))

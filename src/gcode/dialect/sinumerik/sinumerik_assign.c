@@ -1,5 +1,6 @@
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
