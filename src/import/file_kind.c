@@ -116,6 +116,10 @@ static const char *advice(const char *path, const struct file_bytes *file)
 	/* Also if there is white space alone. */
 	if (skip_space(text) == text + file->count)
 		return "this file is empty";
+	if (ends_with(path, ".hsmlib"))
+		return "this is a tool library of HSMWorks: save it as JSON (Fusion 360 exports it), which can be imported";
+	if (strstr(text, "(tool_number)"))
+		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
 	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))
 		return "this file is in UTF-16: save it as UTF-8 (a text editor does)";
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))

@@ -49,7 +49,7 @@ def library_radius(tool, h):
             best = r - h * math.tan(math.radians(g["TA"]))
         if kind == "lollipop mill":
             best = math.sqrt(max(0, r * r - (h - r) ** 2))
-        if kind == "tapered mill":
+        if kind == "tapered mill" or kind == "face mill" and g.get("DCX", 0) > g["DC"]:
             best = tapered_radius(r, g["TA"], corner, h)
         if kind == "chamfer mill":
             best = min(r, g.get("tip-diameter", 0) / 2 + h * math.tan(math.radians(g["TA"])))

@@ -62,6 +62,19 @@ def frame(element):
     return m
 
 
+def choose(models, tags, want, have, points):
+    """The body of each model: the nearest of those that it can have become, each of them once."""
+    kinds = {"fixture": ("fixture", "machine"), "design": ("part",), "stock": ("stock",)}
+    free = {i: [apply(m, p) for p in points] for i, m in enumerate(have)}
+    chosen = []
+    for (_, kind, _), pose in zip(models, want):
+        at = [apply(pose, p) for p in points]
+        chosen.append(min((i for i in free if tags[i] in kinds.get(kind, ("machine",))),
+                          key=lambda i: max(map(math.dist, at, free[i]))))
+        del free[chosen[-1]]
+    return chosen
+
+
 def compare_bodies(project, machine, setup, rng):
     """Each model of the machine and of the setup is one body, of machine.xml or of the setup, at the same place."""
     models = [(n, c.get("Type").lower(), m) for n, c in project.components.items() for m in c
@@ -69,22 +82,18 @@ def compare_bodies(project, machine, setup, rng):
     work = [b for b in setup if b.tag in ("fixture", "part", "stock")]
     tags = ["machine"] * len(machine.bodies) + [b.tag for b in work]
     assert len(models) == len(tags), (len(models), len(tags))
-    kinds = {"fixture": ("fixture", "machine"), "design": ("part",), "stock": ("stock",)}
     mount, chain = workholding(machine.root.find("base"), [])
-    worst = 0
+    worst, body_of = 0, []
     for _ in range(50):
         values = {k: rng.uniform(-180, 180) if k in "ABC" else rng.uniform(-1000, 1000) for k in LETTERS}
         points = [[rng.uniform(-500, 500) for _ in range(3)] for _ in range(20)]
         have = [machine.pose(b, c, values) for b, c in machine.bodies]
         have += [times(machine.pose(mount, chain, values), frame(b)) for b in work]
-        free = list(range(len(have)))
-        for name, kind, model in models:
-            want = times(project.pose(name, values), project.frame(model))
-            rows = {i: max(math.dist(apply(want, p), apply(have[i], p)) for p in points) for i in free
-                    if tags[i] in kinds.get(kind, ("machine",))}
-            best = min(rows, key=rows.get)
-            free.remove(best)
-            worst = max(worst, rows[best])
+        want = [times(project.pose(name, values), project.frame(model)) for name, _, model in models]
+        if not body_of:
+            body_of = choose(models, tags, want, have, points[:2])
+        for model, body in zip(want, body_of):
+            worst = max(worst, max(math.dist(apply(model, p), apply(have[body], p)) for p in points))
     return len(tags), worst
 
 

@@ -82,6 +82,9 @@ cat >fusion.json <<'EOF'
  {"type": "tapered mill", "geometry": {"DC": 1, "LB": 72, "LCF": 24, "TA": 0.096}, "post-process": {"number": 16}},
  {"type": "dovetail mill", "geometry": {"DC": 10, "LB": 40, "LCF": 10, "TA": 30, "RE": 1}, "post-process": {"number": 17}},
  {"type": "face mill", "geometry": {"DC": 40, "DCX": 50, "LB": 40, "LCF": 10}, "post-process": {"number": 18}},
+ {"type": "face mill", "geometry": {"DC": 40, "DCX": 50, "LB": 40, "LCF": 10, "TA": 45}, "post-process": {"number": 19}},
+ {"type": "face mill", "unit": "millimeters", "geometry": {"DC": 40, "DCX": 50, "LB": 40, "LCF": 5, "TA": 45, "SFDM": 22, "RE": 0.8},
+  "post-process": {"number": 20}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6, "LB": 25}, "post-process": {}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6}, "post-process": {"number": 7}}
 ]}

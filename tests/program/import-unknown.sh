@@ -14,6 +14,8 @@ printf '\377\376<\000V\000' | told wide.mch
 printf 'ISO-10303-21;\n' | told arm.STEP
 printf 'PK\003\004zip' | told library.tools
 printf '\000\001\002' | told bytes.bin
+printf '\377\376<\000?\000' | told library.hsmlib
+printf '"Type (tool_type)","Number (tool_number)"\n"flat end mill",3\n' | told library.csv
 printf '' | told empty.mch
 printf '<VcMachineX/>' | told other.mch
 echo "a text form that another file names:"

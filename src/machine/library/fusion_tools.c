@@ -188,6 +188,15 @@ static const char *add_taper(struct tool_outline *tool, const struct geometry *g
 	return NULL;
 }
 
+/* A face mill whose sides lead from DC to its greatest diameter over the height of its flutes. */
+static bool is_tapered_face(const struct geometry *g, enum shape shape)
+{
+	const double top = g->diameter + 2 * g->flutes * math_tan(radians(g->taper_angle));
+
+	return shape == SHAPE_BULL && g->taper_angle > 0 && g->taper_angle <= 80 && g->greatest > g->diameter &&
+	       fabs(g->greatest - top) <= ROUNDED;
+}
+
 static const char *add_dovetail(struct tool_outline *tool, const struct geometry *g)
 {
 	const double r = g->diameter / 2, top = r - g->flutes * math_tan(radians(g->taper_angle));
@@ -212,6 +221,8 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 {
 	double r = g->diameter / 2;
 
+	if (is_tapered_face(g, shape))
+		return add_taper(tool, g);
 	if (g->greatest > g->diameter + ROUNDED)
 		return "its greatest diameter DCX is larger than DC";
 	tool->has_tip = shape < SHAPE_CHAMFER;
