@@ -2,7 +2,6 @@
 #ifndef GCODE_CASE_H
 #define GCODE_CASE_H
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +11,7 @@
 #include "base/units.h"
 #include "gcode/dialect/dialects.h"
 #include "gcode/interp.h"
+#include "suite.h"
 
 struct gcode_case {
 	struct gcode_config config;
@@ -298,25 +298,5 @@ static inline void expect_moves(const char *program, const char *moves)
 	case_init(&c);
 	case_expect(&c, program, moves);
 }
-
-/* Runs the one suite of a test program. */
-static inline int run_tests(const char *name, const TTest *const tests[], size_t count)
-{
-	Suite *suite = suite_create(name);
-	TCase *tcase = tcase_create(name);
-	SRunner *runner;
-	int failed;
-
-	for (size_t i = 0; i < count; i++)
-		tcase_add_test(tcase, tests[i]);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
-}
-
-#define RUN_TESTS(name, tests) run_tests(name, tests, sizeof(tests) / sizeof((tests)[0]))
 
 #endif

@@ -84,6 +84,4 @@ static inline void klartext_expect_fault(const struct klartext_fault *expected)
 	case_release(&c);
 }
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
-
 #endif

@@ -69,18 +69,10 @@ static inline void assert_refused(const char *path, const char *expected)
 }
 
 /* Runs the one suite of a test program, every test in an empty folder. */
-static inline int run_in_folders(Suite *suite, TCase *tcase)
+static inline int run_in_folders(const char *name, TCase *tcase)
 {
-	SRunner *runner;
-	int failed;
-
 	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite(name, tcase);
 }
 
 #endif

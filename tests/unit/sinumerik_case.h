@@ -21,11 +21,11 @@ static inline void sinumerik_case_init(struct gcode_case *c)
 	c->config.dialect = &dialect_sinumerik;
 	c->config.has_setup = true;
 	c->config.tools = tools;
-	c->config.tool_count = sizeof(tools) / sizeof(tools[0]);
+	c->config.tool_count = COUNT(tools);
 	c->config.edges = edges;
 	c->config.edge_count = 1;
 	c->config.work_offsets = offsets;
-	c->config.work_offset_count = sizeof(offsets) / sizeof(offsets[0]);
+	c->config.work_offset_count = COUNT(offsets);
 	controller->least_input = 0;
 	controller->edge_after_tool_change = EDGE_AFTER_TOOL_CHANGE_FIRST;
 	controller->frames_outlive_traori = ANSWER_YES;

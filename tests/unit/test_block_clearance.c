@@ -1,9 +1,8 @@
 #include "check/measure/block_clearance.h"
 
-#include <stdlib.h>
-
 #include "first_contact.h"
 #include "step_program.h"
+#include "suite.h"
 
 /* Does the oracle find a place in the steps where the bodies are as near as this? */
 static bool comes_within(const struct program *p, int first, int last, double distance)
@@ -191,17 +190,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("block_clearance");
 	TCase *tcase = tcase_create("blocks");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, between_the_truth_and_a_share_of_it);
 	tcase_add_test(tcase, clear_without_a_look);
 	tcase_add_test(tcase, known_distances);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("block_clearance", tcase);
 }

@@ -3,13 +3,13 @@
  * steps: whichever way a control goes, each place of the tool lies within what the steps cover. So do those of circular
  * pockets (Haas G12, G13).
  */
-#include <stdlib.h>
 
 #include "base/strbuf.h"
 #include "control/dialects.h"
 #include "machine/setup.h"
 #include "motion/motion.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 #define STEPS 3000
 #define ROUNDING 1e-9
@@ -241,17 +241,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("bores");
 	TCase *tcase = tcase_create("bores");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, any_direction, 0, 4);
 	tcase_add_test(tcase, pocket);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("bores", tcase);
 }

@@ -1,10 +1,10 @@
 #include "geom/boxes.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "geom/simd_kernels.h"
 #include "solids.h"
+#include "suite.h"
 
 /* Two soups and a motion of b against a, seen from one of both. */
 struct meeting {
@@ -276,16 +276,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("boxes");
 	TCase *tcase = tcase_create("lower bound");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, every_level_gives_the_same_bits);
 	tcase_add_test(tcase, nothing_is_nearer_than_claimed);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("boxes", tcase);
 }

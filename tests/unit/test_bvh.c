@@ -5,6 +5,7 @@
 
 #include "geom/simd_level.h"
 #include "solids.h"
+#include "suite.h"
 
 /* What a walk over all boxes finds out. */
 struct census {
@@ -235,18 +236,11 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("bvh");
 	TCase *tcase = tcase_create("trees");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, random_soups);
 	tcase_add_test(tcase, degenerate_soups);
 	tcase_add_test(tcase, hundred_thousand);
 	tcase_add_test(tcase, one_tree);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("bvh", tcase);
 }

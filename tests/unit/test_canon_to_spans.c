@@ -1,8 +1,7 @@
 /* test_canon_to_spans.c - the converter, fed by hand with canonical moves: times, breaks, tools, clocks, against hand computation. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion_record.h"
+#include "suite.h"
 
 /* ----------------------------------------------------------------- timing */
 
@@ -455,10 +454,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("converter");
 	TCase *tests = tcase_create("converter");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, feeds);
 	tcase_add_test(tests, rapids);
@@ -476,10 +472,5 @@ int main(void)
 	tcase_add_test(tests, blending);
 	tcase_add_test(tests, the_sink_can_stop);
 	tcase_add_test(tests, absurd_moves_are_refused);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("converter", tests);
 }

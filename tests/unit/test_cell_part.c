@@ -2,12 +2,11 @@
  * test_cell_part.c - the part of a cell near an obstacle, and whether a cut removes it, against the definitions: random
  * points of the cell, and the cutter at many instants.
  */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "machine/tool_solid.h"
 #include "random.h"
+#include "suite.h"
 #include "stock/cut_log.h"
 #include "stock/obstacle.h"
 
@@ -22,7 +21,7 @@ static const struct tool_solid solids[] = {
     {.sections = stepped, .count = 3, .tip = TIP_FLAT},
 };
 
-enum { SOLIDS = sizeof(solids) / sizeof(solids[0]), POINTS = 40 };
+enum { SOLIDS = COUNT(solids), POINTS = 40 };
 
 static vec3 some_half(struct random *random)
 {
@@ -191,17 +190,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("cell_part");
 	TCase *cases = tcase_create("all");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_loop_test(cases, part_is_what_the_half_space_leaves, 0, 4);
 	tcase_add_loop_test(cases, half_spaces_hold_what_is_near, 0, SOLIDS);
 	tcase_add_loop_test(cases, removed_parts_were_in_the_cutter, 0, SOLIDS);
-	suite_add_tcase(suite, cases);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("cell_part", cases);
 }

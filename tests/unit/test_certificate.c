@@ -1,9 +1,8 @@
 #include "scene/tri_pair.h"
 
-#include <stdlib.h>
-
 #include "scene/coherence.h"
 #include "solids.h"
+#include "suite.h"
 
 enum { INSTANTS = 65 };
 
@@ -327,17 +326,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("certificate");
 	TCase *tcase = tcase_create("certificates");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, what_is_proved_of_a_chord_is_so);
 	tcase_add_test(tcase, the_bend_is_needed);
 	tcase_add_test(tcase, what_is_proved_of_a_box_is_so);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("certificate", tcase);
 }

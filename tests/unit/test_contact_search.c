@@ -1,10 +1,9 @@
 #include "scene/contact_search.h"
 #include "scene/tool_contact.h"
 
-#include <stdlib.h>
-
 #include "machine/tool_solid.h"
 #include "solids.h"
+#include "suite.h"
 
 /* Joints of a few hundred mm and of whole turns; a small tool far from a small body, which it can reach. */
 static void make_duo(struct random *random, struct duo *duo, axis_values *low, axis_values *high, axis_values *meeting)
@@ -156,17 +155,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("contact_search");
 	TCase *tcase = tcase_create("search");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, finds_contacts);
 	tcase_add_test(tcase, recalls_contacts);
 	tcase_add_test(tcase, finds_tools);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("contact_search", tcase);
 }

@@ -4,6 +4,7 @@
 #include "motion/path.h"
 #include "motion_rig.h"
 #include "solids.h"
+#include "suite.h"
 
 enum { INSTANTS = 400 };
 
@@ -286,17 +287,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("curved_sweep");
 	TCase *tcase = tcase_create("true motion");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, arcs);
 	tcase_add_test(tcase, guided_moves);
 	tcase_add_test(tcase, arcs_with_a_path_tolerance);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("curved_sweep", tcase);
 }

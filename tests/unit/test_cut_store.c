@@ -1,11 +1,10 @@
 /* test_cut_store.c - chunks come back as they were written, from memory and from the file; a full disk is noticed. */
-#include <check.h>
 #include <errno.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/resource.h>
 
 #include "random.h"
+#include "suite.h"
 #include "stock/cut_store.h"
 
 enum { LIMIT = 5, CHUNKS = 3000 };
@@ -79,17 +78,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("cut_store");
 	TCase *cases = tcase_create("all");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(cases, chunks_come_back);
 	tcase_add_test(cases, few_chunks_need_no_file);
 	tcase_add_test(cases, a_failed_write_is_a_fault);
-	suite_add_tcase(suite, cases);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("cut_store", cases);
 }

@@ -70,7 +70,7 @@ static void finish(void)
 	fivecheck_options_free(options);
 	fivecheck_diag_free(diag);
 	strbuf_release(&messages);
-	for (size_t i = 0; i < sizeof(written) / sizeof(written[0]); i++)
+	for (size_t i = 0; i < COUNT(written); i++)
 		remove(written[i]);
 	leave_folder();
 }
@@ -289,20 +289,14 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {finds_and_proves, keeps_clearances, parses_without_bodies, goes_on_or_gives_up,
-				      reports_faults, reads_other_dialects_and_folders};
-	Suite *suite = suite_create("fivecheck");
 	TCase *tcase = tcase_create("face");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_checked_fixture(tcase, start, finish);
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		tcase_add_test(tcase, tests[i]);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_test(tcase, finds_and_proves);
+	tcase_add_test(tcase, keeps_clearances);
+	tcase_add_test(tcase, parses_without_bodies);
+	tcase_add_test(tcase, goes_on_or_gives_up);
+	tcase_add_test(tcase, reports_faults);
+	tcase_add_test(tcase, reads_other_dialects_and_folders);
+	return run_suite("fivecheck", tcase);
 }

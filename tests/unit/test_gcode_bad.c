@@ -1,5 +1,5 @@
 /* test_gcode_bad.c - programs that must be refused, each with its message, its place and its caret. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 struct bad {
 	const char *program;
@@ -10,21 +10,12 @@ struct bad {
 /* The message is the only one, and the caret stands below the column of the line that it names. */
 static void expect_bad(const struct bad *bad, const struct dialect *dialect, bool has_setup)
 {
-	struct strbuf expected = {0};
-	const char *line = bad->program;
 	struct gcode_case c;
 
 	case_init(&c);
 	c.config.dialect = dialect;
 	c.config.has_setup = has_setup;
-	ck_assert_msg(!case_run(&c, bad->program), "accepted: %s", bad->program);
-	for (int i = 1; i < bad->line; i++)
-		line = strchr(line, '\n') + 1;
-	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %.*s\n    %*s\n", bad->line, bad->column, bad->message,
-		    (int)strcspn(line, "\r\n"), line, bad->column, "^");
-	ck_assert_str_eq(strbuf_text(&c.messages), expected.text);
-	strbuf_release(&expected);
-	case_release(&c);
+	case_refuses_at(&c, bad->program, bad->line, bad->column, bad->message);
 }
 
 #define PROBED \
@@ -272,7 +263,7 @@ START_TEST(in_haas)
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 
-	for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++)
+	for (size_t i = 0; i < COUNT(bad); i++)
 		expect_bad(&bad[i], &dialect_haas, false);
 }
 END_TEST
@@ -302,7 +293,7 @@ START_TEST(machine_axes_under_switched_kinematics)
 	static const char *const blocks_of_axes[] = {"G53 G0 X1", "G28", "G30 X1", "G28.1"};
 	const struct mcode mcode = {428, MCODE_TCP_ON};
 
-	for (size_t i = 0; i < sizeof(blocks_of_axes) / sizeof(blocks_of_axes[0]); i++) {
+	for (size_t i = 0; i < COUNT(blocks_of_axes); i++) {
 		struct strbuf program = {0};
 		struct gcode_case c;
 
@@ -321,14 +312,11 @@ START_TEST(machine_axes_under_switched_kinematics)
 }
 END_TEST
 
-#define LOOP(test, cases) tcase_add_loop_test(tcase, test, 0, (int)(sizeof(cases) / sizeof((cases)[0])))
+#define LOOP(test, cases) tcase_add_loop_test(tcase, test, 0, COUNT(cases))
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_bad");
 	TCase *tcase = tcase_create("gcode_bad");
-	SRunner *runner;
-	int failed;
 
 	LOOP(text, texts);
 	LOOP(code, codes);
@@ -339,10 +327,5 @@ int main(void)
 	tcase_add_test(tcase, in_haas);
 	tcase_add_test(tcase, wrapped_position_beyond_a_turn);
 	tcase_add_test(tcase, machine_axes_under_switched_kinematics);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_bad", tcase);
 }

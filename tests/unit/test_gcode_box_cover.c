@@ -1,9 +1,9 @@
 /* test_gcode_box_cover.c - lines that cover all that a box passes: none of its places left out, little added. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "gcode/execute/box_cover.h"
+#include "suite.h"
 
 #define LINES 20000
 #define BESIDE 0.7
@@ -160,17 +160,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_box_cover");
 	TCase *tcase = tcase_create("gcode_box_cover");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, every_place, 0, 20);
 	tcase_add_loop_test(tcase, tight, 0, 6);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_box_cover", tcase);
 }

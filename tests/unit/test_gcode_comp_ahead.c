@@ -11,7 +11,7 @@ static void init(struct gcode_case *c, const struct dialect *dialect, enum comp_
 	case_init(c);
 	c->config.dialect = dialect;
 	c->config.radii = radii;
-	c->config.radius_count = sizeof(radii) / sizeof(radii[0]);
+	c->config.radius_count = COUNT(radii);
 	c->config.controller.comp_start = start;
 	c->config.controller.comp_corner = corner;
 	c->show_spread = true;
@@ -255,7 +255,7 @@ static const struct {
 
 START_TEST(faults)
 {
-	for (size_t i = 0; i < sizeof(bads) / sizeof(bads[0]); i++) {
+	for (size_t i = 0; i < COUNT(bads); i++) {
 		struct gcode_case c;
 
 		init(&c, bads[i].dialect, A, LINEAR);

@@ -1,5 +1,5 @@
 /* test_gcode_conversion.c - three-dimensional coordinate conversion (G68 with I, J, K) against closed forms. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 static const struct length_offset lengths[] = {{1, 100}};
 
@@ -94,15 +94,10 @@ static const struct bad {
 
 START_TEST(refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	init(&c, &dialect_fanuc, LENGTH_UNDER_G68_UNKNOWN);
-	strbuf_addf(&program, "%s\n%s\nM30\n", bads[_i].before, bads[_i].block);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].block);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, bads[_i].message, "%s\n%s\nM30\n", bads[_i].before, bads[_i].block);
 }
 END_TEST
 
@@ -120,19 +115,13 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {shifted_and_turned, twice, length, arcs_and_cycles, haas};
-	Suite *suite = suite_create("gcode_conversion");
-	TCase *tcase = tcase_create("gcode_conversion");
-	SRunner *runner;
-	int failed;
+	TCase *tcase = tcase_create("programs");
 
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		tcase_add_test(tcase, tests[i]);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_test(tcase, shifted_and_turned);
+	tcase_add_test(tcase, twice);
+	tcase_add_test(tcase, length);
+	tcase_add_test(tcase, arcs_and_cycles);
+	tcase_add_test(tcase, haas);
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_conversion", tcase);
 }

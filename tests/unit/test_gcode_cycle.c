@@ -1,5 +1,5 @@
 /* test_gcode_cycle.c - canned cycles, tapping and probing as moves; tool change and reference moves; faults of each. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 static void run(const struct dialect *dialect, const char *program, const char *moves)
 {
@@ -96,7 +96,7 @@ START_TEST(boring_by_hand)
 		const char *code, *dwell;
 	} bores[] = {{&dialect_fanuc, "G88", "dwell 2\n"}, {&dialect_haas, "G88", "dwell 2\n"}, {&dialect_haas, "G87", ""}};
 
-	for (size_t i = 0; i < sizeof(bores) / sizeof(bores[0]); i++) {
+	for (size_t i = 0; i < COUNT(bores); i++) {
 		struct strbuf program = {0}, moves = {0}, messages = {0};
 		struct gcode_case c;
 
@@ -297,7 +297,6 @@ START_TEST(level_is_kept)
 	static const struct work_offset offsets[] = {{.name = "G54", .value = {{0}}}, {.name = "G55", .value = {{1, 1, 1}}}};
 
 	for (int i = 0; i < 16; i++) {
-		struct strbuf program = {0};
 		struct gcode_case c;
 
 		case_init(&c);
@@ -307,14 +306,10 @@ START_TEST(level_is_kept)
 		c.config.length_count = 1;
 		c.config.work_offsets = offsets;
 		c.config.work_offset_count = 2;
-		strbuf_addf(&program, "F9 G0 Z3.\nG98 G81 X1. Z-1. R1.\n%s\nX2. Y2.\n", changes[i / 2]);
-		ck_assert_msg(!case_run(&c, program.text), "accepted: %s", changes[i / 2]);
-		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-					     ":1: error: the coordinates have changed since the first of the cycles: "
-					     "whether its level and words change with them depends on the control; "
-					     "G80 first\n    X2. Y2.\n"));
-		strbuf_release(&program);
-		case_release(&c);
+		case_refuses(&c,
+			     ":1: error: the coordinates have changed since the first of the cycles: whether its level and "
+			     "words change with them depends on the control; G80 first\n    X2. Y2.\n",
+			     "F9 G0 Z3.\nG98 G81 X1. Z-1. R1.\n%s\nX2. Y2.\n", changes[i / 2]);
 	}
 	/* Where nothing goes by the level, or another cycle begins. */
 	run(&dialect_fanuc, "F9 G0 Z3.\nG99 G81 X1. Z-1. R1.\nG52 Z1.\nX2.\nG80\nG98 G81 X3. Z-1. R1.\nM30\n",
@@ -429,7 +424,6 @@ static const struct bad bads[] = {
 START_TEST(refused)
 {
 	const struct bad *bad = &bads[_i];
-	struct strbuf program = {0}, expected = {0};
 	struct gcode_case c;
 
 	case_init(&c);
@@ -437,35 +431,31 @@ START_TEST(refused)
 	c.config.controller.tool_change.given = true;
 	c.config.controller.mcodes = mcodes;
 	c.config.controller.mcode_count = 1;
-	strbuf_addf(&program, "F9\n%s\n", bad->block);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
-	strbuf_addf(&expected, "p.nc:2:%d: error: %s\n    %s\n    %*s\n", bad->column, bad->message, bad->block,
-		    bad->column, "^");
-	ck_assert_str_eq(strbuf_text(&c.messages), expected.text);
-	strbuf_release(&program);
-	strbuf_release(&expected);
-	case_release(&c);
+	case_refuses_last(&c, bad->column, bad->message, "F9\n%s\n", bad->block);
 }
 END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {drilling, grid, bolt_holes, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
-					     planes,		 back_boring,	  repeats,	  threads_and_probes,
-					     default_retract,	 tool_change_moves, reference_positions,
-					     level_is_kept,	 drills_where_an_axis_is_named};
-	Suite *suite = suite_create("gcode_cycle");
-	TCase *tcase = tcase_create("gcode_cycle");
-	SRunner *runner;
-	int failed;
+	TCase *tcase = tcase_create("programs");
 
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		tcase_add_test(tcase, tests[i]);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_test(tcase, drilling);
+	tcase_add_test(tcase, grid);
+	tcase_add_test(tcase, bolt_holes);
+	tcase_add_test(tcase, fine_boring);
+	tcase_add_test(tcase, boring_by_hand);
+	tcase_add_test(tcase, retract);
+	tcase_add_test(tcase, pecking);
+	tcase_add_test(tcase, dwell_and_feed_out);
+	tcase_add_test(tcase, planes);
+	tcase_add_test(tcase, back_boring);
+	tcase_add_test(tcase, repeats);
+	tcase_add_test(tcase, threads_and_probes);
+	tcase_add_test(tcase, default_retract);
+	tcase_add_test(tcase, tool_change_moves);
+	tcase_add_test(tcase, reference_positions);
+	tcase_add_test(tcase, level_is_kept);
+	tcase_add_test(tcase, drills_where_an_axis_is_named);
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_cycle", tcase);
 }

@@ -1,5 +1,5 @@
 /* test_gcode_cylinder.c - cylindrical interpolation (G7.1) against arcs of the developed surface; its faults. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 #include "base/same_double.h"
 
@@ -110,33 +110,20 @@ static const struct bad {
 
 START_TEST(refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	init(&c);
-	strbuf_addf(&program, "F9. G7.1 C20.\n%s\nM30\n", bads[_i].block);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].block);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, bads[_i].message, "F9. G7.1 C20.\n%s\nM30\n", bads[_i].block);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_cylinder");
 	TCase *tcase = tcase_create("gcode_cylinder");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, arcs);
 	tcase_add_test(tcase, lines);
 	tcase_add_test(tcase, rounded);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_cylinder", tcase);
 }

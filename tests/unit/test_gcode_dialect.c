@@ -278,14 +278,9 @@ START_TEST(rows)
 }
 END_TEST
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
-
 int main(void)
 {
-	Suite *suite = suite_create("gcode_dialect");
 	TCase *tcase = tcase_create("dialect");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, bare_table, 0, COUNT(bare_refusals));
 	tcase_add_test(tcase, no_table_at_all);
@@ -295,10 +290,5 @@ int main(void)
 	tcase_add_test(tcase, silent_path);
 	tcase_add_test(tcase, half_answered_cycles);
 	tcase_add_test(tcase, rows);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? 1 : 0;
+	return run_suite("gcode_dialect", tcase);
 }

@@ -1,5 +1,5 @@
 /* test_gcode_dynamic.c - G254 and G255 of Haas, against a table that turns with C about the machine's zero. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 static const struct length_offset lengths[] = {{1, 100}};
 static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}};
@@ -153,22 +153,11 @@ static const struct bad bads[] = {
 START_TEST(refused)
 {
 	const struct bad *bad = &bads[_i];
-	struct strbuf program = {0}, expected = {0};
 	struct gcode_case c;
-	int line = *bad->before ? 2 : 1;
 
-	for (const char *p = bad->before; *p; p++)
-		line += *p == '\n';
 	dynamic_case(&c);
 	c.config.controller.tool_change.given = true;
-	strbuf_addf(&program, "%s%s%s\n", bad->before, *bad->before ? "\n" : "", bad->block);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
-	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %s\n    %*s\n", line, bad->column, bad->message, bad->block,
-		    bad->column, "^");
-	ck_assert_str_eq(strbuf_text(&c.messages), strbuf_text(&expected));
-	strbuf_release(&program);
-	strbuf_release(&expected);
-	case_release(&c);
+	case_refuses_last(&c, bad->column, bad->message, "%s%s%s\n", bad->before, *bad->before ? "\n" : "", bad->block);
 }
 END_TEST
 
@@ -198,20 +187,12 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {shifts_with_the_table, moves_nothing_by_itself, ignored_by_machine_places,
-				      machine_and_setup};
-	Suite *suite = suite_create("gcode_dynamic");
-	TCase *tcase = tcase_create("gcode_dynamic");
-	SRunner *runner;
-	int failed;
+	TCase *tcase = tcase_create("programs");
 
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		tcase_add_test(tcase, tests[i]);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_test(tcase, shifts_with_the_table);
+	tcase_add_test(tcase, moves_nothing_by_itself);
+	tcase_add_test(tcase, ignored_by_machine_places);
+	tcase_add_test(tcase, machine_and_setup);
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_dynamic", tcase);
 }

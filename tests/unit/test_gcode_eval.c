@@ -52,9 +52,9 @@ static bool variable(struct expr *expr, struct expr_operand *value)
 
 static const struct expr_rules rules = {
 	.open = '(', .close = ')', .variable_starts = "Q",
-	.operators = operators, .operator_count = sizeof(operators) / sizeof(*operators),
+	.operators = operators, .operator_count = COUNT(operators),
 	.unordered = "MAX needs brackets",
-	.functions = functions, .function_count = sizeof(functions) / sizeof(*functions),
+	.functions = functions, .function_count = COUNT(functions),
 	.depth_max = 3, .nested = "brackets",
 	.apply = apply, .function = function, .variable = variable,
 };
@@ -165,18 +165,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_eval");
 	TCase *tcase = tcase_create("gcode_eval");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, values_by_other_rules, 0, sizeof(values) / sizeof(*values));
-	tcase_add_loop_test(tcase, faults_by_other_rules, 0, sizeof(faults) / sizeof(*faults));
+	tcase_add_loop_test(tcase, values_by_other_rules, 0, COUNT(values));
+	tcase_add_loop_test(tcase, faults_by_other_rules, 0, COUNT(faults));
 	tcase_add_test(tcase, lexer_without_evaluator);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_eval", tcase);
 }

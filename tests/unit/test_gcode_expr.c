@@ -1,7 +1,5 @@
 /* test_gcode_expr.c - values of LinuxCNC's programs: expressions, parameters, what is read from the modes. */
-#include "gcode_case.h"
-
-#define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
+#include "gcode_refusal.h"
 
 /* The expression as X of a rapid. */
 static double value_of(const char *setting, const char *expression)
@@ -51,7 +49,7 @@ static const struct {
 
 START_TEST(expressions)
 {
-	for (size_t i = 0; i < ROWS(values); i++) {
+	for (size_t i = 0; i < COUNT(values); i++) {
 		double value = value_of("#1=2 #2=3 #3=7.5 #<depth>=4 #<_all>=5", values[i].expression);
 
 		ck_assert_msg(fabs(value - values[i].value) < 1e-9, "%s is %.12g", values[i].expression, value);
@@ -90,7 +88,7 @@ static const struct {
 
 START_TEST(predefined)
 {
-	for (size_t i = 0; i < ROWS(modes); i++) {
+	for (size_t i = 0; i < COUNT(modes); i++) {
 		double value = value_of(modes[i].setting, modes[i].expression);
 
 		ck_assert_msg(fabs(value - modes[i].value) < 1e-6, "%s: %s is %.12g", modes[i].setting,
@@ -223,24 +221,15 @@ static const struct bad bad[] = {
 
 static void expect_bad(const struct bad *row)
 {
-	struct strbuf expected = {0};
-	const char *line = row->program;
 	struct gcode_case c;
 
 	case_init(&c);
-	ck_assert_msg(!case_run(&c, row->program), "accepted: %s", row->program);
-	for (int i = 1; i < row->line; i++)
-		line = strchr(line, '\n') + 1;
-	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %.*s\n    %*s\n", row->line, row->column, row->message,
-		    (int)strcspn(line, "\n"), line, row->column, "^");
-	ck_assert_str_eq(strbuf_text(&c.messages), expected.text);
-	strbuf_release(&expected);
-	case_release(&c);
+	case_refuses_at(&c, row->program, row->line, row->column, row->message);
 }
 
 START_TEST(faults)
 {
-	for (size_t i = 0; i < ROWS(bad); i++)
+	for (size_t i = 0; i < COUNT(bad); i++)
 		expect_bad(&bad[i]);
 }
 END_TEST
@@ -250,7 +239,7 @@ START_TEST(depth_is_bounded)
 {
 	static const char *const pieces[] = {"[", "-[", "#", "SIN[", "[1+"};
 
-	for (size_t i = 0; i < ROWS(pieces); i++) {
+	for (size_t i = 0; i < COUNT(pieces); i++) {
 		struct strbuf program = {0};
 		struct gcode_case c;
 

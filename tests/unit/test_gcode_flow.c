@@ -4,8 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
-
 /* The X of every move, in turn. */
 static const struct {
 	const char *program, *ways;
@@ -57,7 +55,7 @@ static void add_way(struct strbuf *ways, const char *moves)
 
 START_TEST(ways)
 {
-	for (size_t i = 0; i < ROWS(programs); i++) {
+	for (size_t i = 0; i < COUNT(programs); i++) {
 		struct strbuf found = {0};
 		struct gcode_case c;
 
@@ -150,7 +148,7 @@ static const struct {
 
 START_TEST(messages)
 {
-	for (size_t i = 0; i < ROWS(faults); i++) {
+	for (size_t i = 0; i < COUNT(faults); i++) {
 		struct gcode_case c;
 
 		case_init(&c);
@@ -184,7 +182,7 @@ START_TEST(endless_loops_end)
 	struct strbuf straight = {0};
 	struct gcode_case c;
 
-	for (size_t i = 0; i < ROWS(endless); i++) {
+	for (size_t i = 0; i < COUNT(endless); i++) {
 		case_init(&c);
 		c.config.read.max_blocks = 1000;
 		ck_assert(!case_run(&c, endless[i]));
@@ -287,7 +285,7 @@ START_TEST(subprograms_in_files)
 						      "its endsub is missing\np.nc:1:1: note: o<open> is called from "
 						      "here\n"));
 	case_release(&c);
-	remove_files(folder, names, ROWS(names));
+	remove_files(folder, names, COUNT(names));
 }
 END_TEST
 

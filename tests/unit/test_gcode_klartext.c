@@ -275,7 +275,7 @@ START_TEST(cycle_11)
 	} cases[] = {{CYCLE_11_AXES_PLANE, "rapid 2 4 3 0 0\nrapid 1 2 3 0 0\nrapid 0.5 1 3 0 0\nrapid 7 14 21 0 0\n"},
 		     {CYCLE_11_AXES_ALL, "rapid 2 4 6 0 0\nrapid 1 2 3 0 0\nrapid 0.5 1 1.5 0 0\nrapid 7 14 21 0 0\n"}};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+	for (size_t i = 0; i < COUNT(cases); i++) {
 		struct gcode_case c;
 
 		klartext_case(&c);
@@ -364,10 +364,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext");
 	TCase *tcase = tcase_create("gcode_klartext");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, lexis_table, 0, COUNT(lexis));
 	tcase_add_test(tcase, units);
@@ -385,10 +382,5 @@ int main(void)
 	tcase_add_test(tcase, blocks);
 	tcase_add_test(tcase, block_limit);
 	tcase_add_test(tcase, long_program);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext", tcase);
 }

@@ -388,18 +388,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_bad");
 	TCase *tcase = tcase_create("bad");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, fault_table, 0, COUNT(faults));
 	tcase_add_loop_test(tcase, head_table, 0, COUNT(heads));
 	tcase_add_test(tcase, all_faults);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_bad", tcase);
 }

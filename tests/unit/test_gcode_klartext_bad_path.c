@@ -236,16 +236,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_bad_path");
 	TCase *tcase = tcase_create("bad");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, fault_table, 0, COUNT(faults));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_bad_path", tcase);
 }

@@ -284,10 +284,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_comp");
 	TCase *tcase = tcase_create("gcode_klartext_comp");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, paths_table, 0, COUNT(paths));
 	tcase_add_loop_test(tcase, corners_table, 0, COUNT(corners));
@@ -297,10 +294,5 @@ int main(void)
 	tcase_add_test(tcase, retract_standing);
 	tcase_add_test(tcase, tool_table_counts);
 	tcase_add_test(tcase, blocks_in_order);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_comp", tcase);
 }

@@ -126,17 +126,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_flow");
 	TCase *tcase = tcase_create("gcode_klartext_flow");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, parameters_table, 0, COUNT(parameters));
 	tcase_add_loop_test(tcase, flow_table, 0, COUNT(flow));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_flow", tcase);
 }

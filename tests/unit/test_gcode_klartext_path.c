@@ -411,20 +411,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_path");
 	TCase *tcase = tcase_create("gcode_klartext_path");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, circles_table, 0, COUNT(circles));
 	tcase_add_loop_test(tcase, frames_table, 0, COUNT(frames));
 	tcase_add_loop_test(tcase, planes_table, 0, COUNT(planes));
 	tcase_add_loop_test(tcase, cycles_table, 0, COUNT(cycles));
 	tcase_add_test(tcase, vector_beside_pole);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_path", tcase);
 }

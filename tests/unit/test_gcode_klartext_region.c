@@ -417,10 +417,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_region");
 	TCase *tcase = tcase_create("gcode_klartext_region");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, regions_table, 0, COUNT(regions));
 	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
@@ -428,10 +425,5 @@ int main(void)
 	tcase_add_test(tcase, probe_cycle);
 	tcase_add_test(tcase, left_by_cycle);
 	tcase_add_test(tcase, bounded_cycle);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_region", tcase);
 }

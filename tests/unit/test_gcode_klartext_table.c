@@ -92,18 +92,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_klartext_table");
 	TCase *tcase = tcase_create("gcode_klartext_table");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, functions);
 	tcase_add_test(tcase, statements);
 	tcase_add_test(tcase, cycles);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_klartext_table", tcase);
 }

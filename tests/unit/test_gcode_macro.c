@@ -9,8 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
-
 enum { F = 1, H = 2, BOTH = F | H };
 
 /* Programs and the X of their moves. */
@@ -144,7 +142,7 @@ static void expect_ways(const struct dialect *dialect, const char *program, cons
 
 START_TEST(ways)
 {
-	for (size_t i = 0; i < ROWS(programs); i++) {
+	for (size_t i = 0; i < COUNT(programs); i++) {
 		if (programs[i].dialects & F)
 			expect_ways(&dialect_fanuc, programs[i].program, programs[i].ways);
 		if (programs[i].dialects & H)

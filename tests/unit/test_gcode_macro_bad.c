@@ -399,16 +399,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_macro_bad");
 	TCase *tcase = tcase_create("gcode_macro_bad");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(faults) / sizeof(faults[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, refused, 0, COUNT(faults));
+	return run_suite("gcode_macro_bad", tcase);
 }

@@ -8,8 +8,6 @@
 
 #include "random.h"
 
-#define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
-
 enum { F = 1, H = 2, BOTH = F | H };
 
 /* The value of an expression is where X goes. */
@@ -81,7 +79,7 @@ static void expect_value(const struct dialect *dialect, const char *expression, 
 
 START_TEST(expressions)
 {
-	for (size_t i = 0; i < ROWS(values); i++) {
+	for (size_t i = 0; i < COUNT(values); i++) {
 		if (values[i].dialects & F)
 			expect_value(&dialect_fanuc, values[i].expression, values[i].value);
 		if (values[i].dialects & H)
@@ -138,7 +136,7 @@ static void expect_condition(const struct dialect *dialect, const char *conditio
 
 START_TEST(comparisons)
 {
-	for (size_t i = 0; i < ROWS(conditions); i++) {
+	for (size_t i = 0; i < COUNT(conditions); i++) {
 		if (conditions[i].dialects & F)
 			expect_condition(&dialect_fanuc, conditions[i].condition, conditions[i].holds);
 		if (conditions[i].dialects & H)
@@ -157,7 +155,7 @@ static long write_random(struct random *random, int depth, int rank, struct strb
 		const char *name;
 		int rank;
 	} operations[] = {{"+", 2}, {"-", 2}, {" OR ", 2}, {" XOR ", 2}, {"*", 3}, {" AND ", 3}, {" MOD ", 3}};
-	size_t i = random_bits(random) % ROWS(operations);
+	size_t i = random_bits(random) % COUNT(operations);
 	bool brackets = operations[i].rank < rank || random_bits(random) % 8 == 0;
 	long left, right;
 

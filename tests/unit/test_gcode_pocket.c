@@ -1,5 +1,5 @@
 /* test_gcode_pocket.c - pocket milling of Haas (G150, G12, G13): random places of the pocket against the moves; faults. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 #define MOVES_MAX 4000
 
@@ -213,32 +213,19 @@ static const struct bad {
 
 START_TEST(refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	init(&c);
-	strbuf_addf(&program, BEFORE "%s\nM30\nN7 %s", bads[_i].block, bads[_i].outline);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].block);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, bads[_i].message, BEFORE "%s\nM30\nN7 %s", bads[_i].block, bads[_i].outline);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_pocket");
 	TCase *tcase = tcase_create("gcode_pocket");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, covered);
 	tcase_add_test(tcase, circles);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_pocket", tcase);
 }

@@ -1,5 +1,5 @@
 /* test_gcode_polar.c - polar coordinate interpolation (G12.1) against points of its plane; its faults. */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 
 static const struct builder_macro around = {9810, 0, MACRO_AROUND, {5, 5, 5}, NULL};
 
@@ -182,17 +182,12 @@ static const struct bad {
 
 START_TEST(refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	init(&c);
 	c.config.radii = &(const struct radius_offset){1, 5};
 	c.config.radius_count = 1;
-	strbuf_addf(&program, "F9. G0 X20.\nG12.1\n%s\nM30\n", bads[_i].block);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].block);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, bads[_i].message, "F9. G0 X20.\nG12.1\n%s\nM30\n", bads[_i].block);
 }
 END_TEST
 
@@ -220,20 +215,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_polar");
 	TCase *tcase = tcase_create("gcode_polar");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, curves);
 	tcase_add_test(tcase, rounded);
 	tcase_add_test(tcase, ends);
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
 	tcase_add_test(tcase, asked);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("gcode_polar", tcase);
 }

@@ -47,7 +47,7 @@ START_TEST(feed_missing)
 	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
 	struct gcode_case c;
 
-	for (size_t i = 0; i < sizeof(dialects) / sizeof(*dialects); i++) {
+	for (size_t i = 0; i < COUNT(dialects); i++) {
 		init(&c, dialects[i]);
 		expect_caution(&c, "G1 X5.\nG2 X6. I.5\nM30\n",
 			       "feed 5 0 0 0 0\narc 6 0 0 0 0 centre 5.5 0 0 normal 0 0 1 sweep -180\n",

@@ -300,18 +300,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_probe");
 	TCase *tcase = tcase_create("probe");
-	SRunner *runner;
-	int failures;
 
 	tcase_add_test(tcase, every_place_is_covered);
 	tcase_add_test(tcase, skip);
 	tcase_add_test(tcase, no_more_than_needed);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failures = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+	return run_suite("gcode_probe", tcase);
 }

@@ -1,5 +1,6 @@
 /* test_gcode_sinumerik_bad.c - programs of the sinumerik dialect that are refused, each with message and place. */
 #include "sinumerik_refused.h"
+#include "suite.h"
 
 static const struct refused_program programs[] = {
 	{"G500 X1 X=5\n", 1, 9,
@@ -249,16 +250,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_bad");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, refused, 0, sizeof(programs) / sizeof(programs[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, refused, 0, COUNT(programs));
+	return run_suite("gcode_sinumerik_bad", tcase);
 }

@@ -1,5 +1,5 @@
 /* test_gcode_sinumerik_comp.c - the sinumerik dialect: tool radius compensation, chamfers and roundings. */
-#include "sinumerik_case.h"
+#include "sinumerik_refused.h"
 
 /* T1 D1 has a radius of 5. */
 #define TOOL "F6 G500 T1 M6 D1 G17\nG0 X0 Y0 Z-100\n"
@@ -87,9 +87,7 @@ static const struct program {
 	 "feed -5 9.92893219 0 0 0\nfeed -5 0 0 0 0\nfeed -30 0 0 0 0\n"},
 };
 
-static const struct bad {
-	const char *text, *message;
-} bad[] = {
+static const struct refused_words bad[] = {
 	{TOOL "G41 X10\nG42 X20\n", "the other side of the path while tool radius compensation is on; G40 first"},
 	{TOOL "G41 X10\nTRANS X1\n", "a change of the frame while tool radius compensation is on; G40 first"},
 	{TOOL "G41 X10\nG54\n", "a change of the work offset while tool radius compensation is on; G40 first"},
@@ -179,7 +177,7 @@ START_TEST(corners_of_the_machine)
 		 "feed 5 25 0 0 0 spread 2.07106781 2.07106781 0\nfeed 10 25 0 0 0 spread 2.07106781 2.07106781 0\n"},
 	};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+	for (size_t i = 0; i < COUNT(cases); i++) {
 		struct strbuf program = {0};
 		struct gcode_case c;
 
@@ -208,7 +206,7 @@ START_TEST(start_of_the_machine)
 		{COMP_START_B, "NORM ", "feed 5 0 0 0 0\nfeed 5 20 0 0 0\n"},
 	};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+	for (size_t i = 0; i < COUNT(cases); i++) {
 		struct strbuf program = {0};
 		struct gcode_case c;
 
@@ -226,35 +224,17 @@ END_TEST
 
 START_TEST(refused)
 {
-	const struct bad *program = &bad[_i];
-	struct strbuf expected = {0};
-	struct gcode_case c;
-
-	sinumerik_case_init(&c);
-	strbuf_addf(&expected, ": error: %s\n", program->message);
-	ck_assert_msg(!case_run(&c, program->text), "accepted: %s", program->text);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), strbuf_text(&expected)) != NULL, "%s%s", program->text,
-		      strbuf_text(&c.messages));
-	strbuf_release(&expected);
-	case_release(&c);
+	sinumerik_refuses_words(&bad[_i]);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_comp");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
+	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
 	tcase_add_test(tcase, corners_of_the_machine);
 	tcase_add_test(tcase, start_of_the_machine);
-	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
+	return run_suite("gcode_sinumerik_comp", tcase);
 }

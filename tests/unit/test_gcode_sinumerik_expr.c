@@ -115,16 +115,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_expr");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, expressions, 0, sizeof(values) / sizeof(values[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, expressions, 0, COUNT(values));
+	return run_suite("gcode_sinumerik_expr", tcase);
 }

@@ -99,16 +99,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_flow");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	return run_suite("gcode_sinumerik_flow", tcase);
 }

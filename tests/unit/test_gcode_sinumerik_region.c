@@ -1,6 +1,7 @@
 /* test_gcode_sinumerik_region.c - milling cycles of the sinumerik dialect that are regions, and their messages. */
 #include "gcode_reach.h"
 #include "sinumerik_refused.h"
+#include "suite.h"
 
 struct program {
 	const char *text, *moves;
@@ -166,17 +167,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_region");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
-	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
+	return run_suite("gcode_sinumerik_region", tcase);
 }

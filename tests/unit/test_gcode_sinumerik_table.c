@@ -147,7 +147,7 @@ START_TEST(words_alike)
 		{"F6 G500 CTOL=0.1 %s\nX1\nY2\n", "G646", "G642"},
 	};
 
-	for (size_t i = 0; i < sizeof(alike) / sizeof(alike[0]); i++) {
+	for (size_t i = 0; i < COUNT(alike); i++) {
 		struct strbuf first = {0}, second = {0};
 		struct gcode_case one, two;
 
@@ -171,5 +171,5 @@ int main(void)
 {
 	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike};
 
-	return run_tests("gcode_sinumerik_table", tests, sizeof(tests) / sizeof(tests[0]));
+	return RUN_TESTS("gcode_sinumerik_table", tests);
 }

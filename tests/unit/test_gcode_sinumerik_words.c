@@ -1,5 +1,5 @@
 /* test_gcode_sinumerik_words.c - the sinumerik dialect: polar coordinates, threads, several programs in a file. */
-#include "sinumerik_case.h"
+#include "sinumerik_refused.h"
 
 static const struct program {
 	const char *text, *moves;
@@ -120,9 +120,7 @@ static const struct program {
 	 "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nfeed 10 0 9 0 0\nrapid 115 0 9 0 0\nfeed 115 0 8 0 0\nrapid 0 1 8 0 0\n"},
 };
 
-static const struct bad {
-	const char *text, *message;
-} bad[] = {
+static const struct refused_words bad[] = {
 	{"F6 G500 G0 Z10\nMCALL TURNS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_TURNS_SPF\nG18\nM17\n",
 	 "TURNS has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of HOLES1; PROC with SAVE "
 	 "brings them back"},
@@ -188,33 +186,15 @@ END_TEST
 
 START_TEST(refused)
 {
-	const struct bad *program = &bad[_i];
-	struct strbuf expected = {0};
-	struct gcode_case c;
-
-	sinumerik_case_init(&c);
-	strbuf_addf(&expected, ": error: %s\n", program->message);
-	ck_assert_msg(!case_run(&c, program->text), "accepted: %s", program->text);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), strbuf_text(&expected)) != NULL, "%s%s", program->text,
-		      strbuf_text(&c.messages));
-	strbuf_release(&expected);
-	case_release(&c);
+	sinumerik_refuses_words(&bad[_i]);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_sinumerik_words");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
-	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
+	return run_suite("gcode_sinumerik_words", tcase);
 }

@@ -2,7 +2,7 @@
  * test_gcode_spline.c - splines of LinuxCNC and of Fanuc against the curve by its definition, and LinuxCNC's against
  * the arcs that join points of the curve: none of their points lies outside of the boxes.
  */
-#include "gcode_case.h"
+#include "gcode_refusal.h"
 #include "random.h"
 
 #define PIECES_MAX 64
@@ -403,18 +403,13 @@ static const struct bad nurbs_bads[] = {
 
 START_TEST(nurbs_refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
 	c.config.controller.least_input = 0.001;
 	c.config.controller.m6_with_move = M6_AFTER_MOVE;
-	strbuf_addf(&program, "%s\nM30\n", nurbs_bads[_i].program);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", nurbs_bads[_i].program);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), nurbs_bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, nurbs_bads[_i].message, "%s\nM30\n", nurbs_bads[_i].program);
 }
 END_TEST
 
@@ -438,35 +433,22 @@ static const struct bad bads[] = {
 
 START_TEST(refused)
 {
-	struct strbuf program = {0};
 	struct gcode_case c;
 
 	case_init(&c);
-	strbuf_addf(&program, "F9\n%s\nM2\n", bads[_i].program);
-	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].program);
-	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
-	strbuf_release(&program);
-	case_release(&c);
+	case_refuses(&c, bads[_i].message, "F9\n%s\nM2\n", bads[_i].program);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gcode_spline");
 	TCase *tcase = tcase_create("gcode_spline");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, curves);
 	tcase_add_test(tcase, goes_on);
 	tcase_add_test(tcase, nurbs_of_fanuc);
 	tcase_add_test(tcase, nurbs_of_known_form);
-	tcase_add_loop_test(tcase, nurbs_refused, 0, (int)(sizeof(nurbs_bads) / sizeof(nurbs_bads[0])));
-	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, nurbs_refused, 0, COUNT(nurbs_bads));
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bads));
+	return run_suite("gcode_spline", tcase);
 }

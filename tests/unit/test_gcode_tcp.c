@@ -11,7 +11,7 @@ static void tcp_case(struct gcode_case *c)
 	c->config.lengths = lengths;
 	c->config.length_count = 2;
 	c->config.controller.mcodes = mcodes;
-	c->config.controller.mcode_count = sizeof(mcodes) / sizeof(mcodes[0]);
+	c->config.controller.mcode_count = COUNT(mcodes);
 }
 
 START_TEST(on_and_off)
@@ -251,32 +251,21 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {
-	    on_and_off,
-	    motion_in_the_same_block,
-	    length_changes,
-	    by_mcode,
-	    ignored_mcodes,
-	    machine_axes,
-	    remembered_reference,
-	    zero_at_the_offset,
-	    shift_of_rotary_and_linear_axes_at_once,
-	    refused,
-	    haas_g28_cancels_the_length,
-	    linuxcnc_g28_keeps_the_length,
-	    fanuc_length_in_doubt_is_not_needed,
-	};
-	Suite *suite = suite_create("gcode_tcp");
-	TCase *tcase = tcase_create("gcode_tcp");
-	SRunner *runner = srunner_create(suite);
-	int failed;
+	TCase *tcase = tcase_create("programs");
 
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		tcase_add_test(tcase, tests[i]);
-	tcase_add_loop_test(tcase, length_in_doubt, 0, sizeof(doubts) / sizeof(doubts[0]));
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_test(tcase, on_and_off);
+	tcase_add_test(tcase, motion_in_the_same_block);
+	tcase_add_test(tcase, length_changes);
+	tcase_add_test(tcase, by_mcode);
+	tcase_add_test(tcase, ignored_mcodes);
+	tcase_add_test(tcase, machine_axes);
+	tcase_add_test(tcase, remembered_reference);
+	tcase_add_test(tcase, zero_at_the_offset);
+	tcase_add_test(tcase, shift_of_rotary_and_linear_axes_at_once);
+	tcase_add_test(tcase, refused);
+	tcase_add_test(tcase, haas_g28_cancels_the_length);
+	tcase_add_test(tcase, linuxcnc_g28_keeps_the_length);
+	tcase_add_test(tcase, fanuc_length_in_doubt_is_not_needed);
+	tcase_add_loop_test(tcase, length_in_doubt, 0, COUNT(doubts));
+	return run_suite("gcode_tcp", tcase);
 }

@@ -1,13 +1,12 @@
 /* Points in boxes, whose inside is known by comparing coordinates, however the boxes are drawn; a torus against solid angles. */
 #include "geom/inside.h"
 
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/mem.h"
 #include "geom/nesting.h"
 #include "random.h"
+#include "suite.h"
 
 struct block {
 	vec3 least, greatest;
@@ -305,22 +304,13 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("inside");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner;
-	int failed;
 
-	tcase_set_timeout(tcase, 60);
 	tcase_add_test(tcase, drawn_in_all_ways);
 	tcase_add_test(tcase, drawn_from_both_sides);
 	tcase_add_test(tcase, drawn_badly);
 	tcase_add_test(tcase, random_blocks);
 	tcase_add_test(tcase, ray_matches_solid_angles);
 	tcase_add_test(tcase, shells_within_shells);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("inside", tcase);
 }

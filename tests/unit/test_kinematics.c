@@ -1,12 +1,11 @@
 /* Doubts about a machine's motions, against the tip and the work moved by forward kinematics. */
 #include "machine/kinematics_check.h"
 
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "machine/chain.h"
 #include "random.h"
+#include "suite.h"
 
 /* X Y Z A C, each on a link of its own: those of `tool` carry the spindle one after the other, the rest the work. */
 static struct machine five_axes(unsigned tool)
@@ -172,20 +171,11 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("kinematics");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner;
-	int failed;
 
-	tcase_set_timeout(tcase, 60);
 	tcase_add_test(tcase, all_arrangements);
 	tcase_add_test(tcase, every_sign);
 	tcase_add_test(tcase, letters_and_lines);
 	tcase_add_test(tcase, spindles);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("kinematics", tcase);
 }

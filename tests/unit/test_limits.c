@@ -1,8 +1,7 @@
 /* Where moves leave the axes' travel: against closed forms and dense samples. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion_record.h"
+#include "suite.h"
 
 START_TEST(straight_moves_past_a_limit)
 {
@@ -296,10 +295,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("limits");
 	TCase *tests = tcase_create("limits");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, straight_moves_past_a_limit);
 	tcase_add_test(tests, an_arc_bulges_past_a_limit);
@@ -311,10 +307,5 @@ int main(void)
 	tcase_add_test(tests, a_spread_at_one_place);
 	tcase_add_test(tests, a_rapid_under_tcp_may_swing_past_a_limit);
 	tcase_add_test(tests, path_tolerance_is_not_held_to_the_limits);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("limits", tests);
 }

@@ -339,5 +339,5 @@ int main(void)
 	tcase_add_test(tcase, reads_other_encodings);
 	tcase_add_test(tcase, presets);
 	tcase_add_test(tcase, limits_have_a_tolerance);
-	return run_in_folders(suite_create("machine"), tcase);
+	return run_in_folders("machine", tcase);
 }

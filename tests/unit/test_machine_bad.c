@@ -257,7 +257,7 @@ int main(void)
 {
 	TCase *tcase = tcase_create("machine_bad");
 
-	tcase_add_loop_test(tcase, faults, 0, (int)(sizeof(bad) / sizeof(bad[0])));
+	tcase_add_loop_test(tcase, faults, 0, COUNT(bad));
 	tcase_add_test(tcase, unknown_names_in_pairs);
-	return run_in_folders(suite_create("machine_bad"), tcase);
+	return run_in_folders("machine_bad", tcase);
 }

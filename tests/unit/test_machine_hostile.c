@@ -157,5 +157,5 @@ int main(void)
 	tcase_add_test(tcase, refuses_crowds);
 	tcase_add_test(tcase, stops_telling_after_twenty);
 	tcase_add_test(tcase, survives_damage);
-	return run_in_folders(suite_create("machine_hostile"), tcase);
+	return run_in_folders("machine_hostile", tcase);
 }

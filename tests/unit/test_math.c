@@ -2,7 +2,6 @@
  * test_math.c - the elementary functions: exact values, special values, the C library's long doubles, and their bits.
  * make check-math asks MPFR.
  */
-#include <check.h>
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -12,6 +11,7 @@
 
 #include "base/math/math_functions.h"
 #include "random.h"
+#include "suite.h"
 
 #define same(got, wanted) ck_assert_msg(same_bits(got, wanted), "%s: %a, not %a", #got, got, (double)(wanted))
 
@@ -275,20 +275,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("math");
-	TCase *tests = tcase_create("math");
-	SRunner *runner;
-	int failed;
+	const TTest *const tests[] = {angles_in_degrees_are_exact, known_values, special_values,
+				      agrees_with_long_doubles, bits_are_the_same_everywhere};
 
-	tcase_add_test(tests, angles_in_degrees_are_exact);
-	tcase_add_test(tests, known_values);
-	tcase_add_test(tests, special_values);
-	tcase_add_test(tests, agrees_with_long_doubles);
-	tcase_add_test(tests, bits_are_the_same_everywhere);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_ENV);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return RUN_TESTS("math", tests);
 }

@@ -1,9 +1,9 @@
 #include "check/certified/merged_steps.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "random.h"
+#include "suite.h"
 
 enum { STEPS = MERGED_STEPS_MAX };
 
@@ -154,17 +154,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("merged_steps");
 	TCase *tcase = tcase_create("several steps as one");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, the_way_is_near_its_chord_and_its_halves);
 	tcase_add_test(tcase, a_line_in_pieces_deviates_by_nothing);
 	tcase_add_test(tcase, rapids_of_unknown_way_are_left_out);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("merged_steps", tcase);
 }

@@ -1,10 +1,9 @@
 /* test_motion.c - whole programs through interpreter and canon_to_spans, against hand computation. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "machine/chain.h"
 #include "motion/motion.h"
 #include "motion_record.h"
+#include "suite.h"
 
 static bool run(struct record *record, const struct machine *machine, const struct setup *setup, const char *program,
 		struct motion_summary *summary)
@@ -114,18 +113,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("motion");
 	TCase *tests = tcase_create("motion");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, a_program);
 	tcase_add_test(tests, a_guided_program);
 	tcase_add_test(tests, a_faulty_program);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("motion", tests);
 }

@@ -1,7 +1,6 @@
 #include "machine/motion_bound.h"
 
-#include <stdlib.h>
-
+#include "suite.h"
 #include "truth.h"
 
 enum { POINTS = 8, TIMES = 9 };
@@ -405,10 +404,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("motion_bound");
 	TCase *tcase = tcase_create("bounds");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, pose_is_the_product_of_exponentials);
 	tcase_add_test(tcase, no_point_is_farther_from_an_axis);
@@ -416,9 +412,5 @@ int main(void)
 	tcase_add_test(tcase, path_displacements);
 	tcase_add_test(tcase, numbering_matters);
 	tcase_add_test(tcase, box_bounds_hold_and_are_tight);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("motion_bound", tcase);
 }

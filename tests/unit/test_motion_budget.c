@@ -1,10 +1,10 @@
 #include "check/certified/kept_budgets.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "scene/sweep.h"
 #include "solids.h"
+#include "suite.h"
 
 enum { SAMPLES = 6 };
 
@@ -271,17 +271,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("budget");
 	TCase *tcase = tcase_create("budgets");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, what_is_covered_is_apart);
 	tcase_add_test(tcase, no_point_moves_farther_than_the_room);
 	tcase_add_test(tcase, budget_is_not_slack);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("budget", tcase);
 }

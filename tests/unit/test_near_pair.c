@@ -1,11 +1,10 @@
 /* test_near_pair.c - the nearest triangle to a point, and two triangles near each other, against all triangles. */
 #include "scene/near_pair.h"
 
-#include <stdlib.h>
-
 #include "geom/point_distance.h"
 #include "scene/coherence.h"
 #include "solids.h"
+#include "suite.h"
 
 static double to_triangle(const struct bvh *bvh, size_t i, vec3 point)
 {
@@ -100,16 +99,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("near_pair");
 	TCase *tcase = tcase_create("near_pair");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, nearest_to_a_point);
 	tcase_add_test(tcase, near_each_other);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("near_pair", tcase);
 }

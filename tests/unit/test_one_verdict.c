@@ -1,6 +1,5 @@
 #include "check/certified/strategy.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/units.h"
@@ -8,6 +7,7 @@
 #include "first_contact.h"
 #include "geom/moved_tri.h"
 #include "step_program.h"
+#include "suite.h"
 
 /*
  * Programs near contact: where the first step begins the bodies are as far apart as they must be, give or take a few
@@ -357,7 +357,7 @@ START_TEST(a_long_head_over_a_small_plate)
 	solid_box(&head, (vec3){10, 10, 300});
 	solid_place(&head, &above);
 	duo_init(&duo, &chain, &plate, &head, &identity, &identity);
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+	for (size_t i = 0; i < COUNT(cases); i++) {
 		for (int pieces = 1; pieces <= 3000; pieces *= 3000) {
 			bool found = false;
 
@@ -380,19 +380,11 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("one_verdict");
 	TCase *tcase = tcase_create("verdicts");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, quick_ways_pass_only_what_the_sweep_does);
 	tcase_add_test(tcase, findings_are_within_the_closed_form);
 	tcase_add_test(tcase, path_displacement_of_a_pair);
 	tcase_add_test(tcase, a_long_head_over_a_small_plate);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("one_verdict", tcase);
 }

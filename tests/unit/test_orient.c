@@ -1,9 +1,9 @@
 /* test_orient.c - G53.1's rotary positions: closed forms, forward kinematics of random machines, limits. */
-#include <stdlib.h>
 
 #include "machine/chain.h"
 #include "motion/orient.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 static const struct srcloc place = {"part.nc", 7, 3};
 
@@ -297,10 +297,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("orient");
 	TCase *tcase = tcase_create("orient");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, trunnion_closed_form);
 	tcase_add_test(tcase, head_closed_form);
@@ -312,10 +309,5 @@ int main(void)
 	tcase_add_test(tcase, table_decides_before_head);
 	tcase_add_test(tcase, carrier_decides_in_head);
 	tcase_add_test(tcase, messages);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("orient", tcase);
 }

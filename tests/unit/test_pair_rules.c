@@ -1,7 +1,6 @@
 #include "scene/pair_rules.h"
 
-#include <check.h>
-#include <stdlib.h>
+#include "suite.h"
 
 /* Links: 0 base, 1 Z with the head, 2 A with the cradle. Tool, fixture and part are bodies of a setup. */
 static const struct body head = {.name = "head", .role = ROLE_MACHINE, .link = 1};
@@ -123,17 +122,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("rules");
 	TCase *tcase = tcase_create("precedence");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, who_is_named);
 	tcase_add_test(tcase, the_more_particular_wins);
 	tcase_add_test(tcase, among_equals);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("rules", tcase);
 }

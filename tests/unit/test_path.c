@@ -1,9 +1,8 @@
 /* Arcs against closed forms, and the bound on their chords against dense samples in long double. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion/path.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 static void assert_xyz(axis_values q, double x, double y, double z)
 {
@@ -214,10 +213,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("path");
 	TCase *tests = tcase_create("path");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, straight_is_linear);
 	tcase_add_test(tests, helix_in_the_xy_plane);
@@ -227,10 +223,5 @@ int main(void)
 	tcase_add_test(tests, a_missed_end_is_accounted_for);
 	tcase_add_test(tests, chord_bound_holds_and_is_tight);
 	tcase_add_test(tests, rounding_is_inside);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("path", tests);
 }

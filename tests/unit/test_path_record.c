@@ -1,9 +1,7 @@
 #include "check/measure/path_record.h"
 
-#include <check.h>
-#include <stdlib.h>
-
 #include "motion/span.h"
+#include "suite.h"
 
 /* Three blocks of one step each to x, the second with C at `turn`; they are `blocks` many. */
 static void travel(struct path_record *path, double x, double turn, int tool, long blocks)
@@ -56,15 +54,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("path_record");
 	TCase *tcase = tcase_create("runs");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, runs_are_compared);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("path_record", tcase);
 }

@@ -1,7 +1,6 @@
 /* What lies inside of a folder, and that nothing else is opened while links and folders are exchanged. */
 #include "base/path_sandbox.h"
 
-#include <check.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -11,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "suite.h"
 
 #define OPENINGS 20000
 
@@ -89,7 +90,7 @@ START_TEST(only_what_is_inside)
 		{"none", "in/f", '?'},
 	};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+	for (size_t i = 0; i < COUNT(cases); i++) {
 		ck_assert_msg(first_byte(cases[i].root, cases[i].path) == cases[i].byte, "case %zu: %s below %s", i,
 			      cases[i].path, cases[i].root ? cases[i].root : "nothing");
 		if (cases[i].byte != '?')
@@ -136,18 +137,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("path_sandbox");
 	TCase *tests = tcase_create("path_sandbox");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_unchecked_fixture(tests, set_up, tear_down);
 	tcase_add_test(tests, only_what_is_inside);
 	tcase_add_test(tests, never_outside_while_links_are_exchanged);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("path_sandbox", tests);
 }

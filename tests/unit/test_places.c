@@ -1,5 +1,4 @@
 /* What a check says of a block is told with the block's own file: the lines of a subprogram are not the program's. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 #include "check/check.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
+#include "suite.h"
 
 /* A ball in a bowl: they stay apart however the three rotary axes stand, but that is hard to prove. */
 static const char machine_format[] =
@@ -177,25 +177,20 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("places");
 	TCase *tcase = tcase_create("files");
-	SRunner *runner = srunner_create(suite);
 	char folder[] = "/tmp/fivecheck-places-XXXXXX";
 	static const char *const names[] = {"m.xml", "a.nc", "turn.ngc", "ball.stl", "bowl.stl"};
-	int failed;
+	int status;
 
 	if (!mkdtemp(folder) || chdir(folder))
 		return EXIT_FAILURE;
 	tcase_add_test(tcase, what_cannot_be_decided);
 	tcase_add_test(tcase, where_it_was_interrupted);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
+	status = run_suite("places", tcase);
+	for (size_t i = 0; i < COUNT(names); i++)
 		remove(names[i]);
 	if (chdir("/"))
-		return EXIT_FAILURE;
+		return status;
 	rmdir(folder);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return status;
 }

@@ -3,13 +3,13 @@
  * make of tool and workpiece, by formulae of its own, must be what the program says.
  */
 #include <stdarg.h>
-#include <stdlib.h>
 
 #include "base/strbuf.h"
 #include "control/dialects.h"
 #include "machine/setup.h"
 #include "motion/motion.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 #define GAUGE 520.0
 #define LENGTH 87.5
@@ -467,17 +467,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("planes");
 	TCase *tcase = tcase_create("planes");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, both_solutions);
 	tcase_add_test(tcase, work_in_the_plane);
 	tcase_add_test(tcase, tool_centre_point);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("planes", tcase);
 }

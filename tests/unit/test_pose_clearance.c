@@ -1,6 +1,5 @@
 #include "scene/pose_clearance.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -157,5 +156,5 @@ int main(void)
 	TCase *tcase = tcase_create("pose_clearance");
 
 	tcase_add_loop_test(tcase, against_every_two_triangles, 0, 3);
-	return run_in_folders(suite_create("pose_clearance"), tcase);
+	return run_in_folders("pose_clearance", tcase);
 }

@@ -1,12 +1,11 @@
 #include "check/certified/proof.h"
 
-#include <stdlib.h>
-
 #include "check/certified/merged_steps.h"
 #include "check/step.h"
 #include "geom/moved_tri.h"
 #include "solids.h"
 #include "step_program.h"
+#include "suite.h"
 
 /*
  * Two boxes face each other, X moves one of them straight away from the other: their distance is what X says. A
@@ -190,16 +189,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("quick_ways");
 	TCase *tcase = tcase_create("the tolerance in budgets and chords");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, no_quick_way_passes_what_the_sweep_may_report);
 	tcase_add_test(tcase, the_sweep_reports_within_the_tolerance);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("quick_ways", tcase);
 }

@@ -1,12 +1,12 @@
 /* What another thread hears of a program is what motion_run says of it: every call, in order, to the bit. */
 #include "check/read_ahead.h"
 
-#include <check.h>
 #include <stdlib.h>
 
 #include "base/mem.h"
 #include "motion_rig.h"
 #include "random.h"
+#include "suite.h"
 
 /* A checksum of every call so far: FNV-1a, with http://www.isthe.com/chongo/tech/comp/fnv for its constants. */
 struct log {
@@ -272,16 +272,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("read_ahead");
 	TCase *tcase = tcase_create("calls");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, all_is_heard_as_it_was_said);
 	tcase_add_test(tcase, a_listener_may_stop);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("read_ahead", tcase);
 }

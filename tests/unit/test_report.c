@@ -1,5 +1,4 @@
 /* test_report.c - numbers, names and JSON of the reports, against a JSON parser and closed forms. */
-#include <check.h>
 #include <jansson.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,6 +7,7 @@
 #include "base/units.h"
 #include "report/writers/ndjson.h"
 #include "report/format/format_units.h"
+#include "suite.h"
 
 static void expect(struct strbuf *out, const char *text)
 {
@@ -156,17 +156,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("report");
 	TCase *tests = tcase_create("report");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tests, test_quantities);
 	tcase_add_test(tests, test_names);
 	tcase_add_test(tests, test_finding);
-	suite_add_tcase(suite, tests);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed != 0;
+	return run_suite("report", tests);
 }

@@ -1,5 +1,4 @@
 /* test_report_mesh.c - the meshes and the text of a report, read back as src/report says. */
-#include <check.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -13,6 +12,7 @@
 
 #include "random.h"
 #include "solids.h"
+#include "suite.h"
 
 /* -------------------------------------------------------------------- text */
 
@@ -471,20 +471,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("report_mesh");
 	TCase *tcase = tcase_create("report_mesh");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, bytes_come_back_from_text, 0, 40);
 	tcase_add_test(tcase, every_triangle_of_a_mesh_is_packed_with_its_sense);
 	tcase_add_test(tcase, a_mesh_needs_at_most_a_byte_and_a_quarter_for_a_triangle);
 	tcase_add_loop_test(tcase, a_sphere_needs_at_most_two_bytes_for_a_triangle, 0, 4);
 	tcase_add_loop_test(tcase, a_heap_of_triangles_comes_back, 0, 60);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("report_mesh", tcase);
 }

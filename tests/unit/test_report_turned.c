@@ -1,5 +1,4 @@
 /* test_report_turned.c - tools in a report are told by their outline, and nothing else is taken for one. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,6 +10,7 @@
 #include "report/html/turned.h"
 
 #include "random.h"
+#include "suite.h"
 
 static void make_tool(struct arena *arena, enum tool_tip tip, struct mesh *mesh)
 {
@@ -85,17 +85,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("report_turned");
 	TCase *tcase = tcase_create("report_turned");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_loop_test(tcase, tools_are_told_by_their_outline, TIP_FLAT, TIP_BULL + 1);
 	tcase_add_test(tcase, other_meshes_are_no_turned_bodies);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("report_turned", tcase);
 }

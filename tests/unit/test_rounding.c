@@ -3,12 +3,12 @@
  * its comment can explain: such bounds add up the worst of every operation, which never come together.
  */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "geom/boxes.h"
 #include "geom/tolerance.h"
 #include "scene/motion_interval.h"
 #include "solids.h"
+#include "suite.h"
 
 /* --------------------------------------------------------- POSE_ROUNDING */
 
@@ -143,16 +143,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("rounding");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, poses_are_off_by_no_more_than_allowed);
 	tcase_add_test(tcase, box_tests_are_off_by_no_more_than_allowed);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("rounding", tcase);
 }

@@ -237,7 +237,7 @@ static xmlAttr *find_attribute(xmlNode *node, int n)
 }
 
 static const char *const values[] = {"", "x", "-1", "0", "1.5", "7", "1 2 3", "1 2", "nan", "1e999", "mm", "limit", "X"};
-enum { VALUES = sizeof(values) / sizeof(values[0]) };
+enum { VALUES = COUNT(values) };
 
 /* Every attribute taken away, renamed, and given every one of the values. */
 START_TEST(attributes)
@@ -367,22 +367,16 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("schema");
 	TCase *tcase = tcase_create("schema");
-	SRunner *runner;
-	int failed;
+	int status;
 
 	load_schemas();
 	tcase_add_checked_fixture(tcase, start, finish);
 	tcase_add_loop_test(tcase, good_files, 0, KINDS);
-	tcase_add_loop_test(tcase, controller, 0, (int)(sizeof(controllers) / sizeof(controllers[0])));
+	tcase_add_loop_test(tcase, controller, 0, COUNT(controllers));
 	tcase_add_loop_test(tcase, attributes, 0, KINDS);
 	tcase_add_loop_test(tcase, elements, 0, KINDS);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	status = run_suite("schema", tcase);
 	free_schemas();
-	return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+	return status;
 }

@@ -1,8 +1,7 @@
 #include "geom/separating_axis.h"
 
-#include <stdlib.h>
-
 #include "random.h"
+#include "suite.h"
 #include "truth.h"
 
 enum { INSTANTS = 65 };
@@ -159,17 +158,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("separating_axis");
 	TCase *tcase = tcase_create("axes");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, what_is_witnessed_is_apart);
 	tcase_add_test(tcase, ends_alone_do_not_witness);
 	tcase_add_test(tcase, rotary_dip);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("separating_axis", tcase);
 }

@@ -1,6 +1,5 @@
 #include "cli/session.h"
 
-#include <check.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +47,7 @@ static void remove_job(void)
 {
 	static const char *const names[] = {"cube.stl", "m.xml", "clear.nc", "hit.nc", "p.nc", "out"};
 
-	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
+	for (size_t i = 0; i < COUNT(names); i++)
 		unlink(names[i]);
 }
 
@@ -212,5 +211,5 @@ int main(void)
 	tcase_add_test(tcase, digests_are_those_of_what_was_loaded);
 	tcase_add_test(tcase, a_machine_that_cannot_be_loaded_leaves_none);
 	tcase_add_test(tcase, poses);
-	return run_in_folders(suite_create("session"), tcase);
+	return run_in_folders("session", tcase);
 }

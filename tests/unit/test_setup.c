@@ -288,10 +288,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("setup");
 	TCase *good = tcase_create("good");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_checked_fixture(good, start, finish);
 	tcase_add_test(good, reads_offsets_and_lengths);
@@ -304,10 +301,5 @@ int main(void)
 	tcase_add_test(good, reads_how_deep_a_cutter_may_go);
 	tcase_add_test(good, inches);
 	tcase_add_test(good, empty_setup_and_bare_tool);
-	suite_add_tcase(suite, good);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("setup", good);
 }

@@ -187,20 +187,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("setup_faults");
 	TCase *faulty = tcase_create("faulty");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_checked_fixture(faulty, start, finish);
-	tcase_add_loop_test(faulty, faults, 0, (int)(sizeof(bad) / sizeof(bad[0])));
+	tcase_add_loop_test(faulty, faults, 0, COUNT(bad));
 	tcase_add_test(faulty, nowhere_to_stand);
 	tcase_add_test(faulty, bounds_the_triangles);
 	tcase_add_test(faulty, survives_damage);
-	suite_add_tcase(suite, faulty);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("setup_faults", faulty);
 }

@@ -1,9 +1,7 @@
 #include "report/picture/silhouettes.h"
 
-#include <check.h>
-#include <stdlib.h>
-
 #include "report/picture/stage.h"
+#include "suite.h"
 
 enum { SIZE = 40, BRIGHT = PAINT_A * PAINT_LEVELS + 5, DARK = PAINT_A * PAINT_LEVELS };
 
@@ -63,16 +61,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("silhouettes");
 	TCase *tcase = tcase_create("edges");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, a_square_has_a_dark_rim);
 	tcase_add_test(tcase, a_slope_has_no_edge);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("silhouettes", tcase);
 }

@@ -1,9 +1,8 @@
 /* Halving and walking: pieces meet, cover the path in order, and come out flat. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion/span.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 static struct path random_straight(uint64_t *random)
 {
@@ -164,20 +163,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("span");
 	TCase *tests = tcase_create("span");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, halves_of_a_straight_path);
 	tcase_add_test(tests, halves_of_an_arc);
 	tcase_add_test(tests, walk_makes_no_more_pieces_than_it_must);
 	tcase_add_test(tests, walk_of_guided_paths);
 	tcase_add_test(tests, walk_ends_without_flatness);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("span", tests);
 }

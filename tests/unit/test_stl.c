@@ -1,7 +1,6 @@
 /* STL files as other programs write them, whole and broken; decimals against strtof. */
 #include "geom/stl.h"
 
-#include <check.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -13,6 +12,7 @@
 
 #include "base/strbuf.h"
 #include "base/decimal.h"
+#include "suite.h"
 
 static char folder[] = "/tmp/test_stl.XXXXXX";
 
@@ -240,7 +240,7 @@ START_TEST(ascii_that_is_broken)
 		 "(84 bytes of header, whose last 4 tell how many triangles of 50 bytes follow)\n"},
 	};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++)
+	for (size_t i = 0; i < COUNT(cases); i++)
 		expect_error(cases[i].text, strlen(cases[i].text), cases[i].message);
 }
 END_TEST
@@ -377,7 +377,7 @@ START_TEST(decimals_are_the_nearest)
 	uint64_t state = 8;
 	char word[64];
 
-	for (size_t i = 0; i < sizeof(chosen) / sizeof(chosen[0]); i++)
+	for (size_t i = 0; i < COUNT(chosen); i++)
 		expect_decimal(chosen[i]);
 	for (int turn = 0; turn < 500000; turn++) {
 		uint32_t bits = (uint32_t)(random_bits(&state) >> 8);
@@ -406,7 +406,7 @@ START_TEST(what_is_no_decimal)
 	static const char *const words[] = {"",	   ".",	   "-",	  "+-1", "e5",	"1e",	"1e+",	"1.2.3", "1f",
 					    "0x1", "inf",  "nan", "1 ",	 "--1", ".e5",	"1e5.",	 "1,5",	 "-.",};
 
-	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+	for (size_t i = 0; i < COUNT(words); i++) {
 		float nearest;
 		double value;
 
@@ -418,11 +418,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stl");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner;
 	char path[256];
-	int failed;
+	int status;
 
 	if (!mkdtemp(folder))
 		return EXIT_FAILURE;
@@ -437,12 +435,8 @@ int main(void)
 	tcase_add_test(tcase, mutilated_files);
 	tcase_add_test(tcase, decimals_are_the_nearest);
 	tcase_add_test(tcase, what_is_no_decimal);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	status = run_suite("stl", tcase);
 	unlink(path_of(path, sizeof(path), "t.stl"));
 	rmdir(folder);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return status;
 }

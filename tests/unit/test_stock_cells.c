@@ -2,14 +2,13 @@
  * test_stock_cells.c - what cutters remove, against the definition: points inside the solid of revolution, asked one by
  * one at many instants.
  */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "geom/topology.h"
 #include "machine/tool_solid.h"
 #include "random.h"
 #include "solids.h"
+#include "suite.h"
 #include "stock/cut_log.h"
 #include "stock/passage.h"
 #include "stock/stock_cells.h"
@@ -25,7 +24,7 @@ static const struct tool_solid solids[] = {
     {.sections = stepped, .count = 3, .tip = TIP_FLAT},
 };
 
-enum { SOLIDS = sizeof(solids) / sizeof(solids[0]) };
+enum { SOLIDS = COUNT(solids) };
 
 /* The radius at a height, by the definition of the sections; negative: above or below. */
 static double radius_at(const struct tool_solid *solid, double z)
@@ -341,10 +340,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stock_cells");
 	TCase *cases = tcase_create("all");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_loop_test(cases, distance_is_that_to_the_outline, 0, SOLIDS);
 	tcase_add_loop_test(cases, removes_what_is_inside_at_one_time, 0, SOLIDS);
@@ -353,9 +349,5 @@ int main(void)
 	tcase_add_test(cases, regions_are_doubt_alone);
 	tcase_add_loop_test(cases, slot_is_exact_to_a_cell, 0, 2);
 	tcase_add_loop_test(cases, passage_holds_all_places_of_the_way, 0, SOLIDS);
-	suite_add_tcase(suite, cases);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("stock_cells", cases);
 }

@@ -1,7 +1,5 @@
 /* test_stock_mesh.c - the mesh of what remains is closed, holds all that is left, and little more. */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "geom/inside.h"
 #include "geom/point_distance.h"
@@ -9,6 +7,7 @@
 #include "machine/tool_solid.h"
 #include "random.h"
 #include "solids.h"
+#include "suite.h"
 #include "stock/stock_mesh.h"
 
 /* A box of 40 x 30 x 10 mm with a slot of a flat cutter of 10 mm along X: its floor at z = 5, its round end at x = 5. */
@@ -156,17 +155,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stock_mesh");
 	TCase *cases = tcase_create("all");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_loop_test(cases, mesh_encloses_what_remains, 0, 2);
 	tcase_add_test(cases, mesh_that_costs_too_much_is_none);
 	tcase_add_test(cases, cut_places_deep_in_the_mesh_are_told);
-	suite_add_tcase(suite, cases);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("stock_mesh", cases);
 }

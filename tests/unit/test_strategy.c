@@ -1,9 +1,8 @@
 #include "check/certified/strategy.h"
 
-#include <stdlib.h>
-
 #include "first_contact.h"
 #include "step_program.h"
+#include "suite.h"
 
 static const struct position_errors exact = {.any = false};
 
@@ -282,19 +281,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("strategy");
 	TCase *tcase = tcase_create("programs");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, first_contact_of_many_steps);
 	tcase_add_test(tcase, standing_still_costs_nothing);
 	tcase_add_test(tcase, clear_wherever_the_control_may_go);
 	tcase_add_test(tcase, what_happened_before);
 	tcase_add_test(tcase, as_far_as_the_control_may_go);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("strategy", tcase);
 }

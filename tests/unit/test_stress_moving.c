@@ -1,8 +1,8 @@
 /* Random small bodies that move, against brute force; and a million triangles that interleave without touching. */
-#include <stdlib.h>
 #include <sys/resource.h>
 
 #include "stress_case.h"
+#include "suite.h"
 
 /* One to four triangles of a solid, on a chain of up to three joints. */
 static struct stress_case random_pair(struct random *random)
@@ -138,17 +138,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stress_moving");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, moving_pairs_agree_with_brute_force);
 	tcase_add_test(tcase, time_reversed);
 	tcase_add_test(tcase, interleaved_combs);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("stress_moving", tcase);
 }

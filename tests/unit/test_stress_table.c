@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "stress_encounters.h"
+#include "suite.h"
 
 START_TEST(as_they_are)
 {
@@ -97,18 +98,11 @@ static void leave_folder(void)
 
 int main(void)
 {
-	Suite *suite = suite_create("stress_table");
 	TCase *tcase = tcase_create("closed forms");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
 	tcase_add_loop_test(tcase, as_they_are, 0, ROWS);
 	tcase_add_loop_test(tcase, disguised, 0, ROWS);
 	tcase_add_loop_test(tcase, backwards, 0, ROWS);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("stress_table", tcase);
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "stress_case.h"
+#include "suite.h"
 
 typedef long double real;
 
@@ -202,16 +203,9 @@ static void leave_folder(void)
 
 int main(void)
 {
-	Suite *suite = suite_create("stress_tcp");
 	TCase *tcase = tcase_create("closed forms");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
-	tcase_add_loop_test(tcase, near_the_singular_pose, 0, (int)(sizeof(dances) / sizeof(dances[0])));
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	tcase_add_loop_test(tcase, near_the_singular_pose, 0, COUNT(dances));
+	return run_suite("stress_tcp", tcase);
 }

@@ -1,11 +1,11 @@
 /* The awkward positions of two triangles, by closed form and in every disguise; then random ones on an exact grid. */
 #include "geom/tri.h"
 
-#include <check.h>
 #include <stdlib.h>
 
 #include "exact_tri.h"
 #include "stress_positions.h"
+#include "suite.h"
 
 static void judge(const struct position *position, const tri *a, const tri *b, double distance)
 {
@@ -108,17 +108,10 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stress_tri");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, every_position_in_every_disguise);
 	tcase_add_test(tcase, every_position_far_away);
 	tcase_add_test(tcase, random_pairs_on_an_exact_grid);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("stress_tri", tcase);
 }

@@ -1,10 +1,9 @@
 #include "geom/support.h"
 
-#include <stdlib.h>
-
 #include "geom/simd_kernels.h"
 #include "geom/tolerance.h"
 #include "solids.h"
+#include "suite.h"
 
 /* Triangles anywhere, of every size; counts about the sizes at which the vector loop begins and ends. */
 static struct mesh random_triangles(struct random *random)
@@ -81,16 +80,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("support");
 	TCase *tcase = tcase_create("greatest projection");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, it_is_within_its_rounding);
 	tcase_add_test(tcase, every_level_gives_the_same_bits);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("support", tcase);
 }

@@ -1,8 +1,7 @@
 #include "scene/sweep.h"
 
-#include <stdlib.h>
-
 #include "first_contact.h"
+#include "suite.h"
 #include "scene/coherence.h"
 
 /* Two random solids near each other at some instant of a random move. */
@@ -207,18 +206,11 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("sweep");
 	TCase *tcase = tcase_create("against brute force");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, chords_agree_with_brute_force);
 	tcase_add_test(tcase, order_does_not_matter);
 	tcase_add_test(tcase, boxes_of_positions);
 	tcase_add_test(tcase, distance_is_a_good_lower_bound);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("sweep", tcase);
 }

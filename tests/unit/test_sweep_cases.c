@@ -1,6 +1,6 @@
-#include <stdlib.h>
 
 #include "first_contact.h"
+#include "suite.h"
 #include "scene/coherence.h"
 #include "scene/sweep.h"
 
@@ -286,10 +286,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("sweep_cases");
 	TCase *tcase = tcase_create("closed forms");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, thin_wall);
 	tcase_add_test(tcase, middle_of_a_turn);
@@ -298,9 +295,5 @@ int main(void)
 	tcase_add_test(tcase, many_turns);
 	tcase_add_test(tcase, far_from_the_origin);
 	tcase_add_test(tcase, hopeless_tolerance);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("sweep_cases", tcase);
 }

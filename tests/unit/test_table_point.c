@@ -1,9 +1,9 @@
 /* test_table_point.c - where G254 finds the work zero: against closed forms and forward kinematics, and machines without. */
-#include <stdlib.h>
 
 #include "machine/chain.h"
 #include "motion/table_point.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 static const struct srcloc here = {"part.nc", 7, 3};
 
@@ -140,20 +140,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("table_point");
 	TCase *tests = tcase_create("table_point");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, trunnion_closed_form);
 	tcase_add_test(tests, tilting_table_closed_form);
 	tcase_add_test(tests, forward_kinematics);
 	tcase_add_test(tests, nothing_turns);
 	tcase_add_test(tests, refused);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("table_point", tests);
 }

@@ -1,10 +1,9 @@
 /* TCP against hand computation, and the machine's own forward kinematics: the tip keeps its place in the workpiece. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion/path.h"
 #include "motion/tcp.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 static const struct srcloc here = {"part.nc", 7, 3};
 
@@ -246,10 +245,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("tcp");
 	TCase *tests = tcase_create("tcp");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, length_lifts_a_vertical_spindle);
 	tcase_add_test(tests, trunnion_by_hand);
@@ -260,10 +256,5 @@ int main(void)
 	tcase_add_test(tests, machines_without_tcp);
 	tcase_add_test(tests, common_carrier_does_not_count);
 	tcase_add_test(tests, turn_of_coordinates);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("tcp", tests);
 }

@@ -1,10 +1,9 @@
 /* The bounds on TCP moves' chords, second derivatives and rounding, against dense samples in long double. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "motion/path.h"
 #include "motion/tcp.h"
 #include "motion_rig.h"
+#include "suite.h"
 
 typedef long double real;
 
@@ -253,19 +252,11 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("tcp_bound");
 	TCase *tests = tcase_create("tcp_bound");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tests, chord_bound_holds_and_is_tight);
 	tcase_add_test(tests, second_derivative_bound_holds);
 	tcase_add_test(tests, an_axis_along_the_turn_is_exact);
 	tcase_add_test(tests, rounding_is_inside);
-	suite_add_tcase(suite, tests);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("tcp_bound", tests);
 }

@@ -1,12 +1,11 @@
 /* test_tool_core.c - cores of tools against the erosion by a ball, which dense points decide. */
-#include <check.h>
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 
 #include "base/units.h"
 #include "machine/tool_core.h"
 #include "random.h"
+#include "suite.h"
 
 #define SECTIONS_MAX 5
 
@@ -110,7 +109,7 @@ START_TEST(tips_are_exact)
 		{&long_one, 1, -20, TIP_BULL, 0, 8},
 	};
 
-	for (size_t i = 0; i < sizeof(solids) / sizeof(*solids); i++) {
+	for (size_t i = 0; i < COUNT(solids); i++) {
 		judge(&solids[i], 0.1, 0.012);
 		judge(&solids[i], 0.02, 0.012);
 	}
@@ -190,19 +189,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("tool_core");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, tips_are_exact);
 	tcase_add_test(tcase, a_ball_stays_a_ball);
 	tcase_add_test(tcase, no_depth_keeps_the_solid);
 	tcase_add_test(tcase, a_core_is_never_empty);
 	tcase_add_loop_test(tcase, random_profiles_are_enclosed, 0, 100);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed > 0;
+	return run_suite("tool_core", tcase);
 }

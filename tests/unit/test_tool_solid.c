@@ -1,5 +1,4 @@
 /* test_tool_solid.c - tessellated tools against the solids of revolution that they stand for. */
-#include <check.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -9,6 +8,7 @@
 #include "base/mem.h"
 #include "base/units.h"
 #include "machine/tool_solid.h"
+#include "suite.h"
 
 #define SECTIONS_MAX 8
 
@@ -468,20 +468,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("tool_solid");
 	TCase *tcase = tcase_create("tool_solid");
-	SRunner *runner;
-	int failed;
 
-	tcase_add_loop_test(tcase, encloses_and_is_near, 0, (int)(sizeof(cases) / sizeof(cases[0])));
+	tcase_add_loop_test(tcase, encloses_and_is_near, 0, COUNT(cases));
 	tcase_add_test(tcase, random_tools);
 	tcase_add_test(tcase, volumes);
 	tcase_add_test(tcase, is_not_finer_than_needed);
 	tcase_add_test(tcase, contains_its_middle);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("tool_solid", tcase);
 }

@@ -1,11 +1,10 @@
 /* Components, edges and winding numbers against known solids, comparison of all pairs, and crossed rays. */
 #include "geom/inside.h"
 
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/mem.h"
+#include "suite.h"
 
 static uint64_t random_bits(uint64_t *state)
 {
@@ -395,10 +394,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("topology");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, cubes);
 	tcase_add_test(tcase, cubes_that_share);
@@ -409,10 +405,5 @@ int main(void)
 	tcase_add_test(tcase, many_vertices);
 	tcase_add_test(tcase, winding_matches_rays);
 	tcase_add_test(tcase, winding_near_and_far);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("topology", tcase);
 }

@@ -1,9 +1,8 @@
 #include "check/certified/travelling_plane.h"
 
-#include <stdlib.h>
-
 #include "check/certified/plane_cells.h"
 #include "solids.h"
+#include "suite.h"
 
 enum { SAMPLES = 12 };
 
@@ -367,19 +366,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("travelling_plane");
 	TCase *tcase = tcase_create("planes");
-	SRunner *check = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, the_gap_is_never_smaller_than_the_bound);
 	tcase_add_test(tcase, what_cells_cover_is_apart);
 	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
 	tcase_add_test(tcase, normal_goes_with_its_link);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(check, CK_NORMAL);
-	failed = srunner_ntests_failed(check);
-	srunner_free(check);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("travelling_plane", tcase);
 }

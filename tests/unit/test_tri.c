@@ -1,11 +1,10 @@
 /* Triangles against exact truth (exact_tri.h). */
 #include "geom/tri.h"
 
-#include <check.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "exact_tri.h"
+#include "suite.h"
 
 /* How far a computed point is from an integer triangle, in long double. */
 static long double point_off(vec3 p, const itri *t)
@@ -253,10 +252,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("tri");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner = srunner_create(suite);
-	int failed;
 
 	tcase_add_test(tcase, meet_is_exact_on_integers);
 	tcase_add_test(tcase, meet_never_calls_touching_triangles_apart);
@@ -266,9 +262,5 @@ int main(void)
 	tcase_add_test(tcase, known_distances);
 	tcase_add_test(tcase, axes_are_the_papers);
 	tcase_add_test(tcase, gap_is_within_its_error);
-	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("tri", tcase);
 }

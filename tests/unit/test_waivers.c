@@ -152,9 +152,9 @@ START_TEST(knows_the_calendar)
 					  "2026/01/01", "", "2026-01--1", "20-6-01-01"};
 	char text[512];
 
-	for (size_t i = 0; i < sizeof(good) / sizeof(good[0]) + sizeof(bad) / sizeof(bad[0]); i++) {
-		bool is_good = i < sizeof(good) / sizeof(good[0]);
-		const char *date = is_good ? good[i] : bad[i - sizeof(good) / sizeof(good[0])];
+	for (size_t i = 0; i < COUNT(good) + COUNT(bad); i++) {
+		bool is_good = i < COUNT(good);
+		const char *date = is_good ? good[i] : bad[i - COUNT(good)];
 		struct diag diag = {0};
 		struct waivers *read;
 
@@ -170,10 +170,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("waivers");
 	TCase *tcase = tcase_create("waivers");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_checked_fixture(tcase, start, finish);
 	tcase_add_test(tcase, accepts_what_it_names_once);
@@ -181,10 +178,5 @@ int main(void)
 	tcase_add_test(tcase, stays_at_its_place);
 	tcase_add_test(tcase, expires);
 	tcase_add_test(tcase, knows_the_calendar);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed != 0;
+	return run_suite("waivers", tcase);
 }

@@ -1,11 +1,10 @@
 /* Vectors and rigid motions against closed forms and round trips. */
 #include "geom/xform.h"
 
-#include <check.h>
 #include <stdint.h>
-#include <stdlib.h>
 
 #include "base/units.h"
+#include "suite.h"
 
 #define NEAR 1e-13	/* a handful of roundings of numbers up to 10 */
 
@@ -145,20 +144,12 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("xform");
 	TCase *tcase = tcase_create("core");
-	SRunner *runner;
-	int failed;
 
 	tcase_add_test(tcase, vectors);
 	tcase_add_test(tcase, quarter_turns);
 	tcase_add_test(tcase, turns_in_closed_form);
 	tcase_add_test(tcase, motions_are_rigid_and_compose);
 	tcase_add_test(tcase, turns_about_one_axis_add);
-	suite_add_tcase(suite, tcase);
-	runner = srunner_create(suite);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
-	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+	return run_suite("xform", tcase);
 }

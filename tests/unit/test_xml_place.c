@@ -76,7 +76,7 @@ int main(void)
 {
 	TCase *tcase = tcase_create("xml_place");
 
-	tcase_add_loop_test(tcase, places, 0, sizeof(cases) / sizeof(cases[0]));
+	tcase_add_loop_test(tcase, places, 0, COUNT(cases));
 	tcase_add_test(tcase, no_endless_excerpt);
-	return run_in_folders(suite_create("xml_place"), tcase);
+	return run_in_folders("xml_place", tcase);
 }

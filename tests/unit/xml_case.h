@@ -2,7 +2,6 @@
 #ifndef FIVECHECK_TESTS_XML_CASE_H
 #define FIVECHECK_TESTS_XML_CASE_H
 
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +9,7 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
+#include "suite.h"
 
 /* One faulty file: its content and all that must be said about it. */
 struct xml_case {
@@ -66,7 +66,7 @@ static inline void leave_folder(void)
 {
 	static const char *const names[] = {"m.xml", "s.xml", "sub/m.xml", "fifo"};
 
-	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+	for (size_t i = 0; i < COUNT(names); i++)
 		unlink(names[i]);
 	rmdir("sub");
 	ck_assert_int_eq(chdir("/"), 0);
