@@ -111,7 +111,12 @@ static bool cross_node(struct ray *ray, const struct bvh_node *node)
 	return true;
 }
 
-bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings)
+/*
+ * How often a ray from the point leaves each shell less how often it enters it: the winding numbers of the closed
+ * ones. windings is the caller's, topology->shell_count long, or 1 without shells. Costs a walk down the tree.
+ * False: every ray that was tried passes too near an edge.
+ */
+static bool cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings)
 {
 	/* Along no edge or diagonal that people draw. */
 	static const vec3 directions[] = {
@@ -180,7 +185,7 @@ static enum inside plain_inside(const struct bvh *bvh, const struct topology *to
 {
 	int *windings = mem_alloc((topology->shells ? topology->shell_count : 1) * sizeof(*windings)), sum = 0;
 
-	if (mesh_cast_ray(bvh, topology, point, windings)) {
+	if (cast_ray(bvh, topology, point, windings)) {
 		for (size_t s = 0; s < (topology->shells ? topology->shell_count : 1); s++)
 			sum += windings[s];
 	} else {
@@ -198,7 +203,7 @@ enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, 
 	if (topology->plain)
 		return plain_inside(bvh, topology, point);
 	windings = mem_alloc(topology->shell_count * sizeof(*windings));
-	good = mesh_cast_ray(bvh, topology, point, windings);
+	good = cast_ray(bvh, topology, point, windings);
 	for (size_t s = 0; s < topology->shell_count && good; s++) {
 		oriented += topology->shells[s].kind == SHELL_ORIENTED ? windings[s] : 0;
 		odd += topology->shells[s].kind == SHELL_UNORIENTED && windings[s] % 2;

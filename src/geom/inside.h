@@ -27,13 +27,6 @@ enum inside {
  */
 enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
 
-/*
- * How often a ray from the point leaves each shell less how often it enters it: the winding numbers of the closed
- * ones. windings is the caller's, topology->shell_count long, or 1 without shells. Costs a walk down the tree.
- * False: every ray that was tried passes too near an edge.
- */
-bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings);
-
 /* The winding number about the point of one oriented shell of a mesh that has shells. */
 int shell_winding_number(const struct mesh *mesh, const struct topology *topology, uint32_t shell, vec3 point);
 

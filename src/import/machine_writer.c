@@ -56,7 +56,8 @@ static void add_direction(struct strbuf *out, vec3 v)
 	strbuf_addf(out, "\"");
 }
 
-vec3 machine_writer_angles(const mat3 *r)
+/* fixed angles about X, Y and Z, degrees: R = Rz Ry Rx. */
+static vec3 fixed_angles(const mat3 *r)
 {
 	/* The columns' parts: r->x.z is the element in row 3, column 1. */
 	double level = math_hypot(r->x.x, r->x.y);
@@ -74,7 +75,7 @@ vec3 machine_writer_angles(const mat3 *r)
 
 void machine_writer_frame(struct strbuf *out, const xform *frame, bool location_needed)
 {
-	vec3 angles = machine_writer_angles(&frame->rotation), p = frame->translation;
+	vec3 angles = fixed_angles(&frame->rotation), p = frame->translation;
 
 	if (location_needed || fabs(tidy(p.x)) + fabs(tidy(p.y)) + fabs(tidy(p.z)) > 0)
 		add_vector(out, "location", p);

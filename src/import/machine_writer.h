@@ -20,7 +20,4 @@ void machine_writer_frame(struct strbuf *out, const xform *frame, bool location_
 /* Appends the mesh as binary STL. */
 void machine_writer_stl(struct strbuf *out, const struct mesh *mesh);
 
-/* fixed angles about X, Y and Z, degrees: R = Rz Ry Rx. */
-vec3 machine_writer_angles(const mat3 *rotation);
-
 #endif

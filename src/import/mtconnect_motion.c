@@ -24,11 +24,6 @@ const xmlNode *mtconnect_next(const xmlNode *root, const xmlNode *node)
 	return next;
 }
 
-const xmlNode *mtconnect_component(const xmlNode *motion)
-{
-	return motion->parent && foreign_is(motion->parent, "Configuration") ? motion->parent->parent : NULL;
-}
-
 const xmlNode *mtconnect_motion(const xmlNode *component)
 {
 	return foreign_child(foreign_child(component, "Configuration"), "Motion");

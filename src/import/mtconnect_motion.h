@@ -10,9 +10,6 @@
 /* The element after `node` in the tree below `root`, in the order of the file; or NULL. */
 const xmlNode *mtconnect_next(const xmlNode *root, const xmlNode *node);
 
-/* The component that a Motion belongs to: Motion stands in its Configuration. */
-const xmlNode *mtconnect_component(const xmlNode *motion);
-
 /* The Motion of a component, or NULL. */
 const xmlNode *mtconnect_motion(const xmlNode *component);
 

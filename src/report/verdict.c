@@ -65,7 +65,8 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 		strbuf_addf(out, "; stopped there (--all goes on)");
 }
 
-bool verdict_is_shard(const struct verdict *v)
+/* Was only a part of the program's blocks checked? */
+static bool is_shard(const struct verdict *v)
 {
 	return v->options->shards > 1;
 }
@@ -77,7 +78,7 @@ static void add_clear(struct strbuf *out, const struct verdict *v)
 
 	switch (v->options->method) {
 	case CHECK_CERTIFIED:
-		strbuf_addf(out, verdict_is_shard(v) ? "nothing found in this shard: " : "clear: ");
+		strbuf_addf(out, is_shard(v) ? "nothing found in this shard: " : "clear: ");
 		format_units_add_count(out, blocks, "block");
 		strbuf_addf(out, " proved, ");
 		format_units_add_count(out, stats->pairs_required, "pair");
@@ -125,7 +126,7 @@ const char *verdict_word(const struct verdict *v)
 		return "incomplete";
 	if (v->result == CHECK_FOUND)
 		return verdict_is_accepted(v) ? "accepted" : "found";
-	return v->options->method == CHECK_CERTIFIED && !verdict_is_shard(v) ? "clear" : "passed";
+	return v->options->method == CHECK_CERTIFIED && !is_shard(v) ? "clear" : "passed";
 }
 
 /* If nothing was found, the sentence itself says this. */
@@ -247,7 +248,7 @@ static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 
 static bool caution_shard(struct strbuf *out, const struct verdict *v)
 {
-	if (!verdict_is_shard(v))
+	if (!is_shard(v))
 		return false;
 	strbuf_addf(out, "shard %d/%d: %ld of %ld blocks were checked here; the program is clear if all shards are",
 		    v->options->shard, v->options->shards, v->stats->blocks_checked, v->stats->motion.blocks);

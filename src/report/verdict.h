@@ -38,9 +38,6 @@ const char *verdict_word(const struct verdict *verdict);
 /* Is every finding accepted, and the check complete? */
 bool verdict_is_accepted(const struct verdict *verdict);
 
-/* Was only a part of the program's blocks checked? */
-bool verdict_is_shard(const struct verdict *verdict);
-
 /* In the order in which they are said. A new one needs its row in report/topics.c. */
 enum caution {
 	CAUTION_SAMPLED,

@@ -28,6 +28,16 @@ static void put_first(struct coherence *coherence, struct coherence_axis axis)
 	coherence->axes[0] = axis;
 }
 
+/* Moves the axis, which was of use, to the front. */
+static void move_to_front(struct coherence *coherence, int axis)
+{
+	struct coherence_axis first = coherence->axes[axis];
+
+	for (; axis > 0; axis--)
+		coherence->axes[axis] = coherence->axes[axis - 1];
+	coherence->axes[0] = first;
+}
+
 static void learn_in(struct coherence *coherence, vec3 n, int frame)
 {
 	for (int i = 0; i < coherence->axis_count; i++) {
@@ -35,7 +45,7 @@ static void learn_in(struct coherence *coherence, vec3 n, int frame)
 
 		if (known->frame == frame && vec3_norm2(vec3_sub(known->n, n)) < SAME_AXIS * SAME_AXIS) {
 			known->n = n;
-			coherence_prefer(coherence, i);
+			move_to_front(coherence, i);
 			return;
 		}
 	}
@@ -48,15 +58,6 @@ void coherence_learn(struct coherence *coherence, vec3 n, const xform *pose)
 		return;
 	learn_in(coherence, mat3_apply_transposed(&pose->rotation, n), 1);
 	learn_in(coherence, n, 0);
-}
-
-void coherence_prefer(struct coherence *coherence, int axis)
-{
-	struct coherence_axis first = coherence->axes[axis];
-
-	for (; axis > 0; axis--)
-		coherence->axes[axis] = coherence->axes[axis - 1];
-	coherence->axes[0] = first;
 }
 
 /* The axis in a's mesh coordinates at a pose. */
@@ -94,7 +95,7 @@ bool coherence_separates_triangles(struct coherence *coherence, const struct mot
 
 		if (tri_gap(a, b0, axis_at(axis, &interval->poses[0])) > apart &&
 		    tri_gap(a, b1, axis_at(axis, &interval->poses[1])) > apart) {
-			coherence_prefer(coherence, i);
+			move_to_front(coherence, i);
 			return true;
 		}
 	}
@@ -165,7 +166,7 @@ bool coherence_separates_subtrees(struct coherence *coherence, const struct moti
 		    clearance + interval->displacement[coherence->axes[i].frame] + SUPPORT_ROUNDING * pair->extent;
 
 		if (clusters_apart(&coherence->axes[i], interval->poses, &of_a, &of_b, apart)) {
-			coherence_prefer(coherence, i);
+			move_to_front(coherence, i);
 			coherence->idleness = 0;
 			return true;
 		}

@@ -36,9 +36,6 @@ struct coherence {
  */
 void coherence_learn(struct coherence *coherence, vec3 n, const xform *pose);
 
-/* Moves the axis, which was of use, to the front. */
-void coherence_prefer(struct coherence *coherence, int axis);
-
 /*
  * Does an axis keep two triangles more than `clearance` apart throughout the interval, which is a chord? b0 and b1 are
  * b's triangle at the ends of the interval, in a's mesh coordinates. The axis is fixed in its frame, so at both ends

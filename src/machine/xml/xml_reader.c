@@ -115,7 +115,8 @@ bool xml_is_full(const struct xml_reader *xml)
 	return xml->errors > ERRORS_MAX;
 }
 
-void xml_verror(struct xml_reader *xml, const xmlNode *node, const char *attribute, const char *format, va_list args)
+__attribute__((format(printf, 4, 0))) static void error_at(struct xml_reader *xml, const xmlNode *node,
+							   const char *attribute, const char *format, va_list args)
 {
 	const struct xml_tag *tag = tag_of(xml, node);
 	struct srcloc loc = {.file = xml->path, .line = xml_line(xml, node)};
@@ -138,7 +139,7 @@ void xml_error(struct xml_reader *xml, const xmlNode *node, const char *attribut
 	va_list args;
 
 	va_start(args, format);
-	xml_verror(xml, node, attribute, format, args);
+	error_at(xml, node, attribute, format, args);
 	va_end(args);
 }
 
@@ -186,7 +187,7 @@ struct quotation xml_quote(const char *text)
 
 static void report_described(void *reader, const void *at, const char *attribute, const char *format, va_list args)
 {
-	xml_verror(reader, at, attribute, format, args);
+	error_at(reader, at, attribute, format, args);
 }
 
 static struct quotation quote_described(void *reader, const void *at, const char *attribute)

@@ -46,8 +46,6 @@ void xml_reader_release(struct xml_reader *xml);
  */
 void xml_error(struct xml_reader *xml, const xmlNode *node, const char *attribute, const char *format, ...)
 	__attribute__((format(printf, 4, 5)));
-void xml_verror(struct xml_reader *xml, const xmlNode *node, const char *attribute, const char *format, va_list args)
-	__attribute__((format(printf, 4, 0)));
 
 /* Reports an error at a line of the file; 0: at no line. */
 void xml_error_at(struct xml_reader *xml, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));

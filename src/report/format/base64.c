@@ -4,11 +4,6 @@
 
 static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-size_t base64_length(size_t count)
-{
-	return (count + 2) / 3 * 4;
-}
-
 /* The code of one to three bytes. */
 static void add_group(struct strbuf *out, const unsigned char *bytes, size_t count)
 {

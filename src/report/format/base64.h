@@ -9,7 +9,4 @@
 /* Appends the code of the bytes, padded with = to a multiple of four characters. */
 void base64_add(struct strbuf *out, const unsigned char *bytes, size_t count);
 
-/* Characters that the code of so many bytes has. */
-size_t base64_length(size_t count);
-
 #endif

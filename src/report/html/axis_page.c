@@ -42,7 +42,11 @@ static void add_axis(struct strbuf *out, const struct axis_pictures *pictures, i
 	strbuf_release(&words);
 }
 
-bool axis_page_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+/*
+ * Appends the page: the machine with every axis at 0, and each axis moved alone, with what --check-machine says of it.
+ * False, reported: a mesh is faulty.
+ */
+static bool add_page(struct strbuf *out, struct scene *scene, struct diag *diag)
 {
 	const struct machine *machine = scene->machine;
 	const char *name = *machine->name ? machine->name : machine->path;
@@ -70,7 +74,7 @@ bool axis_page_write(const char *path, struct scene *scene, struct diag *diag)
 {
 	struct strbuf text = {0};
 	struct output out;
-	bool good = axis_page_add(&text, scene, diag) && output_open(&out, path, diag);
+	bool good = add_page(&text, scene, diag) && output_open(&out, path, diag);
 
 	if (good) {
 		output_text(&out, &text);

@@ -8,12 +8,6 @@
 #include "base/strbuf.h"
 #include "scene/scene.h"
 
-/*
- * Appends the page: the machine with every axis at 0, and each axis moved alone, with what --check-machine says of it.
- * False, reported: a mesh is faulty.
- */
-bool axis_page_add(struct strbuf *out, struct scene *scene, struct diag *diag);
-
 /* The same to a file. */
 bool axis_page_write(const char *path, struct scene *scene, struct diag *diag);
 

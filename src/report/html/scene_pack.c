@@ -14,7 +14,8 @@
 #include "report/html/shown_body.h"
 #include "report/html/turned.h"
 
-const char *scene_pack_role(enum body_role role)
+/* "machine", "fixture", "part", "stock", "holder", "shank", "cutter" */
+static const char *role_name(enum body_role role)
 {
 	static const char *const names[] = {
 		[ROLE_MACHINE] = "machine", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part", [ROLE_STOCK] = "stock",
@@ -165,7 +166,7 @@ static void add_body(struct scene_pack *pack, const struct body *body, const str
 	json_t *object = json_object();
 
 	json_put(object, "name", json_text(body->name));
-	json_put(object, "role", json_string(scene_pack_role(body->role)));
+	json_put(object, "role", json_string(role_name(body->role)));
 	json_put(object, "link", json_integer(body->link));
 	json_put(object, "tool", json_integer(body->tool));
 	if (packed->turned.count) {

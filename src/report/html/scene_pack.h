@@ -33,7 +33,4 @@ void scene_pack_release(struct scene_pack *pack);
 json_t *scene_pack_mesh(const struct packed_mesh *mesh, int blob);
 double scene_pack_accuracy(const struct packed_mesh *mesh);
 
-/* "machine", "fixture", "part", "stock", "holder", "shank", "cutter" */
-const char *scene_pack_role(enum body_role role);
-
 #endif

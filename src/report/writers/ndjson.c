@@ -10,7 +10,8 @@
 #include "report/sensitivity_report.h"
 #include "report/writers/writers.h"
 
-const char *ndjson_method(enum check_method method)
+/* "certified", "interpolated", "conventional", "parse-only" */
+static const char *method_name(enum check_method method)
 {
 	static const char *const methods[] = {
 		[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
@@ -31,7 +32,7 @@ void ndjson_put_options(json_t *object, const struct report_run *run)
 		if (!run->fail_on || run->fail_on & 1U << kind)
 			json_push(kinds, json_string(finding_kind_names[kind]));
 	}
-	json_put(object, "method", json_string(ndjson_method(options->method)));
+	json_put(object, "method", json_string(method_name(options->method)));
 	json_put(object, "step", json_real(options->step));
 	json_put(object, "tolerance", json_real(options->tolerance));
 	json_put(object, "stock_tolerance",

@@ -9,9 +9,6 @@
 #include "machine/machine.h"
 #include "report/report.h"
 
-/* "certified", "interpolated", "conventional", "parse-only" */
-const char *ndjson_method(enum check_method method);
-
 /* The options that can change a verdict, added to the object. */
 void ndjson_put_options(json_t *object, const struct report_run *run);
 

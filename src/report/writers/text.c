@@ -269,7 +269,8 @@ void text_verdict(struct strbuf *out, const struct verdict *verdict)
 	strbuf_release(&caution);
 }
 
-void text_proven(struct strbuf *out, const struct scene *scene, const double *proven)
+/* Appends the smallest proven clearance of each required pair; `proven` is as check_run fills it. */
+static void add_proven(struct strbuf *out, const struct scene *scene, const double *proven)
 {
 	strbuf_addf(out, "    smallest proven clearance, each more than (mm):\n");
 	for (size_t i = 0; i < scene->pair_count; i++) {
@@ -309,7 +310,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	}
 	text_verdict(out, program->verdict);
 	if (program->proven && program->verdict->result == CHECK_CLEAR)
-		text_proven(out, run->scene, program->proven);
+		add_proven(out, run->scene, program->proven);
 	if (program->sensitivity_count)
 		sensitivity_report_text(out, program->sensitivity, program->sensitivity_count,
 				 program->verdict->result == CHECK_CLEAR);

@@ -33,7 +33,4 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 /* Appends the line of the verdict and its cautions, indented. */
 void text_verdict(struct strbuf *out, const struct verdict *verdict);
 
-/* Appends the smallest proven clearance of each required pair; `proven` is as check_run fills it. */
-void text_proven(struct strbuf *out, const struct scene *scene, const double *proven);
-
 #endif

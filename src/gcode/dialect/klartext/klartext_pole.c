@@ -8,8 +8,8 @@
 
 /* ------------------------------------------------------------------ planes */
 
-/* Z X Y: the planes XY, ZX, YZ across Z, Y, X, each with its first and second axis. */
-void klartext_pole_axes(int across, int *a, int *b)
+/* The first and the second axis of the plane across Z, Y or X. */
+static void axes_of_plane(int across, int *a, int *b)
 {
 	*a = across == SLOT_Z ? SLOT_X : across == SLOT_Y ? SLOT_Z : SLOT_Y;
 	*b = across == SLOT_Z ? SLOT_Y : across == SLOT_Y ? SLOT_X : SLOT_Z;
@@ -29,7 +29,7 @@ struct plane_point klartext_pole_flat(vec3 v, int across)
 {
 	int a, b;
 
-	klartext_pole_axes(across, &a, &b);
+	axes_of_plane(across, &a, &b);
 	return (struct plane_point){klartext_pole_coordinate(v, a), klartext_pole_coordinate(v, b)};
 }
 
@@ -37,7 +37,7 @@ void klartext_pole_put(vec3 *v, int across, struct plane_point point)
 {
 	int a, b;
 
-	klartext_pole_axes(across, &a, &b);
+	axes_of_plane(across, &a, &b);
 	klartext_pole_set_coordinate(v, a, point.a);
 	klartext_pole_set_coordinate(v, b, point.b);
 }
@@ -47,7 +47,7 @@ bool klartext_pole_find(struct interp *interp, int column, struct plane_point *p
 	const struct klartext *klartext = klartext_of(interp);
 	int a, b;
 
-	klartext_pole_axes(klartext->across, &a, &b);
+	axes_of_plane(klartext->across, &a, &b);
 	if (!klartext->has_pole[a] || !klartext->has_pole[b])
 		return fault(&interp->at, column, "no CC has given the centre");
 	*pole = klartext_pole_flat(klartext->pole, klartext->across);
@@ -68,7 +68,7 @@ bool klartext_pole_point(struct interp *interp, const struct klartext_words *wor
 	double radius, angle;
 	bool relative;
 
-	klartext_pole_axes(across, &a, &b);
+	axes_of_plane(across, &a, &b);
 	if (klartext_words_has(words, a) || klartext_words_has(words, b))
 		return fault(&interp->at, words->column[klartext_words_has(words, a) ? a : b],
 			     "polar coordinates and %c in one block",

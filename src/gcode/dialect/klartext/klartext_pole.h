@@ -7,13 +7,11 @@
 #include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/execute/arc.h"
 
-/* The planes XY, ZX, YZ are named by the slot across them, Z, Y, X: the first and the second axis of one. */
-void klartext_pole_axes(int across, int *a, int *b);
-
+/* mm; slot: X, Y or Z. */
 double klartext_pole_coordinate(vec3 v, int slot);
 void klartext_pole_set_coordinate(vec3 *v, int slot, double value);
 
-/* The point of a plane, and a point with these coordinates in the plane. */
+/* The plane across Z is XY, across Y ZX, across X YZ: a point in it, and a point with these coordinates in it. */
 struct plane_point klartext_pole_flat(vec3 v, int across);
 void klartext_pole_put(vec3 *v, int across, struct plane_point point);
 

@@ -317,8 +317,8 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 	return good;
 }
 
-/* Back to coordinates that are not tilted; the axes stand still. */
-bool klartext_swivel_leave(struct interp *interp, int column)
+/* Back to coordinates that are not tilted; the axes stand still. False: reported. */
+static bool leave(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 
@@ -336,7 +336,7 @@ bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *
 {
 	slot_values rotary;
 
-	if (!klartext_swivel_leave(interp, request->column))
+	if (!leave(interp, request->column))
 		return false;
 	if (request->positioning == KLARTEXT_TURN_STAY)
 		return true;
@@ -410,7 +410,7 @@ bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *r
 {
 	slot_values rotary;
 
-	return klartext_swivel_leave(interp, request->column) && find_rotary(interp, request, tilt, &rotary) &&
+	return leave(interp, request->column) && find_rotary(interp, request, tilt, &rotary) &&
 	       tilt_to(interp, request, tilt, &rotary);
 }
 
@@ -425,7 +425,7 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp)};
 	slot_values rotary;
 
-	if (!klartext_swivel_leave(interp, request->column) || !find_named(interp, request, axes, angle, &rotary))
+	if (!leave(interp, request->column) || !find_named(interp, request, axes, angle, &rotary))
 		return false;
 	turn.rotary = klartext_of(interp)->rotary;
 	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, request->column), &turn))

@@ -36,7 +36,4 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 /* "PLANE RESET": coordinates are not tilted; with TURN or MOVE the rotary axes go to 0. False: reported. */
 bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request);
 
-/* Back to coordinates that are not tilted; the axes stand still. False: reported. */
-bool klartext_swivel_leave(struct interp *interp, int column);
-
 #endif

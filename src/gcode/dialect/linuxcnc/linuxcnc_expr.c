@@ -375,7 +375,8 @@ static struct expr expr_of(struct lexer *lexer)
 	return (struct expr){.lexer = lexer, .rules = &rules, .context = lexer->context};
 }
 
-bool linuxcnc_expr_value(struct lexer *lexer, double *value)
+/* A value: -1.5, [1+2], #3, #<name>, SIN[30], -#3 */
+static bool read_value(struct lexer *lexer, double *value)
 {
 	struct expr expr = expr_of(lexer);
 	struct expr_operand operand;
@@ -409,7 +410,7 @@ static enum lexer_result read_word_value(struct lexer *lexer, struct word *word)
 	if (!expr_follows(lexer, &rules))
 		return LEXER_END;
 	word->point = true;
-	return linuxcnc_expr_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
+	return read_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
 }
 
 /* "#3=6": the value is remembered until the block has been read. */
@@ -431,7 +432,7 @@ static bool read_assignment(struct lexer *lexer)
 		   !system_params_check_number(interp, new.number, new.column)) {
 		return false;
 	}
-	if (!expect(lexer, '=', "after the parameter") || !linuxcnc_expr_value(lexer, &new.value))
+	if (!expect(lexer, '=', "after the parameter") || !read_value(lexer, &new.value))
 		return false;
 	*params_assign(&linuxcnc_of(interp)->params) = new;
 	return true;

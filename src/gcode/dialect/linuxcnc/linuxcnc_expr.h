@@ -16,9 +16,6 @@
 /* Of blocks and of control flow. */
 extern const struct lexer_rules linuxcnc_lexer_rules;
 
-/* A value: -1.5, [1+2], #3, #<name>, SIN[30], -#3 */
-bool linuxcnc_expr_value(struct lexer *lexer, double *value);
-
 /* A value in brackets; `what` says in the message what lacks them. */
 bool linuxcnc_expr_bracket(struct lexer *lexer, const char *what, double *value);
 

@@ -350,6 +350,16 @@ static bool names_point(const struct sinumerik_contour *contour, const struct si
 	return straight;
 }
 
+/* False, reported: a jump has led out of the contour, which has not ended. */
+static bool check_inside(struct interp *interp, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	return !sinumerik->contour.on || sinumerik->depth > sinumerik->contour.depth ||
+	       fault(&interp->at, column, "a jump or RET leaves the contour of the CYCLE72 in line %ld",
+		     sinumerik->contour.line.line);
+}
+
 bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -357,7 +367,7 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 
 	if (!sinumerik_contour_is_read(interp))
 		return true;
-	if (!sinumerik_contour_check_inside(interp, 1))
+	if (!check_inside(interp, 1))
 		return false;
 	column = foreign_word(block);
 	sinumerik_of(interp)->contour.names_point = names_point(&sinumerik->contour, block);
@@ -370,15 +380,6 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 	return column == 0 || fault(&interp->at, column,
 				    "the contour of CYCLE72 has moves of G0, G1, G2 and G3 in its plane, and nothing else "
 				    "that acts on them");
-}
-
-bool sinumerik_contour_check_inside(struct interp *interp, int column)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-
-	return !sinumerik->contour.on || sinumerik->depth > sinumerik->contour.depth ||
-	       fault(&interp->at, column, "a jump or RET leaves the contour of the CYCLE72 in line %ld",
-		     sinumerik->contour.line.line);
 }
 
 /* What counts from the place before is refused: where the control's cycle is then is not known. */

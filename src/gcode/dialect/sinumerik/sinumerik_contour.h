@@ -19,9 +19,6 @@ bool sinumerik_contour_is_read(const struct interp *interp);
 /* While a contour is read: has the block nothing but moves? False: it has, which was reported. */
 bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block);
 
-/* False, reported: a jump has led out of the contour, which has not ended. */
-bool sinumerik_contour_check_inside(struct interp *interp, int column);
-
 /* A move of the contour to a place in program coordinates; `circle` is NULL for a straight one. False: reported. */
 bool sinumerik_contour_take(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle);
 

@@ -29,7 +29,8 @@ static void set_loose(struct interp *interp)
 	loose[SLOT_Z] = fabs(side[0].z) + fabs(side[1].z) + fabs(side[2].z);
 }
 
-struct parallel_box sinumerik_open_place_box(const struct interp *interp, const double half[SLOT_Z + 1])
+/* A box that reaches so far along the axes of the program, mm, as the controller sees it. */
+static struct parallel_box box_about_place(const struct interp *interp, const double half[SLOT_Z + 1])
 {
 	const struct state *state = &interp->state;
 
@@ -42,7 +43,7 @@ void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	sinumerik->open = sinumerik_open_place_box(interp, half);
+	sinumerik->open = box_about_place(interp, half);
 	sinumerik->left_open = true;
 	/* In turned coordinates only the dialect knows what the words of a block take back. */
 	interp->comp.keeps_loose = true;
@@ -58,7 +59,8 @@ void sinumerik_open_place_take_over(struct interp *interp)
 	sinumerik->left_open = interp->comp.keeps_loose = true;
 }
 
-void sinumerik_open_place_extent(const struct interp *interp, double along[SLOT_Z + 1])
+/* How far the box reaches along the axes of the program that are in force now. */
+static void extent(const struct interp *interp, double along[SLOT_Z + 1])
 {
 	along[SLOT_X] = along[SLOT_Y] = along[SLOT_Z] = 0;
 	for (int i = 0; i < 3 && sinumerik_of(interp)->left_open; i++) {
@@ -78,7 +80,7 @@ void sinumerik_open_place_settle(struct interp *interp, uint32_t letters)
 
 	if (!sinumerik_of(interp)->left_open || !(letters & LINEAR_BITS))
 		return;
-	sinumerik_open_place_extent(interp, half);
+	extent(interp, half);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (letters & letter_bit(AXIS_LETTERS[slot]))
 			half[slot] = 0;
@@ -138,11 +140,11 @@ bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, c
 	double all[SLOT_Z + 1];
 
 	/* From where another cycle has left the tool. */
-	sinumerik_open_place_extent(interp, all);
+	extent(interp, all);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		all[slot] += half[slot];
 	sinumerik_open_place_settle(interp, letter_bit('X') | letter_bit('Y') | letter_bit('Z'));
-	about_it = sinumerik_open_place_box(interp, all);
+	about_it = box_about_place(interp, all);
 	if (!parallel_moves_go(interp, &straight, &move, &about_it))
 		return false;
 	sinumerik_of(interp)->place = *target;

@@ -4,17 +4,11 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* A box that reaches so far along the axes of the program, mm, as the controller sees it. */
-struct parallel_box sinumerik_open_place_box(const struct interp *interp, const double half[SLOT_Z + 1]);
-
-/* The tool is somewhere in such a box about its place from here on. */
+/* From here on the tool is somewhere in a box about its place; `half` is its extent along the axes of the program, mm. */
 void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1]);
 
 /* A place that G40 without a move has left open counts as one, too. */
 void sinumerik_open_place_take_over(struct interp *interp);
-
-/* How far the box reaches along the axes of the program that are in force now. */
-void sinumerik_open_place_extent(const struct interp *interp, double along[SLOT_Z + 1]);
 
 /* The axes of the program (letter_bit) have been commanded to a position: along them the tool is where it should be. */
 void sinumerik_open_place_settle(struct interp *interp, uint32_t letters);

@@ -73,7 +73,8 @@ static bool is_word(const char *text, size_t at, const char *word)
 	return !sinumerik_is_name(text[at + length]);
 }
 
-bool sinumerik_seek_has_jump(const char *words)
+/* Is the line a condition with a jump in it, which has no ENDIF? */
+static bool has_jump(const char *words)
 {
 	static const char *const jumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
 	bool quoted = false;
@@ -311,7 +312,7 @@ static bool opens(const char *words, const struct structure *structure)
 	at = skip_blanks(words, strlen(structure->open));
 	if (structure == &structures[SINUMERIK_UNTIL])
 		return !sinumerik_is_letter(words[at]);
-	return structure->open[0] != 'I' || !sinumerik_seek_has_jump(words);
+	return structure->open[0] != 'I' || !has_jump(words);
 }
 
 /* From the reader's position on, which is inside of the structure. */

@@ -47,9 +47,6 @@ bool sinumerik_seek_close(struct interp *interp, enum sinumerik_close close, int
 bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, const struct position *start,
 			     int column, struct position *behind);
 
-/* Is the line a condition with a jump in it, which has no ENDIF? */
-bool sinumerik_seek_has_jump(const char *words);
-
 /*
  * Finds the program of this upper-case name among others in the file in hand; *to is the line behind its head. False:
  * reported, or cancelled.
