@@ -318,6 +318,48 @@ static bool find_start(const struct program *program, const struct program_file 
 	return false;
 }
 
+/* What the checked program comes to. */
+static struct verdict verdict_of(const struct program *program)
+{
+	const struct program_context *context = program->context;
+
+	return (struct verdict){
+		.file = program->name,
+		.result = program->outcome->result,
+		.options = &context->options->check,
+		.stats = &program->outcome->stats,
+		.scene = context->scene,
+		.waived = program->waived,
+		.left_out = program->left_out,
+		.first_line = program->first_line,
+		.first_file = program->first_file,
+		.warnings = program->output->errors.warnings,
+		.first_warning = program->output->errors.first_warning,
+	};
+}
+
+/* Fills in the outcome's status, with the waivers and what the user lets fail. */
+static void judge(struct program *program, const struct verdict *verdict)
+{
+	const struct options *options = program->context->options;
+	struct program_outcome *outcome = program->outcome;
+
+	outcome->status = status_of(outcome->result);
+	outcome->accepted = verdict_is_accepted(verdict);
+	outcome->waived = program->waived;
+	if (outcome->result == CHECK_CLEAR || outcome->accepted ||
+	    (outcome->result == CHECK_FOUND && options->check.all))
+		tell_unused(program);
+	if (outcome->accepted)
+		outcome->status = RUN_CLEAR;
+	if (options->fail_on_warnings && verdict->warnings && outcome->status == RUN_CLEAR) {
+		outcome->status = RUN_FOUND;
+		program->failing_warning = verdict->first_warning;
+		diag_note(&program->output->diag, nowhere, "%s fails the run because of its warnings (--fail-on=warning)",
+			  program->name);
+	}
+}
+
 /* Checks the program and reports it. */
 static void run(struct program *program, struct program_file *file, const char *path, off_t start)
 {
@@ -339,34 +381,10 @@ static void run(struct program *program, struct program_file *file, const char *
 	measure_sensitivity(program, file->stream, start);
 	if (!program_close(file, diag))
 		outcome->result = CHECK_INCOMPLETE;
-	outcome->status = status_of(outcome->result);
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
-	verdict = (struct verdict){
-		.file = program->name,
-		.result = outcome->result,
-		.options = &context->options->check,
-		.stats = &outcome->stats,
-		.scene = context->scene,
-		.waived = program->waived,
-		.left_out = program->left_out,
-		.first_line = program->first_line,
-		.first_file = program->first_file,
-		.warnings = program->output->errors.warnings,
-		.first_warning = program->output->errors.first_warning,
-	};
-	outcome->accepted = verdict_is_accepted(&verdict);
-	outcome->waived = program->waived;
-	if (outcome->result == CHECK_CLEAR || outcome->accepted ||
-	    (outcome->result == CHECK_FOUND && context->options->check.all))
-		tell_unused(program);
-	if (outcome->accepted)
-		outcome->status = RUN_CLEAR;
-	if (context->options->fail_on_warnings && verdict.warnings && outcome->status == RUN_CLEAR) {
-		outcome->status = RUN_FOUND;
-		program->failing_warning = verdict.first_warning;
-		diag_note(diag, nowhere, "%s fails the run because of its warnings (--fail-on=warning)", program->name);
-	}
+	verdict = verdict_of(program);
+	judge(program, &verdict);
 	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !ordered_output_is_lost(program->output->order)) {

@@ -144,77 +144,101 @@ static bool is_pressed(void *context)
 	return interrupt_presses();
 }
 
-enum run_status programs_check(const struct options *options, struct model *model, double seconds, struct stderr_ui *ui,
-			       struct sinks *sinks, struct input_files *inputs,
-			       const struct waiver_match *waiving, struct block_tables *tables)
+/* How many programs are checked at the same time. */
+static int programs_at_once(const struct programs_run *run)
 {
-	struct scene *scene = model_scene(model);
-	struct session session = {
-		.options = options,
-		.context = {
-			.options = options, .check = options->check, .model = model, .scene = scene, .sinks = sinks,
-			.tables = tables,
-			.run = {
-				.scene = scene,
-				.options = &options->check,
-				.clearance = options->clearance,
-				.programs = options->program_count,
-				.fail_on = options->fail_on,
-				.fail_on_warnings = options->fail_on_warnings,
-				.quiet = options->quiet,
-				.stats = options->stats,
-				.waiving = waiving,
-				.shard = options->shard,
-				.shards = options->shards,
-				.program_list = options->program_list,
-				.files = inputs->items,
-				.file_count = inputs->count,
-			},
+	const struct options *options = run->options;
+
+	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
+	if (run->tables || !options->program_count)
+		return 1;
+	return options->program_count < (size_t)options->check.threads ? (int)options->program_count
+								       : options->check.threads;
+}
+
+/* What the programs share, with the threads that each of them may use. */
+static struct program_context context_of(const struct programs_run *run, int threads)
+{
+	static const struct cancel cancel = {NULL, is_pressed};
+	const struct options *options = run->options;
+	struct scene *scene = model_scene(run->model);
+	struct program_context context = {
+		.options = options, .check = options->check, .model = run->model, .scene = scene, .sinks = run->sinks,
+		.tables = run->tables,
+		.run = {
+			.scene = scene,
+			.options = &options->check,
+			.clearance = options->clearance,
+			.programs = options->program_count,
+			.fail_on = options->fail_on,
+			.fail_on_warnings = options->fail_on_warnings,
+			.quiet = options->quiet,
+			.stats = options->stats,
+			.waiving = run->waiving,
+			.shard = options->shard,
+			.shards = options->shards,
+			.program_list = options->program_list,
+			.files = run->inputs->items,
+			.file_count = run->inputs->count,
 		},
 	};
-	static const struct cancel cancel = {NULL, is_pressed};
-	enum run_status status;
-	int threads = options->check.threads;
-	struct program_reports reports = {0};
 
-	if ((size_t)threads > options->program_count)
-		threads = options->program_count ? (int)options->program_count : 1;
-	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
-	if (tables)
-		threads = 1;
-	if (!can_write_pose(options, &ui->diag))
+	context.check.read.opened = &run->inputs->opened;
+	context.check.read.cancel = &cancel;
+	/* The check must go on after an accepted finding. */
+	context.check.all = options->check.all || options->waivers || options->fail_on;
+	context.check.threads = options->check.threads / threads;
+	return context;
+}
+
+/* Everything that is written behind the last program. */
+static enum run_status finish(struct session *session, const struct programs_run *run)
+{
+	struct diag *diag = &run->ui->diag;
+	struct input_files *inputs = run->inputs;
+	enum run_status status;
+
+	stderr_ui_finish(run->ui);
+	tell_strange_waivers(session, run->waiving->file);
+	input_files_sort(inputs);
+	if (!path_checks_inputs(run->options, inputs, diag))
+		sinks_discard(run->sinks);
+	if (options_want_digests(run->options)) {
+		input_files_digest(inputs, NULL);
+		input_files_verify(inputs, run->options->record, diag);
+	}
+	if (session->context.reports && run->sinks->count)
+		program_reports_finish(session->context.reports, diag);
+	status = status_of(session);
+	tell_end(session, run->seconds, inputs, status);
+	return status;
+}
+
+enum run_status programs_check(const struct programs_run *run)
+{
+	const struct options *options = run->options;
+	int threads = programs_at_once(run);
+	struct session session = {.options = options, .context = context_of(run, threads)};
+	struct program_reports reports = {0};
+	enum run_status status;
+
+	if (!can_write_pose(options, &run->ui->diag))
 		return RUN_INCOMPLETE;
 	if (options_want_visual(options)) {
-		if (!program_reports_init(&reports, options, scene, inputs->items, inputs->count, &ui->diag))
+		if (!program_reports_init(&reports, options, session.context.scene, run->inputs->items,
+					  run->inputs->count, &run->ui->diag))
 			return RUN_INCOMPLETE;
 		session.context.reports = &reports;
 	}
-	session.context.check.read.opened = &inputs->opened;
-	session.context.check.read.cancel = &cancel;
-	/* The check must go on after an accepted finding. */
-	session.context.check.all = options->check.all || options->waivers || options->fail_on;
 	if (options->stock_out)
 		session.context.check.remainder = &session.remainder;
-	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
-	ordered_output_init(&session.order, options->program_count, ui, sinks);
-	stderr_ui_expect(ui, options->program_count);
-	sinks_begin(sinks, &session.context.run);
+	ordered_output_init(&session.order, options->program_count, run->ui, run->sinks);
+	stderr_ui_expect(run->ui, options->program_count);
+	sinks_begin(run->sinks, &session.context.run);
 	interrupt_watch();
 	parallel_for(options->program_count, threads, check_program, &session);
-	stderr_ui_finish(ui);
-	tell_strange_waivers(&session, waiving->file);
-	input_files_sort(inputs);
-	if (!path_checks_inputs(options, inputs, &ui->diag))
-		sinks_discard(sinks);
-	if (options_want_digests(options)) {
-		input_files_digest(inputs, NULL);
-		input_files_verify(inputs, options->record, &ui->diag);
-	}
-	if (session.context.reports && sinks->count)
-		program_reports_finish(&reports, &ui->diag);
-	status = status_of(&session);
-	tell_end(&session, seconds, inputs, status);
+	status = finish(&session, run);
 	ordered_output_release(&session.order);
 	free(session.outcomes);
 	program_reports_release(&reports);

@@ -9,14 +9,22 @@
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
 
+/* One run. Borrows everything. */
+struct programs_run {
+	const struct options *options;
+	struct model *model;
+	double seconds;	/* that loading took */
+	struct stderr_ui *ui;
+	struct sinks *sinks;
+	struct input_files *inputs;	/* those read so far; the files of subprograms are added */
+	const struct waiver_match *waiving;
+	struct block_tables *tables;	/* or NULL; with tables, programs are checked one after the other */
+};
+
 /*
  * Checks the programs that the options name, with as many threads as the options allow, and reports them in the order
- * of the command line. `seconds` is the time that loading took. Adds the files of subprograms to the inputs and sorts
- * them. The tables may be NULL; with tables, programs are checked one after the other. If an output
- * turns out to be an input, reports that and discards the sinks.
+ * of the command line. Sorts the inputs. If an output turns out to be an input, reports that and discards the sinks.
  */
-enum run_status programs_check(const struct options *options, struct model *model, double seconds, struct stderr_ui *ui,
-			       struct sinks *sinks, struct input_files *inputs,
-			       const struct waiver_match *waiving, struct block_tables *tables);
+enum run_status programs_check(const struct programs_run *run);
 
 #endif

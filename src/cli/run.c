@@ -195,8 +195,9 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	input_files_sort(inputs);
 	if (options_want_digests(options))
 		input_files_digest(inputs, job->known);
-	status = programs_check(options, job->model, job->seconds, ui, sinks, inputs,
-				&job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
+	status = programs_check(&(struct programs_run){
+		.options = options, .model = job->model, .seconds = job->seconds, .ui = ui, .sinks = sinks,
+		.inputs = inputs, .waiving = &job->waiving, .tables = block_tables_are_wanted(tables) ? tables : NULL});
 	/* Without a sink nothing may be written: programs_check has discarded them. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
 		status = worst(status, RUN_INCOMPLETE);
