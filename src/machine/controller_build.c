@@ -64,42 +64,46 @@ static bool is_same_name(const struct builder_macro *one, const struct builder_m
 	return one->name && other->name && !strcmp(one->name, other->name);
 }
 
-static void build_macro(struct description_file *file, const struct macro_description *described, struct arena *arena,
-			bool names, struct builder_macro *macros, size_t *count)
+/* Is it clear which of the builder's macros is meant? False: reported. */
+static bool names_macro(struct description_file *file, const struct macro_description *described, bool names,
+			const struct builder_macro *macro)
 {
-	struct builder_macro macro = {.program = described->has_program && !described->name ? (int)described->program
-											   : MACRO_OF_CODE,
-				      .code = described->code.value,
-				      .action = described->action,
-				      .name = described->name ? macro_name(arena, described->name) : NULL};
-	bool around = described->action == MACRO_AROUND, any = false;
-
 	if (!described->has_program && !described->code.given) {
 		description_fault(file, described->at, NULL,
 				  "<macro> has neither program nor code: which of the builder's is meant?");
-		return;
+		return false;
 	}
 	if (described->name && !names) {
 		description_fault(file, described->at, "program",
 				  "program=\"%s\" of <macro>: this control calls the builder's programs by numbers",
 				  description_quote(file, described->at, "program").text);
-		return;
+		return false;
 	}
-	if (described->name && !macro.name) {
+	if (described->name && !macro->name) {
 		description_fault(file, described->at, "program",
 				  "program=\"%s\" of <macro> is no name: letters, digits and _, at most %d",
 				  description_quote(file, described->at, "program").text, MACRO_NAME_MAX);
-		return;
+		return false;
 	}
 	if (described->has_program && !described->name &&
 	    (described->program < 1 || described->program > PROGRAM_MAX)) {
 		description_fault(file, described->at, "program", "program=\"%s\" of <macro> is not between 1 and %d",
 				  description_quote(file, described->at, "program").text, PROGRAM_MAX);
-		return;
+		return false;
 	}
-	if (described->code.given && !(macro.code > 0 && macro.code <= G_CODE_MAX))
+	if (described->code.given && !(macro->code > 0 && macro->code <= G_CODE_MAX))
 		description_fault(file, described->at, "code", "code=\"%s\" of <macro> is no G-code",
 				  description_quote(file, described->at, "code").text);
+	return true;
+}
+
+/* X, Y and Z of action="around", and of no other one. */
+static void read_around(struct description_file *file, const struct macro_description *described,
+			struct builder_macro *macro)
+{
+	const bool around = described->action == MACRO_AROUND;
+	bool any = false;
+
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		const char letter[] = {AXIS_LETTERS[slot], '\0'};
 		double value = described->around[slot].value;
@@ -114,77 +118,129 @@ static void build_macro(struct description_file *file, const struct macro_descri
 			    "moves along an axis",
 			    letter);
 		else
-			macro.around[slot] = value;
+			macro->around[slot] = value;
 	}
 	if (around && !any)
 		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
-	for (size_t i = 0; i < *count; i++) {
-		if (is_same_name(&macros[i], &macro)) {
-			description_fault(file, described->at, "program", "%s is given twice", macro.name);
-			return;
-		}
-		if (described->has_program && !described->name && macros[i].program == macro.program) {
-			description_fault(file, described->at, "program", "O%d is given twice", macro.program);
-			return;
-		}
-		if (described->code.given && fabs(macros[i].code - macro.code) < SAME_CODE) {
-			description_fault(file, described->at, "code", "G%.9g is given twice", macro.code);
-			return;
-		}
-	}
-	macros[(*count)++] = macro;
 }
 
-/* Questions of a control whose programs have frames, edges of tools and planes that a cycle swivels. */
+/* Has one of those before the same name, number or code? Reports it. */
+static bool is_given_twice(struct description_file *file, const struct macro_description *described,
+			   const struct builder_macro *macro, const struct builder_macro *macros, size_t count)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (is_same_name(&macros[i], macro)) {
+			description_fault(file, described->at, "program", "%s is given twice", macro->name);
+			return true;
+		}
+		if (described->has_program && !described->name && macros[i].program == macro->program) {
+			description_fault(file, described->at, "program", "O%d is given twice", macro->program);
+			return true;
+		}
+		if (described->code.given && fabs(macros[i].code - macro->code) < SAME_CODE) {
+			description_fault(file, described->at, "code", "G%.9g is given twice", macro->code);
+			return true;
+		}
+	}
+	return false;
+}
+
+/* `names`: the control calls the builder's programs by their names, too. */
+static void build_macro(struct description_file *file, const struct macro_description *described, struct arena *arena,
+			bool names, struct builder_macro *macros, size_t *count)
+{
+	struct builder_macro macro = {.program = described->has_program && !described->name ? (int)described->program
+											   : MACRO_OF_CODE,
+				      .code = described->code.value,
+				      .action = described->action,
+				      .name = described->name ? macro_name(arena, described->name) : NULL};
+
+	if (!names_macro(file, described, names, &macro))
+		return;
+	read_around(file, described, &macro);
+	if (!is_given_twice(file, described, &macro, macros, *count))
+		macros[(*count)++] = macro;
+}
+
+/* An answer to a question that a control does not have. */
+struct needless {
+	bool given;
+	const char *name, *why;	/* the attribute; what the control, as a subject, does instead */
+};
+
+#define NO_PARAMETER "has no such parameter"
+
+static void refuse(struct description_file *file, const struct controller_description *described,
+		   const struct needless *answers, size_t count)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (answers[i].given)
+			description_fault(file, described->at, answers[i].name, "%s of <controller>: %s %s",
+					  answers[i].name, dialect_rows[described->dialect].title, answers[i].why);
+	}
+}
+
+#define REFUSE(file, described, answers) refuse(file, described, answers, sizeof(answers) / sizeof((answers)[0]))
+
+/* Questions of a control whose programs have frames, edges of tools, and planes that a cycle or a PLANE swivels. */
 static void check_frames(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->dialect];
-	enum { VECTORS };
-	const struct {
-		int given;
-		const char *name;
-	} answers[] = {
-		[VECTORS] = {(int)described->orientation_interpolation, "orientation_interpolation"},
-		{(int)described->rotation_order, "rotation_order"},
-		{(int)described->edge_after_tool_change, "edge_after_tool_change"},
-		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
-		{(int)described->length_along_z, "tool_length_axis"},
-		{described->swivel_axis, "swivel_axis"},
-		{(int)described->orientation_pole, "orientation_pole"},
-		{described->power_on_work_offset, "power_on_work_offset"},
-		{(int)described->increments_after_shift, "increments_after_shift"},
+	const bool frames = row->has_frames, planes = row->has_planes;
+	const struct needless answers[] = {
+		{described->orientation_interpolation && !frames && !row->has_tool_vectors, "orientation_interpolation",
+		 NO_PARAMETER},
+		{described->rotation_order && !frames, "rotation_order", NO_PARAMETER},
+		{described->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},
+		{described->frames_outlive_traori && !frames, "frames_outlive_traori", NO_PARAMETER},
+		{described->length_along_z && !frames, "tool_length_axis", NO_PARAMETER},
+		{described->swivel_axis && !frames, "swivel_axis", NO_PARAMETER},
+		{described->orientation_pole && !frames, "orientation_pole", NO_PARAMETER},
+		{described->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},
+		{described->increments_after_shift && !frames, "increments_after_shift", NO_PARAMETER},
+		{described->cycle_19_angles && !planes, "cycle_19_angles", NO_PARAMETER},
+		{described->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
+		{described->tool_def && !planes, "tool_def", NO_PARAMETER},
+		{described->plane_retract && !planes, "plane_retract", NO_PARAMETER},
+		{described->swivel_pole && !planes && !frames, "swivel_pole", NO_PARAMETER},
 	};
 
-	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]) && !row->has_frames; i++) {
-		if (answers[i].given && !(i == VECTORS && row->has_tool_vectors))
-			description_fault(file, described->at, answers[i].name,
-					  "%s of <controller>: %s has no such parameter", answers[i].name, row->title);
-	}
+	REFUSE(file, described, answers);
 }
 
-static void check_lexis(struct description_file *file, const struct controller_description *described,
-			const char *title)
+/* Questions of a control whose builder has set parameters. */
+static void check_parameters(struct description_file *file, const struct controller_description *described)
 {
-	const struct {
-		int given;
-		const char *name, *why;
-	} answers[] = {
-		{described->arc_radius_tolerance.given, "arc_radius_tolerance", "has no such parameter"},
+	const char *modes = "always starts with G21, G90 and G17";
+	const struct needless answers[] = {
+		{described->least_input.given, "least_input", "has no least input increment"},
+		{described->length_moves, "length_offset_moves", "moves no axis when the length offset changes"},
+		{described->g53_with_g91, "g53_with_g91", "refuses G53 while G91 is in force"},
+		{described->length_after_reference, "length_after_reference", "keeps the length offset"},
+		{described->overrun.given, "unidirectional_overrun", "has no G60"},
+		{described->arc_radius_tolerance.given, "arc_radius_tolerance", NO_PARAMETER},
 		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
 		{described->m6_with_t, "m6_with_t", "loads the T beside M6"},
 		{described->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
 		{described->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
 		{described->semicolon, "semicolon", "has comments behind ';'"},
 		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
-		{described->cycle_repeats, "cycle_repeats", "has no such parameter"},
+		{described->cycle_repeats, "cycle_repeats", NO_PARAMETER},
 		{described->colon, "colon", "has no program numbers behind ':'"},
+	}, others[] = {
+		{described->comp_start, "cutter_comp_start", "always starts cutter compensation in one way"},
+		{described->comp_corner, "cutter_comp_corner", "always rounds outside corners"},
+		{described->power_on_units, "power_on_units", modes},
+		{described->power_on_distance, "power_on_distance", modes},
+		{described->power_on_plane, "power_on_plane", modes},
 	};
 
-	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]); i++) {
-		if (answers[i].given)
-			description_fault(file, described->at, answers[i].name, "%s of <controller>: %s %s",
-					  answers[i].name, title, answers[i].why);
-	}
+	REFUSE(file, described, answers);
+	if (described->comp_d != COMP_D_UNKNOWN)
+		description_fault(file, described->at, "cutter_comp_d",
+				  "cutter_comp_d of <controller>: D of %s is the number of a tool",
+				  dialect_rows[described->dialect].title);
+	REFUSE(file, described, others);
 }
 
 /* Refuses settings for which, by the dialect's row, the control has no parameter. */
@@ -193,21 +249,6 @@ static void check_dialect(struct description_file *file, const struct controller
 	const struct dialect_row *row = &dialect_rows[described->dialect];
 
 	check_frames(file, described);
-	if (described->cycle_19_angles && !row->has_planes)
-		description_fault(file, described->at, "cycle_19_angles",
-				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
-	if (described->cycle_11_axes && !row->has_planes)
-		description_fault(file, described->at, "cycle_11_axes",
-				  "cycle_11_axes of <controller>: %s has no such parameter", row->title);
-	if (described->tool_def && !row->has_planes)
-		description_fault(file, described->at, "tool_def",
-				  "tool_def of <controller>: %s has no such parameter", row->title);
-	if (described->plane_retract && !row->has_planes)
-		description_fault(file, described->at, "plane_retract",
-				  "plane_retract of <controller>: %s has no such parameter", row->title);
-	if (described->swivel_pole && !row->has_planes && !row->has_frames)
-		description_fault(file, described->at, "swivel_pole",
-				  "swivel_pole of <controller>: %s has no such parameter", row->title);
 	if (row->has_parameters)
 		return;
 	if (described->macro_count > 0 && !row->has_planes)
@@ -216,48 +257,7 @@ static void check_dialect(struct description_file *file, const struct controller
 		    "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "
 		    "can be told; a file in a folder of --include has what they do",
 		    row->title);
-	if (described->least_input.given)
-		description_fault(file, described->at, "least_input",
-				  "least_input of <controller>: %s has no least input increment", row->title);
-	if (described->length_moves != ANSWER_UNKNOWN)
-		description_fault(
-		    file, described->at, "length_offset_moves",
-		    "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
-	if (described->g53_with_g91 != G53_WITH_G91_UNKNOWN)
-		description_fault(file, described->at, "g53_with_g91",
-				  "g53_with_g91 of <controller>: %s refuses G53 while G91 is in force", row->title);
-	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
-		description_fault(file, described->at, "length_after_reference",
-				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
-	if (described->overrun.given)
-		description_fault(file, described->at, "unidirectional_overrun",
-				  "unidirectional_overrun of <controller>: %s has no G60", row->title);
-	check_lexis(file, described, row->title);
-	if (described->comp_d != COMP_D_UNKNOWN)
-		description_fault(file, described->at, "cutter_comp_d",
-				  "cutter_comp_d of <controller>: D of %s is the number of a tool", row->title);
-	if (described->comp_start != COMP_START_UNKNOWN)
-		description_fault(file, described->at, "cutter_comp_start",
-				  "cutter_comp_start of <controller>: %s always starts cutter compensation in one way",
-				  row->title);
-	if (described->comp_corner != COMP_CORNER_UNKNOWN)
-		description_fault(file, described->at, "cutter_comp_corner",
-				  "cutter_comp_corner of <controller>: %s always rounds outside corners", row->title);
-	const struct {
-		int given;
-		const char *name;
-	} modes[] = {
-		{described->power_on_units, "power_on_units"},
-		{described->power_on_distance, "power_on_distance"},
-		{described->power_on_plane, "power_on_plane"},
-	};
-
-	for (size_t i = 0; i < sizeof(modes) / sizeof(modes[0]); i++) {
-		if (modes[i].given)
-			description_fault(file, described->at, modes[i].name,
-					  "%s of <controller>: %s always starts with G21, G90 and G17", modes[i].name,
-					  row->title);
-	}
+	check_parameters(file, described);
 }
 
 /* What the file does not say, the manual of the control's generation may. */
@@ -282,6 +282,24 @@ static void apply_preset(struct description_file *file, const struct controller_
 	control_preset_names(row->presets, names, sizeof(names));
 	description_fault(file, described->at, "preset", "preset=\"%s\" of <controller>: those of %s are %s",
 			  description_quote(file, described->at, "preset").text, row->title, names);
+}
+
+static void check_ranges(struct description_file *file, const struct controller_description *from)
+{
+	if (from->path_tolerance.given && from->path_tolerance.value <= 0)
+		description_fault(file, from->at, "path_tolerance",
+				  "path_tolerance of <controller> must be more than 0");
+	if (from->arc_radius_tolerance.given && !(from->arc_radius_tolerance.value > 0))
+		description_fault(file, from->at, "arc_radius_tolerance",
+				  "arc_radius_tolerance of <controller> must be more than 0");
+	if (from->overrun.given && !(from->overrun.value > 0))
+		description_fault(file, from->at, "unidirectional_overrun",
+				  "unidirectional_overrun of <controller> must be more than 0");
+	if (from->least_input.given &&
+	    !(from->least_input.value >= LEAST_INPUT_MIN && from->least_input.value <= LEAST_INPUT_MAX))
+		description_fault(file, from->at, "least_input",
+				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
+				  description_quote(file, from->at, "least_input").text);
 }
 
 void controller_build(struct machine_description *described, struct machine *machine)
@@ -334,19 +352,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->orientation_pole = from->orientation_pole;
 	to->increments_after_shift = from->increments_after_shift;
 	to->power_on_work_offset = from->power_on_work_offset;
-	if (from->path_tolerance.given && to->path_tolerance <= 0)
-		description_fault(file, from->at, "path_tolerance",
-				  "path_tolerance of <controller> must be more than 0");
-	if (from->arc_radius_tolerance.given && !(to->arc_radius_tolerance > 0))
-		description_fault(file, from->at, "arc_radius_tolerance",
-				  "arc_radius_tolerance of <controller> must be more than 0");
-	if (from->overrun.given && !(to->overrun > 0))
-		description_fault(file, from->at, "unidirectional_overrun",
-				  "unidirectional_overrun of <controller> must be more than 0");
-	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))
-		description_fault(file, from->at, "least_input",
-				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
-				  description_quote(file, from->at, "least_input").text);
+	check_ranges(file, from);
 	check_dialect(file, from);
 	apply_preset(file, from, to);
 	mcodes = arena_alloc(&machine->arena, from->mcode_count * sizeof(*mcodes));
