@@ -72,7 +72,7 @@ struct canon_move {
 	bool plane;	/* with tcp: rotary axes stand still (G53.1), and the axes go as without it */
 	bool blend;	/* G64: the control may leave the path (canon_move.blend_tolerance) */
 	double blend_tolerance;	/* mm; 0: G64 without P */
-	/* radians: of the axes that turn the tool; 0: as blend_path_tolerance (blend.h) takes it */
+	/* radians: of the axes that turn the tool; 0: as blend.h takes it */
 	double blend_turn;
 	/* mm: how far X, Y and Z may be beside the path; under TCP X, Y and Z of the workpiece, as `end` means them */
 	double spread[3];
@@ -109,12 +109,15 @@ struct canon_block {
 
 enum canon_event_kind { CANON_MOVE, CANON_BLOCK };
 
-/* What an interpreter tells, in the order of the program: the moves of a block, then its end. */
+/*
+ * What an interpreter tells, in the order of the program: the moves of a block, then its end. Valid during the call: a
+ * move is large, and most sinks need it once.
+ */
 struct canon_event {
 	enum canon_event_kind kind;
 	union {
-		struct canon_move move;
-		struct canon_block block;
+		const struct canon_move *move;
+		const struct canon_block *block;
 	} of;
 };
 
@@ -127,19 +130,12 @@ struct canon_sink {
 
 static inline bool canon_tell_move(const struct canon_sink *sink, const struct canon_move *move)
 {
-	const struct canon_event event = {.kind = CANON_MOVE, .of.move = *move};
-
-	return sink->event(sink->context, &event);
+	return sink->event(sink->context, &(struct canon_event){.kind = CANON_MOVE, .of.move = move});
 }
 
 static inline bool canon_tell_block(const struct canon_sink *sink, const struct canon_block *block)
 {
-	struct canon_event event;
-
-	/* A designated initialiser would clear the rest of the union, which is many times as large. */
-	event.kind = CANON_BLOCK;
-	event.of.block = *block;
-	return sink->event(sink->context, &event);
+	return sink->event(sink->context, &(struct canon_event){.kind = CANON_BLOCK, .of.block = block});
 }
 
 #endif

@@ -1,22 +1,24 @@
 #include "motion/blend.h"
 
+#include "base/same_double.h"
 #include "base/units.h"
 
-axis_values blend_path_tolerance(const struct machine *machine, const struct canon_move *move)
+void blend_take(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
+		const struct canon_move *move)
 {
 	double own = machine->controller.path_tolerance;
 	double programmed = move->blend ? move->blend_tolerance : 0;
 	double linear = programmed > 0 ? programmed : own, rotary = radians(own > 0 ? own : programmed);
-	axis_values tolerance = {{0}};
 
 	if (move->blend && move->blend_turn > 0)
 		rotary = move->blend_turn;
-	for (size_t i = 0; i < machine->axis_count; i++) {
-		const struct axis *axis = &machine->axes[i];
-
-		tolerance.v[axis->slot] = axis->rotary ? rotary : linear;
-	}
-	return tolerance;
+	/* It rarely changes. */
+	if (same_double(linear, blend->linear) && same_double(rotary, blend->rotary))
+		return;
+	blend->linear = linear;
+	blend->rotary = rotary;
+	for (size_t i = 0; i < axes->count; i++)
+		blend->tolerance.v[axes->rows[i].slot] = axes->rows[i].rotary ? rotary : linear;
 }
 
 bool blend_is_unbounded(const struct machine *machine, const struct canon_move *move)

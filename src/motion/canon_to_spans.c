@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "base/units.h"
-#include "motion/blend.h"
 #include "motion/dogleg.h"
 #include "motion/limits.h"
 #include "motion/motion_modes.h"
@@ -41,6 +40,7 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 					     .name = name,
 					     .position = machine_home(machine)};
 	converter->controller = converter->position;
+	axis_table_init(&converter->axes, machine);
 	take_tool(converter, setup ? setup->initial_tool : 0);
 }
 
@@ -88,13 +88,13 @@ struct run {
 	struct canon_to_spans *converter;
 	const struct canon_move *move;
 	axis_values tolerance;
-	axis_values room;	/* how far the axes may be beside the path, where that counts for the limits */
-	bool has_room;	/* some of it is not 0 */
+	bool has_room;	/* the axes may be beside the path, where that counts for the limits, and then: */
+	axis_values room;	/* how far */
 	bool turns;	/* a rotary axis may be beside its path */
 	bool bounded;	/* the move is known only as a set of paths */
-	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
+	bool swings;	/* it is a rapid under TCP that is only known to stay in a box, and then: */
+	axis_values swing;	/* how far the axes may be outside of the box */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
-	bool swings;	/* it is such a rapid */
 	bool outside;
 	size_t count;	/* of legs; 0: nothing moves */
 	struct leg legs[SLOT_COUNT];
@@ -127,6 +127,7 @@ static bool swing_out(struct run *run, const struct path *box)
 	struct span_walk walk;
 
 	run->swings = true;
+	run->swing = (axis_values){{0}};
 	guided->kind = PATH_TCP;
 	guided->tcp = &converter->tcp;
 	span_init(&run->guided.span, guided);
@@ -232,7 +233,7 @@ static bool set_legs(struct run *run)
 
 	run->count = 0;
 	move_path_set(path, &start, move, &run->guided.path);
-	if (!move_path_moving_axes(path) && !(path->circular && path_length(path) > 0))
+	if (!move_path_moves(path) && !(path->circular && path_length(path) > 0))
 		return !run->has_room || stand(run);
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
 		struct path parts[SLOT_COUNT];
@@ -251,7 +252,7 @@ static bool set_legs(struct run *run)
 		return false;
 	if (move->kind != CANON_RAPID)
 		seconds = timing_programmed(path, &move->feed);
-	leg->path.seconds = timing_held(machine, &leg->span, converter->flatness, seconds);
+	leg->path.seconds = timing_held(&converter->axes, &leg->span, converter->flatness, seconds);
 	run->count = 1;
 	return is_bearable(converter, move, leg->path.seconds);
 }
@@ -296,11 +297,14 @@ static bool report_swing(struct run *run, const bool reported[SLOT_COUNT])
 
 static bool report_limits(struct run *run)
 {
+	const axis_values *room = run->has_room ? &run->room : NULL;
 	struct limit_crossing crossings[SLOT_COUNT];
-	size_t count = limits_crossed(run->converter->machine, run->legs, run->count,
-				      run->has_room ? &run->room : NULL, crossings);
 	bool reported[SLOT_COUNT] = {false};
+	size_t count;
 
+	if (limits_kept(&run->converter->axes, run->legs, run->count, room))
+		return !run->swings || report_swing(run, reported);
+	count = limits_crossed(run->converter->machine, run->legs, run->count, room, crossings);
 	for (size_t i = 0; i < count; i++) {
 		double before = 0;
 
@@ -388,10 +392,11 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	run.converter = converter;
 	run.move = move;
 	run.outside = run.has_room = run.swings = run.turns = false;
-	run.room = run.swing = (axis_values){{0}};
-	run.tolerance = blend_path_tolerance(converter->machine, move);
+	blend_take(&converter->blend, converter->machine, &converter->axes, move);
+	run.tolerance = converter->blend.tolerance;
 	run.bounded = is_bounded(move);
 	if (run.bounded) {
+		run.room = (axis_values){{0}};
 		add_spread(&run);
 		add_turn_spread(&run);
 	}
@@ -478,5 +483,5 @@ static bool end_block(struct canon_to_spans *converter, const struct canon_block
 
 bool canon_to_spans_event(void *context, const struct canon_event *event)
 {
-	return event->kind == CANON_BLOCK ? end_block(context, &event->of.block) : take_move(context, &event->of.move);
+	return event->kind == CANON_BLOCK ? end_block(context, event->of.block) : take_move(context, event->of.move);
 }

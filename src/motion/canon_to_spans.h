@@ -7,6 +7,8 @@
 #include "gcode/canon.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
+#include "motion/axis_table.h"
+#include "motion/blend.h"
 #include "motion/cutter_hand.h"
 #include "motion/events.h"
 #include "motion/tcp.h"
@@ -14,6 +16,7 @@
 /* Plain data; owns nothing. */
 struct canon_to_spans {
 	const struct machine *machine;
+	struct axis_table axes;	/* of the machine */
 	const struct setup *setup;	/* or NULL */
 	double flatness;	/* mm: no axis of a span's chord deviates by more */
 	const struct motion_sink *sink;
@@ -26,6 +29,7 @@ struct canon_to_spans {
 	int tool;
 	bool probes;	/* the tool is a probe */
 	struct cutter_hand hand;	/* of the tool */
+	struct blend blend;	/* of the last move */
 	double time, block_time;
 	bool tells_modes;
 	struct motion_modes modes;	/* that were sent last */

@@ -6,7 +6,14 @@
 #include <stddef.h>
 
 #include "machine/machine.h"
+#include "motion/axis_table.h"
 #include "motion/span.h"
+
+/*
+ * Does every axis surely stay inside its limits on all legs, wherever its room leaves it (limits_crossed)? False: look
+ * for crossings. Nearly every move is inside as a whole.
+ */
+bool limits_kept(const struct axis_table *axes, const struct leg *legs, size_t leg_count, const axis_values *room);
 
 /*
  * A position within 1e-6 mm or degrees of a limit counts as inside. A true position that is more than 1.01e-6 past it

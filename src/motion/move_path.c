@@ -9,26 +9,23 @@
 static void clean(axis_values *end, const axis_values *start, int first)
 {
 	for (int slot = first; slot < SLOT_COUNT; slot++)
-		if (fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST)
-			end->v[slot] = start->v[slot];
+		end->v[slot] = fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST ? start->v[slot] : end->v[slot];
 }
 
-/* The end of the move without rounding dust. An arc keeps its X Y Z, which belong to its centre and sweep. */
-static axis_values clean_end(const struct canon_move *move, const axis_values *start)
+bool move_path_moves(const struct path *path)
 {
-	axis_values end = move->end;
-
-	clean(&end, start, move->kind == CANON_ARC ? SLOT_A : SLOT_X);
-	return end;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (!same_double(path->start.v[slot], path->end.v[slot]))
+			return true;
+	return false;
 }
 
-int move_path_moving_axes(const struct path *path)
+static int count_moving_axes(const struct path *path)
 {
 	int count = 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		if (!same_double(path->start.v[slot], path->end.v[slot]))
-			count++;
+		count += !same_double(path->start.v[slot], path->end.v[slot]);
 	return count;
 }
 
@@ -59,7 +56,7 @@ static enum path_kind kind_of(const struct move_start *from, const struct canon_
 	if (move->kind == CANON_ARC)
 		return PATH_ARC;
 	if (move->kind == CANON_RAPID && from->machine->controller.rapid == RAPID_ANY &&
-	    move_path_moving_axes(path) > 1)
+	    count_moving_axes(path) > 1)
 		return PATH_BOX;
 	return PATH_STRAIGHT;
 }
@@ -74,7 +71,9 @@ void move_path_set(struct path *path, const struct move_start *from, const struc
 		path->start = *from->controller;
 	else
 		path->start = tcp_from_machine(from->tcp, from->position);
-	path->end = clean_end(move, &path->start);
+	path->end = move->end;
+	/* An arc keeps its X Y Z, which belong to its centre and sweep. */
+	clean(&path->end, &path->start, path->circular ? SLOT_A : SLOT_X);
 	if (path->circular)
 		path->arc = move->arc;
 	if (goes_as_axes(from, move)) {

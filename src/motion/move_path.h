@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_MOTION_MOVE_PATH_H
 #define FIVECHECK_MOTION_MOVE_PATH_H
 
+#include <stdbool.h>
+
 #include "gcode/canon.h"
 #include "machine/machine.h"
 #include "motion/path.h"
@@ -22,7 +24,7 @@ struct move_start {
 void move_path_set(struct path *path, const struct move_start *from, const struct canon_move *move,
 		   struct path *guided);
 
-/* How many axes have another position at the path's end than at its start. */
-int move_path_moving_axes(const struct path *path);
+/* Has an axis another position at the path's end than at its start? */
+bool move_path_moves(const struct path *path);
 
 #endif

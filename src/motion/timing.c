@@ -31,12 +31,12 @@ double timing_programmed(const struct path *path, const struct canon_feed *feed)
 }
 
 /* Seconds that the axes need for the whole path if they go over its chord like over `span`, and `extra` more. */
-static double needed(const struct machine *machine, const struct span *span, const axis_values *extra)
+static double needed(const struct axis_table *axes, const struct span *span, const axis_values *extra)
 {
 	double part = span->u1 - span->u0, most = 0;
 
-	for (size_t i = 0; i < machine->axis_count; i++) {
-		const struct axis *axis = &machine->axes[i];
+	for (size_t i = 0; i < axes->count; i++) {
+		const struct axis_row *axis = &axes->rows[i];
 		double d = fabs(span->q1.v[axis->slot] - span->q0.v[axis->slot]) + extra->v[axis->slot];
 
 		most = larger(most, d / (axis->rate_max * part));
@@ -44,7 +44,7 @@ static double needed(const struct machine *machine, const struct span *span, con
 	return most;
 }
 
-double timing_held(const struct machine *machine, const struct span *whole, double flatness, double seconds)
+double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds)
 {
 	const axis_values none = {{0}};
 	axis_values second_derivative;
@@ -52,17 +52,17 @@ double timing_held(const struct machine *machine, const struct span *whole, doub
 	struct span piece;
 
 	/* No axis is slower on every piece than on the whole. */
-	seconds = larger(seconds, needed(machine, whole, &none));
+	seconds = larger(seconds, needed(axes, whole, &none));
 	if (span_is_flat(whole, flatness))
 		return seconds;
 	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
 	second_derivative = path_second_derivative(whole->path, 0, 1);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		second_derivative.v[slot] *= 0.5;
-	if (needed(machine, whole, &second_derivative) <= seconds)
+	if (needed(axes, whole, &second_derivative) <= seconds)
 		return seconds;
 	span_walk_init(&walk, whole, flatness);
 	while (span_walk_next(&walk, &piece))
-		seconds = larger(seconds, needed(machine, &piece, &none));
+		seconds = larger(seconds, needed(axes, &piece, &none));
 	return seconds;
 }

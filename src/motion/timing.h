@@ -3,7 +3,7 @@
 #define FIVECHECK_MOTION_TIMING_H
 
 #include "gcode/canon.h"
-#include "machine/machine.h"
+#include "motion/axis_table.h"
 #include "motion/span.h"
 
 /*
@@ -19,6 +19,6 @@ double timing_programmed(const struct path *path, const struct canon_feed *feed)
  * rate, on average over each piece of the path that is flat to `flatness`.
  * With seconds = 0 that is a rapid's time.
  */
-double timing_held(const struct machine *machine, const struct span *whole, double flatness, double seconds);
+double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds);
 
 #endif

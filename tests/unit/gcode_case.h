@@ -238,10 +238,10 @@ static inline struct kinematics case_kinematics(struct gcode_case *c)
 static inline bool case_event(void *context, const struct canon_event *event)
 {
 	struct gcode_case *c = context;
-	const struct canon_block *block = &event->of.block;
+	const struct canon_block *block = event->of.block;
 
 	if (event->kind == CANON_MOVE)
-		return case_move(c, &event->of.move);
+		return case_move(c, event->of.move);
 	strbuf_addf(&c->blocks, "%ld:%d:%s\n", block->line, block->moves, block->text);
 	return true;
 }

@@ -129,7 +129,7 @@ static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
 
 static inline bool carry_out(struct record *record, const struct canon_move *move)
 {
-	const struct canon_event event = {CANON_MOVE, .of.move = *move};
+	const struct canon_event event = {CANON_MOVE, .of.move = move};
 
 	return canon_to_spans_event(&record->converter, &event);
 }

@@ -318,7 +318,8 @@ END_TEST
 START_TEST(dwells_tools_and_blocks)
 {
 	struct machine machine = rig_three_axes();
-	const struct canon_event block = {CANON_BLOCK, .of.block = {"part.nc", 12, "G1 X30", 2}};
+	const struct canon_block done = {"part.nc", 12, "G1 X30", 2};
+	const struct canon_event block = {CANON_BLOCK, .of.block = &done};
 	struct record record;
 
 	start(&record, &machine);

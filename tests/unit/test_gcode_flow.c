@@ -233,11 +233,11 @@ static void remove_files(const char *folder, const char *const names[], size_t c
 static bool note_files(void *context, const struct canon_event *event)
 {
 	struct gcode_case *c = context;
-	const struct canon_block *block = &event->of.block;
+	const struct canon_block *block = event->of.block;
 
 	if (event->kind == CANON_MOVE) {
-		ck_assert_ptr_nonnull(event->of.move.file);
-		return case_move(c, &event->of.move);
+		ck_assert_ptr_nonnull(event->of.move->file);
+		return case_move(c, event->of.move);
 	}
 	strbuf_addf(&c->blocks, "%s:%ld\n", strrchr(block->file, '/') ? strrchr(block->file, '/') + 1 : block->file,
 		    block->line);

@@ -171,10 +171,10 @@ static bool note_turning(void *context, const struct canon_event *event)
 
 	if (event->kind != CANON_MOVE)
 		return true;
-	if (event->of.move.kind == CANON_SPINDLE_STOP)
+	if (event->of.move->kind == CANON_SPINDLE_STOP)
 		strbuf_addf(turns, ".");
 	else
-		strbuf_addf(turns, "%d", event->of.move.spindle_turns);
+		strbuf_addf(turns, "%d", event->of.move->spindle_turns);
 	return true;
 }
 

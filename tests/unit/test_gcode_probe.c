@@ -28,7 +28,7 @@ struct recorder {
 static bool record(void *context, const struct canon_event *event)
 {
 	struct recorder *recorder = context;
-	const struct canon_move *move = &event->of.move;
+	const struct canon_move *move = event->of.move;
 	struct covered *covered = &recorder->moves[recorder->count];
 
 	if (event->kind != CANON_MOVE || move->kind > CANON_ARC)

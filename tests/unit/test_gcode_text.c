@@ -210,8 +210,8 @@ static void *write_program(void *stream)
 
 static bool check_stream_event(void *context, const struct canon_event *event)
 {
-	const struct canon_move *move = &event->of.move;
-	const struct canon_block *block = &event->of.block;
+	const struct canon_move *move = event->of.move;
+	const struct canon_block *block = event->of.block;
 	int *count = context, i = *count + 1;
 
 	if (event->kind == CANON_BLOCK)

@@ -44,11 +44,17 @@ static double directed(const struct interp *interp, int slot, double aim, bool n
 	return aim + 360 * ceil(turns - SAME_DEGREES / 360);
 }
 
+/* Does an absolute position mean one of many, a turn apart? */
+static bool turns_round(const struct interp *interp, int slot)
+{
+	return slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE;
+}
+
 bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target)
 {
 	const struct gcode_config *config = interp->config;
 
-	if (!slot_is_rotary(slot) || config->wrap[slot] == WRAP_NONE) {
+	if (!turns_round(interp, slot)) {
 		*target = value + origin;
 		return true;
 	}
@@ -104,43 +110,50 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
+	const bool polar = !machine && state->polar.on, incremental = state->incremental;
+	const bool in_doubt = !machine && state->length_doubt != CODE_NONE;
+	const bool leads = !incremental && block->motion >= G0 && block->motion <= G3;
 	uint32_t left = block->letters & AXIS_BITS;
 
-	*target = rotated_frame_straight(state);
+	*target = state->frame.on ? rotated_frame_straight(state) : state->position;
 	if (!left)
 		return true;
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
-	if (!coordinate_rotation_check_words(interp, machine) || !dynamic_work_offset_check_words(interp))
+	if ((state->unsure_code != CODE_NONE && !coordinate_rotation_check_words(interp, machine)) ||
+	    (state->dynamic.unsure_code != CODE_NONE && !dynamic_work_offset_check_words(interp)))
 		return false;
 	forget_sets(interp);
 	caution_probe(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; left; slot++) {
-		char letter = AXIS_LETTERS[slot];
+		const char letter = AXIS_LETTERS[slot];
+		const double origin = machine ? 0 : state->offset.v[slot];
 		double value;
 
 		if (!(left & letter_bit(letter)))
 			continue;
 		left &= ~letter_bit(letter);
-		if (!machine && polar_coordinates_take(interp, slot))
+		if (polar && polar_coordinates_take(interp, slot))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
-		if (!machine && (!state->incremental || !same_double(value, 0)) &&
+		if (in_doubt && (!incremental || !same_double(value, 0)) &&
 		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
 			return false;
-		if (!machine && state->incremental && !same_double(value, 0) && !state->probe_bounded[slot] &&
+		if (!machine && incremental && !same_double(value, 0) && !state->probe_bounded[slot] &&
 		    !probed_axes_is_known(interp, slot, block_column(block, letter)))
 			return false;
-		if (state->incremental)
+		if (incremental)
 			target->v[slot] += value;
-		else if (!endpoint_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
-					    block_column(block, letter), &target->v[slot]))
+		else if (!turns_round(interp, slot))
+			target->v[slot] = value + origin;
+		else if (!endpoint_absolute(interp, slot, value, origin, block_column(block, letter),
+					    &target->v[slot]))
 			return false;
-		state->settles[slot] = !state->incremental;
-		if (!state->incremental && block->motion >= G0 && block->motion <= G3 && !state->probe_bounded[slot])
+		state->settles[slot] = !incremental;
+		if (leads && !state->probe_bounded[slot])
 			state->probed[slot] = false;
 	}
 	return machine || !state->polar.on || polar_coordinates_find(interp, target);

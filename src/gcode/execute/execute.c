@@ -348,8 +348,9 @@ static bool execute_motion(struct interp *interp)
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
-	if (!tool_vector_check_block(interp) || !spline_move_check_block(interp) ||
-	    !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
+	if ((interp->block.vectors && !tool_vector_check_block(interp)) || !spline_move_check_block(interp) ||
+	    (state->dynamic.unsure_code != CODE_NONE && !dynamic_work_offset_check_cut(interp)) ||
+	    (state->length_moves && !length_change_go(interp)))
 		return false;
 	if (given >= G0 && given <= G3)
 		state->motion = state->path_motion = given;
@@ -372,15 +373,20 @@ static bool execute_motion(struct interp *interp)
 /* What is in force may refuse the block, and ends what holds for one block only. */
 static bool start_block(struct interp *interp)
 {
-	if (interp->state.unknown_modes && !check_modes(interp))
+	struct state *state = &interp->state;
+
+	if (state->unknown_modes && !check_modes(interp))
 		return false;
-	probed_axes_forget_turned(&interp->state);
-	interp->state.length_moves = false;
-	return cylinder_check_block(interp) && polar_interpolation_start_block(interp) &&
+	probed_axes_forget_turned(state);
+	state->length_moves = false;
+	/* Nearly every block finds nothing of it in force. */
+	return (!state->cylinder.on || cylinder_check_block(interp)) &&
+	       (!state->polar_interpolation.on || polar_interpolation_start_block(interp)) &&
 	       pocket_milling_start_block(interp) &&
 	       (!corner_insert_concerns(interp) || corner_insert_start_block(interp)) &&
-	       coordinate_rotation_start_block(interp) && dynamic_work_offset_start_block(interp) &&
-	       cutter_comp_start_block(interp);
+	       ((!state->frame.on && state->plane_parts.form == 0) || coordinate_rotation_start_block(interp)) &&
+	       dynamic_work_offset_start_block(interp) &&
+	       (interp->comp.side == 0 || cutter_comp_start_block(interp));
 }
 
 /* A block without codes but that of its motion: what execute_codes does in this case. */

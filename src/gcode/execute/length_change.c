@@ -87,10 +87,11 @@ bool length_change_settle(struct interp *interp, const struct length_change *cha
 bool length_change_go(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	slot_values target = rotated_frame_straight(state);
+	slot_values target;
 
 	if (!state->length_moves || (interp->block.letters & AXIS_BITS))
 		return true;
+	target = rotated_frame_straight(state);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		target.v[slot] += state->length_shift.v[slot];
 	state->length_moves = false;

@@ -53,17 +53,18 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 
 bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 {
-	struct canon_event event = {.kind = CANON_MOVE, .of.move = *move};
+	struct canon_move full;
 
 	if (interp->state.pocket_milling.takes) {
 		pocket_outline_take(&interp->state.pocket_milling, move);
 		return true;
 	}
-	motion_commands_fill(interp, &event.of.move);
+	full = *move;
+	motion_commands_fill(interp, &full);
 	if (interp->comp.queue.count > 0)
-		return motion_commands_enqueue(interp,
-					       &(struct comp_item){.kind = COMP_PAUSE, .move = event.of.move});
-	return polar_pieces_tell(interp, &event.of.move);
+		return motion_commands_enqueue(interp, &(struct comp_item){.kind = COMP_PAUSE, .move = full});
+	return interp->state.polar_interpolation.on ? polar_pieces_tell(interp, &full)
+						    : canon_tell_move(interp->sink, &full);
 }
 
 static bool go_to(struct interp *interp, const slot_values *position, struct canon_move *move)
@@ -117,11 +118,16 @@ static bool go_probed(struct interp *interp, const slot_values *position, struct
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct state *state = &interp->state;
-	slot_values position = rotated_frame_position(state, target);
+	const slot_values *position = target;
+	slot_values turned;
 
-	if (!dynamic_work_offset_check_turn(interp, &position))
+	if (state->frame.on) {
+		turned = rotated_frame_position(state, target);
+		position = &turned;
+	}
+	if (state->dynamic.on && !dynamic_work_offset_check_turn(interp, position))
 		return false;
-	return probed_axes_any(state) ? go_probed(interp, &position, move) : go_to(interp, &position, move);
+	return probed_axes_any(state) ? go_probed(interp, position, move) : go_to(interp, position, move);
 }
 
 bool motion_commands_cover_probed(struct interp *interp, int column)

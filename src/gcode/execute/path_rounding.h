@@ -4,7 +4,7 @@
 
 #include "gcode/state.h"
 
-/* mm: of a move that motion_commands_fill has filled in; the same figure as blend_path_tolerance has for lengths. */
+/* mm: of a move that motion_commands_fill has filled in; the same figure as motion/blend.h has for lengths. */
 double path_rounding(const struct interp *interp, const struct canon_move *move);
 
 #endif

@@ -142,7 +142,7 @@ bool tool_vector_check_block(struct interp *interp)
 			block->g[G_APPROACH] == CODE_NONE;
 	bool cycle = block->motion != CODE_NONE && code_is_cycle(block->motion);
 
-	for (const char *letter = "IJKQ"; *letter && block->vectors && !straight; letter++) {
+	for (const char *letter = "IJKQ"; *letter && !straight; letter++) {
 		if (block_has(block, *letter) && !(cycle && *letter == 'Q'))
 			return fault(&interp->at, block_column(block, *letter),
 				     "%c under G43.5 needs a straight move, G0 or G1, whose tool it turns", *letter);

@@ -46,7 +46,7 @@ static int as_executed(int number)
 {
 	static const int names[][2] = {{842, G84}, {843, G74}, {1070, G7_1}, {1120, G12_1}, {1130, G13_1}};
 
-	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+	for (size_t i = 0; number >= names[0][0] && i < sizeof(names) / sizeof(names[0]); i++) {
 		if (names[i][0] == number)
 			return names[i][1];
 	}
@@ -56,17 +56,22 @@ static int as_executed(int number)
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
 		  const struct dialect *dialect)
 {
-	double tenths = word->value * 10, nearest = round(tenths);
+	double tenths = word->value * 10, nearest = tenths;
 	const struct code *code = NULL;
 	char text[256];
 	int number = 0;
 
 	if (tenths < 0)
 		return fault(at, word->column, "a G-code cannot be negative");
+	if (tenths < 10000)
+		nearest = (int)(tenths + 0.5);
 	/* LinuxCNC takes what is within 0.0001 of a code for it. */
 	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		number = (int)nearest;
-		code = code_find(dialect->g_codes, number);
+		/* Programs repeat their codes. */
+		code = block->recent && block->recent->number == number ? block->recent
+									: code_find(dialect->g_codes, number);
+		block->recent = code;
 	}
 	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
@@ -195,7 +200,8 @@ static bool check_axis_words(const struct block *block, const struct line_place 
 static bool add_value(struct block *block, const struct line_place *at, const struct word *word,
 		      const struct gcode_config *config, struct block_cautions *cautions)
 {
-	int index = word->letter - 'A';
+	const int index = word->letter - 'A';
+	const uint32_t bit = letter_bit(word->letter);
 
 	if (block_has(block, word->letter)) {
 		if (!config->read.last_duplicate_wins)
@@ -208,9 +214,8 @@ static bool add_value(struct block *block, const struct line_place *at, const st
 				word->letter, block->column[index], word->column);
 		cautions->duplicate = true;
 	}
-	block->letters |= letter_bit(word->letter);
-	block->points &= ~letter_bit(word->letter);
-	block->points |= word->point ? letter_bit(word->letter) : 0;
+	block->letters |= bit;
+	block->points = word->point ? block->points | bit : block->points & ~bit;
 	block->value[index] = word->value;
 	block->column[index] = word->column;
 	return true;
@@ -234,16 +239,18 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
-	block->plain = block->plain && !word->comma && word->letter != 'M' && (word->letter != 'G' || word->value <= 3);
 	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
+	block->plain = block->plain && !word->vacant && !word->comma;
 	if (word->vacant)
 		return true;
 	if (word->comma)
 		return add_corner(block, at, word);
 	switch (word->letter) {
 	case 'G':
+		block->plain = block->plain && word->value <= 3;
 		return add_g(block, at, word, config->dialect) || config->read.all_faults;
 	case 'M':
+		block->plain = false;
 		return add_m(block, at, word, config) || config->read.all_faults;
 	case 'N':
 		return fault(at, word->column, "N stands at the start of a block only");

@@ -19,6 +19,7 @@ struct block {
 	uint32_t points;	/* the same: its number has a decimal point */
 	double value[26];
 	int column[26];
+	const struct code *recent;	/* the row of the G-code that was read last, whatever its block; or NULL */
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
 	char corner;	/* 'C' or 'R' of a word behind a comma, 'L' of a chamfer by its length, or NUL */

@@ -163,7 +163,7 @@ static enum lexer_result read_comma_word(struct lexer *lexer, struct word *word)
 	return read_word(lexer, letter, word);
 }
 
-enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
+enum lexer_result lexer_next_any(struct lexer *lexer, struct word *word)
 {
 	for (;;) {
 		char byte = lexer_peek(lexer);

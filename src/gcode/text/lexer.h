@@ -7,6 +7,7 @@
 
 #include "control/controller.h"
 #include "gcode/text/fault.h"
+#include "gcode/text/number.h"
 
 struct lexer;
 
@@ -89,12 +90,28 @@ static inline int lexer_column(const struct lexer *lexer)
 	return (int)lexer->position + 1;
 }
 
+/* lexer_next for whatever comes next. */
+enum lexer_result lexer_next_any(struct lexer *lexer, struct word *word);
+
 /*
  * The next word. Faults are reported: an unclosed or nested comment, a letter
  * without a value, a byte that starts no word, and what is known but not
  * supported. Assignments on the way are left to the dialect and counted. On
  * LEXER_END the whole line has been looked at.
  */
-enum lexer_result lexer_next(struct lexer *lexer, struct word *word);
+static inline enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
+{
+	const char letter = lexer_peek(lexer), *text = lexer->at->text, *end;
+
+	/* Nearly all words: a capital letter and a number. */
+	if (letter < 'A' || letter > 'Z' ||
+	    !(end = number_read_usual(text + lexer->position + 1, &word->value, &word->point)))
+		return letter ? lexer_next_any(lexer, word) : LEXER_END;
+	word->letter = letter;
+	word->column = lexer_column(lexer);
+	word->comma = word->vacant = false;
+	lexer->position = (size_t)(end - text);
+	return LEXER_WORD;
+}
 
 #endif

@@ -20,7 +20,7 @@ static bool is_blank(char c)
 
 static bool is_digit(char c)
 {
-	return c >= '0' && c <= '9';
+	return (unsigned char)(c - '0') <= 9;
 }
 
 /* Written as an integer with an exponent, which strtod reads alike in every locale. */
@@ -43,7 +43,8 @@ static bool exact_value(uint64_t mantissa, int fraction_digits, double *value)
 	/* Clinger, "How to Read Floating Point Numbers Accurately", 1990. */
 	if (mantissa > EXACT_MANTISSA_MAX || fraction_digits > EXACT_POWER_MAX)
 		return false;
-	*value = (double)mantissa / power_of_ten[fraction_digits];
+	/* Processors convert signed integers in one step. */
+	*value = (double)(int64_t)mantissa / power_of_ten[fraction_digits];
 	return true;
 }
 
@@ -58,42 +59,38 @@ static const char *skip_blanks(const char *at)
 static const char *take_digits(const char *at, uint64_t *mantissa)
 {
 	uint64_t value = *mantissa;
+	unsigned digit;
 
-	for (; is_digit(*at); at++)
-		value = 10 * value + (uint64_t)(*at - '0');
+	for (; (digit = (unsigned char)*at - (unsigned)'0') <= 9; at++)
+		value = 10 * value + digit;
 	*mantissa = value;
 	return at;
 }
 
-/*
- * The usual number in one pass: no blanks between its digits, and all of them fit the mantissa. False: it is no such
- * number, and nothing has changed.
- */
-static bool read_quickly(const char *text, size_t *position, double *value, bool *point)
+const char *number_read_usual(const char *text, double *value, bool *point)
 {
-	const char *first = text + *position + (text[*position] == '-' || text[*position] == '+'), *at, *next;
+	const char *first = text + (*text == '-' || *text == '+'), *dot, *end;
 	uint64_t mantissa = 0;
-	int digits, fraction_digits = 0;
-	bool has_point;
+	size_t digits;
+	double size;
 
-	at = take_digits(first, &mantissa);
-	digits = (int)(at - first);
-	has_point = *at == '.';
-	if (has_point) {
-		const char *end = take_digits(at + 1, &mantissa);
-
-		fraction_digits = (int)(end - at) - 1;
-		at = end;
+	dot = end = take_digits(first, &mantissa);
+	if (*dot == '.')
+		end = take_digits(dot + 1, &mantissa);
+	digits = (size_t)(end - first) - (end != dot);
+	if (digits == 0 || digits > MANTISSA_DIGITS_MAX ||
+	    !exact_value(mantissa, end == dot ? 0 : (int)(end - dot) - 1, &size))
+		return NULL;
+	if (is_blank(*end)) {
+		end = skip_blanks(end);
+		if (is_digit(*end))
+			return NULL;
 	}
-	next = skip_blanks(at);
-	if (digits + fraction_digits == 0 || digits + fraction_digits > MANTISSA_DIGITS_MAX || is_digit(*next) ||
-	    *next == '.' || !exact_value(mantissa, fraction_digits, value))
-		return false;
-	if (text[*position] == '-')
-		*value = -*value;
-	*point = has_point;
-	*position = (size_t)(next - text);
-	return true;
+	if (*end == '.')
+		return NULL;
+	*value = *text == '-' ? -size : size;
+	*point = *dot == '.';
+	return end;
 }
 
 /* Any number. */
@@ -138,7 +135,12 @@ static enum number_status read_slowly(const char *text, size_t *position, double
 
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point)
 {
-	return read_quickly(text, position, value, point) ? NUMBER_OK : read_slowly(text, position, value, point);
+	const char *end = number_read_usual(text + *position, value, point);
+
+	if (!end)
+		return read_slowly(text, position, value, point);
+	*position = (size_t)(end - text);
+	return NUMBER_OK;
 }
 
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value)

@@ -18,6 +18,12 @@ enum number_status { NUMBER_OK, NUMBER_MISSING, NUMBER_TOO_LONG };
  */
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point);
 
+/*
+ * The usual number at `text` in one pass: no blanks but behind it, and not more digits than a double holds. Returns
+ * what follows the number and its blanks. NULL: it is no such number, and nothing was set; number_read reads any.
+ */
+const char *number_read_usual(const char *text, double *value, bool *point);
+
 /* The same for [+-] digits [, or .] digits without any blank. */
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value);
 
