@@ -37,7 +37,10 @@ struct canon_to_spans {
 	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */
 };
 
-/* Begins at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
+/*
+ * Begins at home with the setup's first tool. All pointers are borrowed, and the machine stays as it is; setup may be
+ * NULL.
+ */
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
 			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name);
 
