@@ -131,6 +131,8 @@ static inline bool carry_out(struct record *record, const struct canon_move *mov
 {
 	const struct canon_event event = {CANON_MOVE, .of.move = move};
 
+	/* Tests change the machine between moves. */
+	axis_table_init(&record->converter.axes, record->converter.machine);
 	return canon_to_spans_event(&record->converter, &event);
 }
 

@@ -104,7 +104,6 @@ START_TEST(guided_moves_are_held_to_rates)
 	ck_assert_double_eq_tol(record.worst_rate, 1, 1e-9);
 	/* With a slow Y that has to swing from 0 to +-100 and back, Y decides: 100 pi / 2 over the rate. */
 	rig_find(&machine, SLOT_Y)->rate_max = 10;
-	axis_table_init(&record.converter.axes, &machine);
 	move.end.v[SLOT_C] = radians(180);
 	record.travelled = record.worst_rate = 0;
 	go(&record, move);
