@@ -13,7 +13,10 @@
  */
 void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag);
 
-/* Fills scene->pairs (fivecheck(7), "Pairs"). False: a mesh was faulty, reported. */
-bool pairs_derive(struct scene *scene, double clearance, struct diag *diag);
+/*
+ * Fills scene->pairs (fivecheck(7), "Pairs"), with up to `threads` threads: then after pairs_read_meshes. False: a mesh
+ * was faulty, reported.
+ */
+bool pairs_derive(struct scene *scene, double clearance, int threads, struct diag *diag);
 
 #endif

@@ -137,11 +137,13 @@ const struct bvh *scene_body_coarse(struct scene *scene, int body)
 {
 	struct scene_body *b = &scene->bodies[body];
 
+	pthread_mutex_lock(&scene->building);
 	if (!b->coarse) {
 		struct mesh mesh = tessellated(tool_solid_coarse_mesh, b->body->profile);
 
 		b->coarse = bvh_new(&mesh);
 	}
+	pthread_mutex_unlock(&scene->building);
 	return b->coarse;
 }
 

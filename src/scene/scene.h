@@ -66,7 +66,7 @@ struct scene {
 	size_t pair_count;
 	size_t meshes_read;
 	struct doubts doubts;	/* filled by model_check */
-	struct sweep sweep;	/* working storage for the derivation */
+	struct sweep sweep;	/* working storage for what one thread asks of a model */
 	/* topologies and the trees of cores and of tools' pieces are built when they are asked for, by any thread */
 	pthread_mutex_t building;
 };

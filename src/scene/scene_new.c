@@ -36,7 +36,7 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
 	if (threads > 1)
 		pairs_read_meshes(scene, threads, diag);
-	if (!pairs_derive(scene, clearance, diag)) {
+	if (!pairs_derive(scene, clearance, threads > 1 ? threads : 1, diag)) {
 		scene_free(scene);
 		return NULL;
 	}
