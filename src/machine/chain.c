@@ -5,6 +5,13 @@ static struct joint joint_of(const struct axis *axis, double sense)
 	return (struct joint){axis->slot, axis->rotary, vec3_scale(sense, axis->direction), axis->location};
 }
 
+bool machine_link_is_on(const struct machine *machine, int link, int carrier)
+{
+	while (link > 0 && link != carrier)
+		link = machine->axes[link - 1].parent;
+	return link == carrier;
+}
+
 /* The links from `link` to the base, `link` first; returns how many, the base not counted. */
 static size_t ancestors(const struct machine *machine, int link, int out[SLOT_COUNT])
 {

@@ -12,6 +12,9 @@
 /* The pose of a link's zero-pose geometry when the axes are at q (mm, radians). */
 xform machine_pose(const struct machine *machine, int link, const axis_values *q);
 
+/* Is the link the carrier, or carried by it, directly or not? Everything is on link 0, the base. */
+bool machine_link_is_on(const struct machine *machine, int link, int carrier);
+
 /* One joint of a chain; the direction is that of the motion, so the sense of the axis is included. */
 struct joint {
 	int slot;

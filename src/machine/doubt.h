@@ -16,6 +16,10 @@ enum doubt_kind {
 	DOUBT_LETTER,
 	DOUBT_SIGN, /* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
 	DOUBT_ROTARY_SIGN, /* a positive value turns the tool about -X, -Y, -Z */
+	DOUBT_IDLE, /* the axis X, Y or Z moves neither the tool nor the work */
+	DOUBT_TURNS_ITSELF, /* the rotary axis next to the tool turns it about its own line */
+	DOUBT_RATE_LOW, /* the axis' rate_max is `value` mm or radians a minute */
+	DOUBT_RADIANS, /* the travel of the rotary axis is only `value` */
 	DOUBT_ROTARY_MISSES, /* the axis' line misses all bodies that it carries, by `value` */
 	DOUBT_ROTARY_BESIDE, /* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
 	DOUBT_SPINDLE_ACROSS, /* Z does not move the tool along the spindle */
@@ -23,6 +27,7 @@ enum doubt_kind {
 	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
 	DOUBT_SPINDLE_IN_HEAD,
 	DOUBT_SPINDLE_AWAY, /* the workholding is behind the tool at every position, by at least `value` */
+	DOUBT_SPINDLE_BESIDE, /* no circle of the head has its middle on the spindle's line; as ROTARY_BESIDE */
 	DOUBT_SPINDLE_FAR, /* the gauge point is `value` from the nearest body of its link */
 	/* no position of the linear axes brings the tool nearer than `value` to it sideways */
 	DOUBT_WORKHOLDING_BESIDE,
@@ -33,6 +38,8 @@ enum doubt_kind {
 	DOUBT_SPINDLE_BARE, /* no body is on the spindle's link */
 	DOUBT_WORKHOLDING_BARE, /* no body is on the workholding's link */
 	DOUBT_BASE_BARE, /* no body is on the base */
+	DOUBT_GAP, /* all bodies on axis are far from what carries it: `body` and `against` are `value` apart */
+	DOUBT_EXCUSED_APART, /* `body` and `against` are excused as neighbours, but `value` apart or more */
 	DOUBT_TRAVEL_LONG, /* the travel of axis is `value`, all bodies reach over `limit` along it */
 	DOUBT_TRAVEL_ENDLESS, /* axis has no end of its travel, others have */
 	/*
@@ -43,12 +50,17 @@ enum doubt_kind {
 	DOUBT_PART_LARGE, /* the body is `value` large, the longest travel is `limit` */
 	DOUBT_PART_SMALL, /* the same */
 	DOUBT_PART_BELOW_CUTTERS, /* the body is `value` large, the thinnest cutter `limit` */
+	DOUBT_OUT_OF_STOCK, /* the part's corner is `value` outside of the stock, `against` */
 	DOUBT_PART_BESIDE, /* the tool's tip comes no nearer than `value` to the body along `direction` */
 	DOUBT_TOOL_SHORT, /* the tool's tip stays `value` above the part, the lowest position taken */
 	DOUBT_TOOL_LONG, /* the tool is `value` long, the travel of Z is `limit` */
 	DOUBT_TOOL_TINY, /* the same */
 	DOUBT_TOOL_BELOW, /* the tool's tip is `value` below the part and the fixtures at its highest position */
 	DOUBT_TOOL_BARE, /* the tool and `value` others have no holder */
+	DOUBT_HOLDER_TURNED, /* the holder is `value` thick at the gauge line, `limit` where it is thickest */
+	DOUBT_TOOL_ENDS, /* the tool's bodies end `value` from the gauge line, its length is `limit` */
+	DOUBT_TOOL_ASIDE, /* the middle of `body`, of a tool, is `value` beside the spindle's line */
+	DOUBT_RADIUS_OFFSET, /* the radius of D is `value`, the diameter of the tool with its number is `limit` */
 	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
 	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */
 	DOUBT_OFFSET_FAR /* program zero is `value` away from everything that is set up; the setup is `limit` large */

@@ -19,19 +19,16 @@ static int letter_of(const struct axis *axis)
 	return axis->slot % 3;
 }
 
-static bool carries(const struct machine *machine, const struct axis *axis, int link)
+static int place_of(const struct machine *machine, const struct axis *axis)
 {
-	for (; link > 0; link = machine->axes[link - 1].parent) {
-		if (&machine->axes[link - 1] == axis)
-			return true;
-	}
-	return false;
+	return (int)(axis - machine->axes);
 }
 
 int kinematics_side(const struct machine *machine, const struct axis *axis)
 {
-	bool tool = machine->spindle.present && carries(machine, axis, machine->spindle.link);
-	bool work = machine->workholding.present && carries(machine, axis, machine->workholding.link);
+	const int link = place_of(machine, axis) + 1;
+	bool tool = machine->spindle.present && machine_link_is_on(machine, machine->spindle.link, link);
+	bool work = machine->workholding.present && machine_link_is_on(machine, machine->workholding.link, link);
 
 	return tool - work;
 }
@@ -51,11 +48,6 @@ static int nearest_letter(vec3 v)
 			nearest = k;
 	}
 	return nearest;
-}
-
-static int place_of(const struct machine *machine, const struct axis *axis)
-{
-	return (int)(axis - machine->axes);
 }
 
 /* The machine's X Y Z, by which its rotary axes are named. */
@@ -141,6 +133,45 @@ static void check_axis(const struct machine *machine, const struct axis *axis, c
 	else
 		return;
 	doubts_add(doubts, &doubt);
+}
+
+/* X, Y and Z are there to move the tool against the work; U, V and W may move a magazine or a tailstock. */
+static void check_idle(const struct machine *machine, struct doubts *doubts)
+{
+	for (int slot = SLOT_X; slot <= SLOT_Z && machine->spindle.present && machine->workholding.present; slot++) {
+		const struct axis *axis = machine_axis(machine, slot);
+
+		if (axis && !axis->checked && !kinematics_side(machine, axis))
+			doubts_add(doubts, &(struct doubt){.kind = DOUBT_IDLE, .axis = place_of(machine, axis)});
+	}
+}
+
+/* mm: the spindle's line and an axis' are one line if the gauge point is no farther from it. */
+static const double ON_LINE = 0.01;
+
+/* Of the rotary axes that carry a tool, the one next to it must turn its direction, or shift it. */
+static void check_next_to_tool(const struct machine *machine, struct doubts *doubts)
+{
+	const struct spindle *spindle = &machine->spindle;
+	const struct axis *next = NULL;
+
+	for (int link = spindle->link; spindle->present && link > 0; link = machine->axes[link - 1].parent) {
+		const struct axis *axis = &machine->axes[link - 1];
+		vec3 off = vec3_sub(spindle->location, axis->location);
+
+		if (!axis->rotary)
+			continue;
+		if (next) {
+			doubts_add(doubts, &(struct doubt){.kind = DOUBT_TURNS_ITSELF,
+							   .axis = place_of(machine, next),
+							   .other = place_of(machine, axis)});
+			return;
+		}
+		if (axis->checked || vec3_norm(vec3_cross(axis->direction, spindle->direction)) > 1e-6 ||
+		    vec3_norm(vec3_cross(axis->direction, off)) > ON_LINE)
+			return;
+		next = axis;
+	}
 }
 
 static void check_spindle_and_z(const struct machine *machine, struct doubts *doubts)
@@ -233,6 +264,8 @@ void kinematics_check(const struct machine *machine, struct doubts *doubts)
 		if (!axis->checked && kinematics_side(machine, axis))
 			check_axis(machine, axis, &frame, doubts);
 	}
+	check_idle(machine, doubts);
+	check_next_to_tool(machine, doubts);
 	check_spindle_and_z(machine, doubts);
 	check_places(machine, doubts);
 }

@@ -50,6 +50,33 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 			    axis->name, side > 0 ? "tool" : "work so that the tool turns", letters[axis->slot % 3]);
 		add_way_out(out, axis);
 		break;
+	case DOUBT_IDLE:
+		strbuf_addf(out,
+			    "axis %s moves neither the tool nor the work: the axis that should be nested in it is beside "
+			    "it; check the nesting of the axes, or say why it is right: <axis name=\"%s\" "
+			    "checked=\"reason\">",
+			    axis->name, axis->name);
+		break;
+	case DOUBT_TURNS_ITSELF:
+		strbuf_addf(out,
+			    "axis %s only turns the tool about the tool's own line, because it is nested in %s: check "
+			    "which of them carries the other, or say why it is right: <axis name=\"%s\" "
+			    "checked=\"reason\">",
+			    axis->name, other->name, axis->name);
+		break;
+	case DOUBT_RATE_LOW:
+		strbuf_addf(out,
+			    "axis %s has a rate_max of only %.4g %s a minute: check its units, or say why it is right: "
+			    "<axis name=\"%s\" checked=\"reason\">",
+			    axis->name, format_units_value(axis->slot, doubt->value), format_units_unit(axis->slot),
+			    axis->name);
+		break;
+	case DOUBT_RADIANS:
+		strbuf_addf(out,
+			    "axis %s has a travel of only %.4g degrees: limits are degrees, not radians; check them, or "
+			    "say why they are right: <axis name=\"%s\" checked=\"reason\">",
+			    axis->name, format_units_value(axis->slot, doubt->value), axis->name);
+		break;
 	case DOUBT_ROTARY_MISSES:
 		strbuf_addf(
 		    out,
@@ -101,6 +128,13 @@ static void add_place_doubt(struct strbuf *out, const struct scene *scene, const
 		    "one of them checked=\"reason\"",
 		    doubt->value);
 		break;
+	case DOUBT_SPINDLE_BESIDE:
+		strbuf_addf(out,
+			    "no circle of the bodies that move with the spindle has its middle on the spindle's line: the "
+			    "nearest one, %.5g mm wide, is %.4g mm beside it; check the location and the direction of "
+			    "<spindle>, or give it checked=\"reason\"",
+			    doubt->limit, doubt->value);
+		break;
 	case DOUBT_SPINDLE_FAR:
 		strbuf_addf(out, "the spindle's gauge point is %.4g mm away from the nearest body that moves with it (",
 			    doubt->value);
@@ -149,6 +183,26 @@ static void add_travel_doubt(struct strbuf *out, const struct scene *scene, cons
 	strbuf_addf(out, ", or say why it is right: <axis name=\"%s\" checked=\"reason\">", name);
 }
 
+static void add_joint_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_name(out, scene, doubt->body);
+	strbuf_addf(out, " and ");
+	add_name(out, scene, doubt->against);
+	if (doubt->kind == DOUBT_EXCUSED_APART) {
+		strbuf_addf(out,
+			    " are excused as neighbours, but are about %.4g mm apart: adjacent_within=\"\" of <pairs> is "
+			    "too large; lower it, and name pairs of a joint with <pair ... check=\"never\" "
+			    "reason=\"\"/>",
+			    doubt->value);
+		return;
+	}
+	strbuf_addf(out,
+		    " are about %.4g mm apart at home, and nothing else joins axis %s to what carries it: a <body> is "
+		    "missing, drawn elsewhere or in other units, or say why it is right: <axis name=\"%s\" "
+		    "checked=\"reason\">",
+		    doubt->value, scene->machine->axes[doubt->axis].name, scene->machine->axes[doubt->axis].name);
+}
+
 static void add_missing_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
 	switch (doubt->kind) {
@@ -163,6 +217,10 @@ static void add_missing_doubt(struct strbuf *out, const struct scene *scene, con
 	case DOUBT_BASE_BARE:
 		strbuf_addf(out, "no body stands still, so that no bed is checked: a <body> of <base> is missing or on "
 				 "an axis, or give <base checked=\"reason\">");
+		break;
+	case DOUBT_GAP:
+	case DOUBT_EXCUSED_APART:
+		add_joint_doubt(out, scene, doubt);
 		break;
 	default:
 		add_travel_doubt(out, scene, doubt);
@@ -188,6 +246,11 @@ static void add_part_doubt(struct strbuf *out, const struct scene *scene, const 
 		strbuf_addf(out, " stands %.4g mm deep in ", doubt->value);
 		add_name(out, scene, doubt->against);
 		strbuf_addf(out, "; check its location, rotation and units");
+		break;
+	case DOUBT_OUT_OF_STOCK:
+		strbuf_addf(out, " stands %.4g mm out of ", doubt->value);
+		add_name(out, scene, doubt->against);
+		strbuf_addf(out, ", from which it is cut; check location, size and units of both");
 		break;
 	case DOUBT_PART_LARGE:
 		strbuf_addf(out, " is %.5g mm large, but the machine's longest travel is %.5g mm; check its units",
@@ -228,6 +291,30 @@ static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const 
 		else
 			strbuf_addf(out, "has");
 		strbuf_addf(out, " no <holder>, which is what collides first; describe it");
+		break;
+	case DOUBT_HOLDER_TURNED:
+		strbuf_addf(out,
+			    "has a holder that is only %.4g mm thick at the gauge line, but %.4g mm farther down: "
+			    "sections stack from the gauge line to the tip; check their order",
+			    doubt->value, doubt->limit);
+		break;
+	case DOUBT_TOOL_ENDS:
+		strbuf_addf(out,
+			    "is %.5g mm long, but its bodies end %.4g mm below the gauge line: a mesh has the gauge point "
+			    "at its origin and the tip toward -Z; check its place, direction and units",
+			    doubt->limit, doubt->value);
+		break;
+	case DOUBT_TOOL_ASIDE:
+		strbuf_addf(out, "is drawn beside the spindle's line: the middle of ");
+		add_name(out, scene, doubt->body);
+		strbuf_addf(out,
+			    " is %.4g mm off it; a mesh has the gauge point at its origin and the tip toward -Z",
+			    doubt->value);
+		break;
+	case DOUBT_RADIUS_OFFSET:
+		strbuf_addf(out,
+			    "has a diameter of %.4g mm, but the radius of its D is %.4g mm: check that it is no diameter",
+			    doubt->limit, doubt->value);
 		break;
 	case DOUBT_TOOL_SHORT:
 		strbuf_addf(

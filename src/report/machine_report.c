@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "control/dialects.h"
+#include "machine/chain.h"
 #include "report/axis_words.h"
 #include "report/format/format_units.h"
 
@@ -170,16 +171,6 @@ static bool add_link(const struct machine_report *tree, int link, int depth)
 	return true;
 }
 
-static bool carries(const struct machine *machine, int carrier, int link)
-{
-	while (link > 0) {
-		link = machine->axes[link - 1].parent;
-		if (link == carrier)
-			return true;
-	}
-	return false;
-}
-
 static void add_table(struct strbuf *out, const struct machine *machine)
 {
 	strbuf_addf(out, "\nthe axis of a row carries the axes marked + (with everything on them)\n   ");
@@ -189,7 +180,8 @@ static void add_table(struct strbuf *out, const struct machine *machine)
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		strbuf_addf(out, "  %s", machine->axes[i].name);
 		for (size_t j = 0; j < machine->axis_count; j++)
-			strbuf_addf(out, "  %s", carries(machine, (int)i + 1, (int)j + 1) ? "+" : ".");
+			strbuf_addf(out, "  %s",
+				    i != j && machine_link_is_on(machine, (int)j + 1, (int)i + 1) ? "+" : ".");
 		strbuf_addf(out, "\n");
 	}
 }

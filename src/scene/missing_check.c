@@ -22,10 +22,9 @@ static bool has_bodies(const struct scene *scene, int link)
 	return false;
 }
 
-/* Bodies on fewer links than these are a sketch, of which nobody expects more. */
 enum { LINKS_LEAST = 3 };
 
-static bool is_drawn(const struct scene *scene)
+bool missing_is_drawn(const struct scene *scene)
 {
 	int links = 0;
 
@@ -120,7 +119,7 @@ void missing_check(const struct scene *scene, struct doubts *doubts)
 {
 	const struct machine *machine = scene->machine;
 
-	if (!machine->spindle.present || !machine->workholding.present || !is_drawn(scene))
+	if (!machine->spindle.present || !machine->workholding.present || !missing_is_drawn(scene))
 		return;
 	check_links(scene, doubts);
 	check_travels(scene, doubts);

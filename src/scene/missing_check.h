@@ -9,9 +9,14 @@
 #include "scene/scene.h"
 
 /*
- * Appends the doubts about a machine with a spindle, a workholding, and bodies on three links or more, and about its
- * setup's tools; of other machines nothing is said. Elements marked checked="" are left out. Lengths of travels are compared with the bodies
- * only if all of their meshes have been read.
+ * Has the machine bodies on three links or more? One with fewer is a sketch, in which nothing is missed.
+ */
+bool missing_is_drawn(const struct scene *scene);
+
+/*
+ * Appends the doubts about a machine that is drawn and has a spindle and a workholding, and about its setup's tools; of
+ * other machines nothing is said. Elements marked checked="" are left out. Lengths of travels are compared with the
+ * bodies only if all of their meshes have been read.
  */
 void missing_check(const struct scene *scene, struct doubts *doubts);
 

@@ -38,7 +38,7 @@ struct outline_corner {
 };
 
 struct rings {
-	const struct axis *axis;
+	vec3 location, direction;	/* of the axis */
 	vec3 across[2];
 	struct edge *edges;
 	size_t count, capacity;
@@ -48,9 +48,9 @@ struct rings {
 
 static struct corner corner_of(const struct rings *rings, vec3 p)
 {
-	vec3 off = vec3_sub(p, rings->axis->location);
+	vec3 off = vec3_sub(p, rings->location);
 
-	return (struct corner){vec3_dot(off, rings->axis->direction), vec3_dot(off, rings->across[0]),
+	return (struct corner){vec3_dot(off, rings->direction), vec3_dot(off, rings->across[0]),
 			       vec3_dot(off, rings->across[1])};
 }
 
@@ -223,30 +223,42 @@ static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 	return true;
 }
 
-static void check_axis(const struct scene *scene, int link, struct doubts *doubts)
+/*
+ * Judges the circles of a link about a line, then those of the link that carries it. Fills in the doubt's value and
+ * limit with the nearest circle of the link itself; false: a circle has its middle on the line, or nothing can be said.
+ */
+static bool lies_beside(const struct scene *scene, int link, vec3 location, vec3 direction, struct doubt *doubt)
 {
-	const struct axis *axis = &scene->machine->axes[link - 1];
-	struct rings rings = {.axis = axis, .nearest = INFINITY};
-	struct doubt doubt = {.kind = DOUBT_ROTARY_BESIDE, .axis = link - 1};
+	struct rings rings = {.location = location, .direction = direction, .nearest = INFINITY};
+	bool beside = false;
 
-	rings.across[0] = vec3_unit(vec3_cross(axis->direction, fabs(axis->direction.x) < 0.7 ? (vec3){1, 0, 0} :
-											       (vec3){0, 1, 0}));
-	rings.across[1] = vec3_cross(axis->direction, rings.across[0]);
+	rings.across[0] = vec3_unit(vec3_cross(direction, fabs(direction.x) < 0.7 ? (vec3){1, 0, 0} : (vec3){0, 1, 0}));
+	rings.across[1] = vec3_cross(direction, rings.across[0]);
 	if (judge_link(scene, link, &rings) && rings.nearest > MIDDLE_OFF && !isinf(rings.nearest)) {
-		doubt.value = rings.nearest;
-		doubt.limit = rings.diameter;
-		if (judge_link(scene, axis->parent, &rings) && rings.nearest > MIDDLE_OFF)
-			doubts_add(doubts, &doubt);
+		doubt->value = rings.nearest;
+		doubt->limit = rings.diameter;
+		beside = link == 0 || (judge_link(scene, scene->machine->axes[link - 1].parent, &rings) &&
+				       rings.nearest > MIDDLE_OFF);
 	}
 	free(rings.edges);
+	return beside;
 }
 
 void ring_check(const struct scene *scene, struct doubts *doubts)
 {
+	const struct spindle *spindle = &scene->machine->spindle;
+	struct doubt doubt = {.kind = DOUBT_ROTARY_BESIDE};
+
 	for (size_t i = 0; i < scene->machine->axis_count; i++) {
 		const struct axis *axis = &scene->machine->axes[i];
 
-		if (axis->rotary && !axis->checked)
-			check_axis(scene, (int)i + 1, doubts);
+		doubt.axis = (int)i;
+		if (axis->rotary && !axis->checked &&
+		    lies_beside(scene, (int)i + 1, axis->location, axis->direction, &doubt))
+			doubts_add(doubts, &doubt);
 	}
+	doubt.kind = DOUBT_SPINDLE_BESIDE;
+	if (spindle->present && !spindle->checked &&
+	    lies_beside(scene, spindle->link, spindle->location, spindle->direction, &doubt))
+		doubts_add(doubts, &doubt);
 }

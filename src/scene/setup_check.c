@@ -4,32 +4,29 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
-#include "geom/inside.h"
-#include "geom/point_distance.h"
 #include "machine/chain.h"
 #include "machine/kinematics_check.h"
+#include "scene/corner_depth.h"
 #include "scene/placed_box.h"
 
 /* mm: a body that is nearer than this to another one is held by it. */
 static const double HELD_WITHIN = 2;
 /* mm: drawn bodies may overlap by this much (a clamp that presses, a rounded coordinate). */
 static const double SUNK_BY = 1;
-/* Corners of a body that are tested for being inside another one. */
-enum { CORNERS_TRIED = 300 };
 /* The size of a part divided by the longest travel of the machine. */
 static const double PART_LEAST = 0.015, PART_MOST = 1.5;
 /* The length of a tool divided by the travel along the spindle. */
 static const double TOOL_LEAST = 0.02, TOOL_MOST = 1.5;
 /* mm: something is reported only if it is out of reach by more than this. */
 static const double OUT_OF_REACH = 10;
-/* mm: a program zero may be this far from everything that is set up. */
-static const double ZERO_OFF = 50;
+/* A program zero may be so many mm away from everything that is set up, or this share of its size. */
+static const double ZERO_OFF = 50, ZERO_OFF_SHARE = 0.25;
 
 static bool is_set_up(const struct scene *scene, int body)
 {
 	enum body_role role = scene->bodies[body].body->role;
 
-	return role == ROLE_FIXTURE || role == ROLE_PART;
+	return role == ROLE_FIXTURE || role == ROLE_PART || role == ROLE_STOCK;
 }
 
 /* The machine's own bodies that move with the workholding. */
@@ -54,6 +51,16 @@ static double distance_apart(struct scene *scene, int a, int b)
 
 /* ---------------------------------------------------------------- what holds what */
 
+/* Does a body hold another one? The part is inside the stock, perhaps far from its surface. */
+static bool holds(struct scene *scene, int body, int other)
+{
+	const double overlap = placed_box_overlap(placed_box_of(scene, body), placed_box_of(scene, other));
+
+	if (overlap > 0 && scene->bodies[body].body->role == ROLE_STOCK && scene->bodies[other].body->role == ROLE_PART)
+		return true;
+	return overlap >= -HELD_WITHIN && distance_apart(scene, body, other) <= HELD_WITHIN;
+}
+
 /* Marks bodies that a held body holds, until nothing is added. */
 static void spread_hold(struct scene *scene, bool *held)
 {
@@ -63,12 +70,8 @@ static void spread_hold(struct scene *scene, bool *held)
 		added = false;
 		for (int i = 0; i < (int)scene->body_count; i++) {
 			for (int k = 0; k < (int)scene->body_count && is_set_up(scene, i) && !held[i]; k++) {
-				if (!held[k] ||
-				    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) <
-					-HELD_WITHIN ||
-				    distance_apart(scene, i, k) > HELD_WITHIN)
-					continue;
-				held[i] = added = true;
+				if (held[k] && holds(scene, k, i))
+					held[i] = added = true;
 			}
 		}
 	}
@@ -108,34 +111,11 @@ static void check_held(struct scene *scene, struct doubts *doubts)
 	free(held);
 }
 
-/* The depth of the deepest tested corner of `inner` inside `outer`; 0: no tested corner is inside. */
-static double depth_of(struct scene *scene, int inner, int outer, struct diag *diag)
-{
-	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
-	const struct topology *topology = scene_body_topology(scene, outer, diag);
-	const xform back = xform_inverse(&scene->bodies[outer].body->placement);
-	const xform pose = xform_mul(&back, &scene->bodies[inner].body->placement);
-	size_t corners = 3 * other->mesh.count, step = corners / CORNERS_TRIED + 1;
-	double depth = 0;
-
-	/* With a step that is no multiple of 3 all corners of triangles have their turn. */
-	step += step % 3 == 0;
-	for (size_t i = 0; i < corners; i += step) {
-		vec3 p = xform_apply(&pose, mesh_corner(&other->mesh.triangles[i / 3], (int)(i % 3)));
-		vec3 off = vec3_sub(p, solid->origin);
-
-		if (fabs(off.x) < solid->half.x && fabs(off.y) < solid->half.y && fabs(off.z) < solid->half.z &&
-		    mesh_inside(solid, topology, p) == INSIDE_YES)
-			depth = fmax(depth, mesh_point_distance(solid, p));
-	}
-	return depth;
-}
-
-/* Fixtures stand on the fixtures before them, the part on all of them. */
+/* Fixtures stand on the fixtures before them, part and stock on all of them. */
 static bool is_below(const struct scene *scene, int fixture, int other)
 {
 	return scene->bodies[fixture].body->role == ROLE_FIXTURE &&
-	       (scene->bodies[other].body->role == ROLE_PART || fixture < other);
+	       (scene->bodies[other].body->role != ROLE_FIXTURE || fixture < other);
 }
 
 static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *diag)
@@ -149,7 +129,7 @@ static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *
 			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
-			doubt.value = fmax(depth_of(scene, i, k, diag), depth_of(scene, k, i, diag));
+			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES, diag), corner_depth(scene, k, i, INSIDE_YES, diag));
 			doubt.against = k;
 			if (doubt.value > SUNK_BY)
 				doubts_add(doubts, &doubt);
@@ -346,7 +326,7 @@ static void check_offset_travel(const struct scene *scene, size_t item, struct d
 	}
 }
 
-/* The place of the tip at program zero, with the tool's own length or with its H. */
+/* The place of the tip at program zero; `lift` is how much longer the tool is than its H. */
 static double zero_distance(const struct scene *scene, size_t item, double lift, struct placed_box box)
 {
 	const struct machine *machine = scene->machine;
@@ -359,18 +339,32 @@ static double zero_distance(const struct scene *scene, size_t item, double lift,
 	return placed_box_distance(box, xform_apply(&back, xform_apply(&tool, gauge)));
 }
 
+/* Program zero may be where the work turns, or at the workholding, far from a part that stands on a high fixture. */
+static bool is_at_work_zero(const struct scene *scene, size_t item, double lift)
+{
+	const vec3 holding = scene->machine->workholding.frame.translation;
+	const struct placed_box origin = {holding, holding};
+
+	return zero_distance(scene, item, lift, origin) < ZERO_OFF;
+}
+
 static void check_zero(const struct scene *scene, size_t item, struct doubts *doubts)
 {
-	struct doubt doubt = {.kind = DOUBT_OFFSET_FAR, .item = item};
+	const struct setup *setup = scene->setup;
+	struct doubt doubt = {.kind = DOUBT_OFFSET_FAR, .item = item, .value = INFINITY};
 	struct placed_box box;
 
 	if (!box_of_setup(scene, false, &box))
 		return;
 	doubt.limit = placed_box_size(box);
-	doubt.value = zero_distance(scene, item, 0, box);
-	for (size_t i = 0; i < scene->setup->tool_count; i++)
-		doubt.value = fmin(doubt.value, zero_distance(scene, item, -length_error(scene->setup, i), box));
-	if (doubt.value > fmax(ZERO_OFF, doubt.limit))
+	for (size_t i = 0; i == 0 || i < setup->tool_count; i++) {
+		double lift = setup->tool_count ? -length_error(setup, i) : 0;
+
+		if (is_at_work_zero(scene, item, lift))
+			return;
+		doubt.value = fmin(doubt.value, zero_distance(scene, item, lift, box));
+	}
+	if (doubt.value > fmax(ZERO_OFF, ZERO_OFF_SHARE * doubt.limit))
 		doubts_add(doubts, &doubt);
 }
 

@@ -207,6 +207,26 @@ MISTAKES = [
     ("tools without holders", AC, no_holders, True),
     ("the radii of the tools as diameters", AC, halve_diameters, False),
     ("the part mirrored", BC, mirror("blade.stl"), False),
+    # joints, nesting, tools and numbers
+    ("the fork's body is missing", CB, machine(r'\n *<body name="fork"[^>]*/>', ''), True),
+    ("the saddle's body is missing", BC, machine(r'\n *<body name="saddle"[^>]*/>', ''), True),
+    ("neighbours within 500 mm are excused", AC, machine('</machine>', '<pairs adjacent_within="500"/></machine>'), True),
+    ("the gauge point 30 mm beside the head's middle", AC, machine('<spindle location="0 0 520"',
+                                                                  '<spindle location="30 0 520"'), True),
+    ("C of the table does not ride on A", AC, machine(r'( *<axis name="C".*?</axis>\n) *</axis>\n', r'</axis>\n\1'), True),
+    ("C and B of the head exchanged", CB, every(machine('<axis name="C"', '<axis name="?"'), machine('<axis name="B"', '<axis name="C"'),
+                                               machine('<axis name="[?]"', '<axis name="B"'), machine('direction="0 0 1" location',
+                                                                                                     'direction="?" location'),
+                                               machine('direction="0 1 0" location', 'direction="0 0 1" location'),
+                                               machine('direction="[?]"', 'direction="0 1 0"')), True),
+    ("sections of a holder from the tip to the gauge line", AC,
+     setup(r'(<section length="26" diameter="63"/>)\s*(<section length="44" diameter="40" diameter_end="27"/>)',
+           r'<section length="44" diameter="27" diameter_end="40"/>\1'), True),
+    ("a mesh of a tool that ends before the tip", BC, every(lambda folder: shutil.copy(folder / "blade.stl", folder / "tool.stl"),
+                                                      setup(r'<cutter tip="cone".*?</cutter>', '<cutter mesh="tool.stl"/>')), True),
+    ("a diameter for the radius of D", AC, setup('</setup>', '<offset number="1" radius="10"/></setup>'), True),
+    ("a blank that is smaller than the part", BC, setup('</setup>', '<stock box="60 30 100" location="0 0 130"/></setup>'), True),
+    ("rates in metres a minute", AC, every(*3 * [machine(r'rate_max="(30|24)000"', r'rate_max="\1"')]), True),
     ("rates in mm a second", AC, machine('rate_max="30000"', 'rate_max="500"'), False),
 ]
 
@@ -256,7 +276,7 @@ def main():
             wrong += 1
     for title, name, change, expected in rows:
         status, first, cautions = judge(fivecheck, name, change, usual[name])
-        doubts = [c for c in cautions if "checked=" in c]
+        doubts = [c for c in cautions if "checked=" in c or "adjacent_within" in c]
         said = doubts + ([first] if first else []) if status != 2 else [first]
         caught += bool(said)
         wrong += bool(said) != expected

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "machine/chain.h"
+#include "machine/value_check.h"
 #include "random.h"
 #include "suite.h"
 
@@ -22,7 +23,9 @@ static struct machine five_axes(unsigned tool)
 		machine.axes[i] = (struct axis){
 			.name = names[i], .slot = slots[i], .rotary = i > 2, .parent = ends[on_tool],
 			.direction = vec3_scale(on_tool ? 1 : -1, along[i]), .limit_min = i > 2 ? -INFINITY : -500,
-			.limit_max = i > 2 ? INFINITY : 500, .rate_max = 1,
+			.limit_max = i > 2 ? INFINITY : 500, .rate_max = 100,
+			/* C beside the spindle's line, or it would only turn the tool about itself behind A. */
+			.location = {i == 4 ? 40 : 0, 0, 0},
 		};
 		ends[on_tool] = i + 1;
 	}
@@ -169,6 +172,67 @@ START_TEST(spindles)
 }
 END_TEST
 
+START_TEST(nesting)
+{
+	struct machine machine = five_axes(31);
+
+	/* C next to the tool, on the spindle's line: it turns nothing that matters. */
+	machine.axes[4].location = (vec3){0, 0, 900};
+	ck_assert_uint_eq(count(&machine, DOUBT_TURNS_ITSELF), 1);
+	machine.axes[4].location = (vec3){0.5, 0, 0};
+	ck_assert_uint_eq(count(&machine, DOUBT_TURNS_ITSELF), 0);
+	machine.axes[4].location = (vec3){0, 0, 900};
+	machine.axes[4].checked = "the spindle turns the work";
+	ck_assert_uint_eq(count(&machine, DOUBT_TURNS_ITSELF), 0);
+
+	/* A head that only C carries, such as one for angle heads, and A of the table. */
+	machine = five_axes(23);
+	machine.axes[4].location = (vec3){0, 0, 0};
+	ck_assert_uint_eq(count_all(&machine), 0);
+
+	/* Y beside X instead of under it. */
+	machine = five_axes(7);
+	machine.axes[2].parent = 1;
+	ck_assert_uint_eq(count(&machine, DOUBT_IDLE), 1);
+	machine.axes[1].slot = SLOT_V;
+	ck_assert_uint_eq(count(&machine, DOUBT_IDLE), 0);
+}
+END_TEST
+
+static size_t count_values(const struct machine *machine, enum doubt_kind kind)
+{
+	struct doubts doubts = {0};
+	size_t found = 0;
+
+	value_check(machine, &doubts);
+	for (size_t i = 0; i < doubts.count; i++)
+		found += doubts.items[i].kind == kind;
+	doubts_release(&doubts);
+	return found;
+}
+
+/* Rates are kept for a second; 100 mm/s are 6 m a minute. */
+START_TEST(values)
+{
+	struct machine machine = five_axes(7);
+
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RATE_LOW), 0);
+	machine.axes[0].rate_max = 30.0 / 60;
+	machine.axes[3].rate_max = 20 * (acos(-1) / 180) / 60;
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RATE_LOW), 2);
+	machine.axes[0].checked = "a crane";
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RATE_LOW), 1);
+
+	/* -360 to 360 as radians, read as degrees; then 20 real degrees. */
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RADIANS), 0);
+	machine.axes[4].limit_max = 2 * acos(-1) * acos(-1) / 180;
+	machine.axes[4].limit_min = -machine.axes[4].limit_max;
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RADIANS), 1);
+	machine.axes[4].limit_max = 15 * acos(-1) / 180;
+	ck_assert_uint_eq(count_values(&machine, DOUBT_RADIANS), 0);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("core");
@@ -177,5 +241,7 @@ int main(void)
 	tcase_add_test(tcase, every_sign);
 	tcase_add_test(tcase, letters_and_lines);
 	tcase_add_test(tcase, spindles);
+	tcase_add_test(tcase, nesting);
+	tcase_add_test(tcase, values);
 	return run_suite("kinematics", tcase);
 }

@@ -242,7 +242,7 @@ static vec3 middle_of(const struct stage *stage, int link)
 		const struct scene_body *it = &stage->scene->bodies[i];
 		vec3 p;
 
-		if (!it->bvh || !stage_is_carried(machine, it->body->link, link))
+		if (!it->bvh || !machine_link_is_on(machine, it->body->link, link))
 			continue;
 		p = xform_apply(&it->body->placement, it->bvh->origin);
 		p = place(machine, it->body->link, &stage->axes, p);
@@ -251,9 +251,9 @@ static vec3 middle_of(const struct stage *stage, int link)
 	}
 	if (least.x <= greatest.x)
 		return vec3_lerp(least, greatest, 0.5);
-	if (machine->spindle.present && stage_is_carried(machine, machine->spindle.link, link))
+	if (machine->spindle.present && machine_link_is_on(machine, machine->spindle.link, link))
 		return place(machine, machine->spindle.link, &stage->axes, machine->spindle.location);
-	if (machine->workholding.present && stage_is_carried(machine, machine->workholding.link, link))
+	if (machine->workholding.present && machine_link_is_on(machine, machine->workholding.link, link))
 		return place(machine, machine->workholding.link, &stage->axes,
 			     machine->workholding.frame.translation);
 	return (vec3){0, 0, 0};

@@ -5,6 +5,7 @@
 
 #include "base/math/math_functions.h"
 #include "base/mem.h"
+#include "machine/chain.h"
 
 /* ------------------------------------------------------------------ paints */
 
@@ -44,17 +45,10 @@ enum paint_class stage_class_b(const struct stage *stage)
 	return stage->alarming ? PAINT_B : PAINT_NEAR_B;
 }
 
-bool stage_is_carried(const struct machine *machine, int link, int by)
-{
-	while (link > by)
-		link = machine->axes[link - 1].parent;
-	return link == by;
-}
-
 static bool is_moved(const struct stage *stage, int body)
 {
-	return stage->moved && stage_is_carried(stage->scene->machine, stage->scene->bodies[body].body->link,
-						stage->moved);
+	return stage->moved && machine_link_is_on(stage->scene->machine, stage->scene->bodies[body].body->link,
+						  stage->moved);
 }
 
 enum paint_class stage_class(const struct stage *stage, int body)

@@ -31,9 +31,6 @@ struct camera {
 	double scale;	/* pixels to a mm, of a picture of width 1 */
 };
 
-/* Does the link carry the other, or is it the same? Everything is on link 0, the base. */
-bool stage_is_carried(const struct machine *machine, int link, int by);
-
 /* Is the body drawn? */
 bool stage_shows(const struct stage *stage, int body);
 

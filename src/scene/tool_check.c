@@ -1,0 +1,114 @@
+#include "scene/tool_check.h"
+
+#include <math.h>
+
+#include "base/math/math_functions.h"
+#include "machine/tool_solid.h"
+
+/* A holder is thickest at its flange, by the gauge line. One that is thinner there than this share is upside down. */
+static const double FLANGE_LEAST = 0.6;
+/* A drawn cutter ends at the tip: within so many mm, or this share of the length. */
+static const double TIP_OFF = 1, TIP_OFF_SHARE = 0.01;
+/* A tool without a cutter is drawn over at least this share of its length. */
+static const double DRAWN_LEAST = 0.1;
+/* The middle of a holder is on the spindle's line: within this share of its half width. */
+static const double ASIDE_MOST = 0.5;
+/* A D that is larger than this share of the tool's diameter is no radius. */
+static const double RADIUS_MOST = 0.75;
+
+static void check_holder(const struct body *body, size_t item, struct doubts *doubts)
+{
+	struct doubt doubt = {.kind = DOUBT_HOLDER_TURNED, .item = item};
+
+	if (body->role != ROLE_HOLDER || !body->profile)
+		return;
+	doubt.value = body->profile->sections[0].diameter;
+	for (size_t i = 0; i < body->profile->count; i++) {
+		const struct tool_section *section = &body->profile->sections[i];
+
+		doubt.limit = fmax(doubt.limit, fmax(section->diameter, section->diameter_end));
+	}
+	if (doubt.value < FLANGE_LEAST * doubt.limit)
+		doubts_add(doubts, &doubt);
+}
+
+/* mm: how far the body reaches from the gauge line toward the tip. A mesh has the gauge point at its origin. */
+static double end_of(const struct scene_body *b)
+{
+	double end;
+
+	if (!b->body->profile)
+		return b->bvh ? b->bvh->half.z - b->bvh->origin.z : 0;
+	end = -b->body->profile->top;
+	for (size_t i = 0; i < b->body->profile->count; i++)
+		end += b->body->profile->sections[i].length;
+	return end;
+}
+
+static void check_aside(const struct scene *scene, int body, size_t item, struct doubts *doubts)
+{
+	const struct scene_body *b = &scene->bodies[body];
+	struct doubt doubt = {.kind = DOUBT_TOOL_ASIDE, .item = item, .body = body};
+
+	if (b->body->profile || !b->bvh || b->body->role == ROLE_CUTTER)
+		return;
+	doubt.value = math_hypot(b->bvh->origin.x, b->bvh->origin.y);
+	if (doubt.value > ASIDE_MOST * fmax(b->bvh->half.x, b->bvh->half.y))
+		doubts_add(doubts, &doubt);
+}
+
+/* Sections add up to the length, or the file is refused; so only tools with a mesh can end elsewhere. */
+static void check_end(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	const struct tool *tool = &scene->setup->tools[item];
+	struct doubt doubt = {.kind = DOUBT_TOOL_ENDS, .item = item, .value = -INFINITY, .limit = tool->length};
+	const double off = fmax(TIP_OFF, TIP_OFF_SHARE * tool->length);
+	bool drawn = false, cutter = false;
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct scene_body *b = &scene->bodies[i];
+
+		if (b->body->tool != tool->number)
+			continue;
+		drawn |= !b->body->profile;
+		cutter |= b->body->role == ROLE_CUTTER;
+		doubt.value = fmax(doubt.value, end_of(b));
+	}
+	if (drawn && (doubt.value > tool->length + off ||
+		      doubt.value < (cutter ? tool->length - off : DRAWN_LEAST * tool->length)))
+		doubts_add(doubts, &doubt);
+}
+
+static void check_radius(const struct setup *setup, size_t item, struct doubts *doubts)
+{
+	const struct tool *tool = &setup->tools[item];
+
+	for (size_t i = 0; i < setup->radius_count; i++) {
+		if (setup->radii[i].number == tool->number && tool->diameter > 0 &&
+		    setup->radii[i].radius > RADIUS_MOST * tool->diameter)
+			doubts_add(doubts, &(struct doubt){.kind = DOUBT_RADIUS_OFFSET,
+							   .item = item,
+							   .value = setup->radii[i].radius,
+							   .limit = tool->diameter});
+	}
+}
+
+void tool_check(const struct scene *scene, struct doubts *doubts)
+{
+	const struct setup *setup = scene->setup;
+
+	for (size_t item = 0; setup && item < setup->tool_count; item++) {
+		if (setup->tools[item].checked)
+			continue;
+		for (size_t i = 0; i < scene->body_count; i++) {
+			const struct body *body = scene->bodies[i].body;
+
+			if (body->tool != setup->tools[item].number || setup->tools[item].kind != TOOL_TURNS)
+				continue;
+			check_holder(body, item, doubts);
+			check_aside(scene, (int)i, item, doubts);
+		}
+		check_end(scene, item, doubts);
+		check_radius(setup, item, doubts);
+	}
+}

@@ -1,0 +1,14 @@
+/* tool_check.h - do the bodies of a tool fit its length, its line and each other? */
+#ifndef FIVECHECK_SCENE_TOOL_CHECK_H
+#define FIVECHECK_SCENE_TOOL_CHECK_H
+
+#include "machine/doubt.h"
+#include "scene/scene.h"
+
+/*
+ * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE and DOUBT_RADIUS_OFFSET, tool by tool. Tools that the
+ * setup marks checked="" are left out. The meshes of tools that are drawn as meshes must have been read.
+ */
+void tool_check(const struct scene *scene, struct doubts *doubts);
+
+#endif
