@@ -52,8 +52,8 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 		break;
 	case DOUBT_IDLE:
 		strbuf_addf(out,
-			    "axis %s moves neither the tool nor the work: the axis that should be nested in it is beside "
-			    "it; check the nesting of the axes, or say why it is right: <axis name=\"%s\" "
+			    "axis %s moves neither the tool nor the work: the axis that should be nested in it is "
+			    "beside it; check the nesting of the axes, or say why it is right: <axis name=\"%s\" "
 			    "checked=\"reason\">",
 			    axis->name, axis->name);
 		break;
@@ -73,8 +73,8 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 		break;
 	case DOUBT_RADIANS:
 		strbuf_addf(out,
-			    "axis %s has a travel of only %.4g degrees: limits are degrees, not radians; check them, or "
-			    "say why they are right: <axis name=\"%s\" checked=\"reason\">",
+			    "axis %s has a travel of only %.4g degrees: limits are degrees, not radians; check them, "
+			    "or say why they are right: <axis name=\"%s\" checked=\"reason\">",
 			    axis->name, format_units_value(axis->slot, doubt->value), axis->name);
 		break;
 	case DOUBT_ROTARY_MISSES:
@@ -130,9 +130,9 @@ static void add_place_doubt(struct strbuf *out, const struct scene *scene, const
 		break;
 	case DOUBT_SPINDLE_BESIDE:
 		strbuf_addf(out,
-			    "no circle of the bodies that move with the spindle has its middle on the spindle's line: the "
-			    "nearest one, %.5g mm wide, is %.4g mm beside it; check the location and the direction of "
-			    "<spindle>, or give it checked=\"reason\"",
+			    "no circle of the bodies that move with the spindle has its middle on the spindle's "
+			    "line: the nearest one, %.5g mm wide, is %.4g mm beside it; check the location and the "
+			    "direction of <spindle>, or give it checked=\"reason\"",
 			    doubt->limit, doubt->value);
 		break;
 	case DOUBT_SPINDLE_FAR:
@@ -190,8 +190,8 @@ static void add_joint_doubt(struct strbuf *out, const struct scene *scene, const
 	add_name(out, scene, doubt->against);
 	if (doubt->kind == DOUBT_EXCUSED_APART) {
 		strbuf_addf(out,
-			    " are excused as neighbours, but are about %.4g mm apart: adjacent_within=\"\" of <pairs> is "
-			    "too large; lower it, and name pairs of a joint with <pair ... check=\"never\" "
+			    " are excused as neighbours, but are about %.4g mm apart: adjacent_within=\"\" of <pairs> "
+			    "is too large; lower it, and name pairs of a joint with <pair ... check=\"never\" "
 			    "reason=\"\"/>",
 			    doubt->value);
 		return;
@@ -300,8 +300,8 @@ static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const 
 		break;
 	case DOUBT_TOOL_ENDS:
 		strbuf_addf(out,
-			    "is %.5g mm long, but its bodies end %.4g mm below the gauge line: a mesh has the gauge point "
-			    "at its origin and the tip toward -Z; check its place, direction and units",
+			    "is %.5g mm long, but its bodies end %.4g mm below the gauge line: a mesh has the gauge "
+			    "point at its origin and the tip toward -Z; check its place, direction and units",
 			    doubt->limit, doubt->value);
 		break;
 	case DOUBT_TOOL_ASIDE:
@@ -313,7 +313,8 @@ static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const 
 		break;
 	case DOUBT_RADIUS_OFFSET:
 		strbuf_addf(out,
-			    "has a diameter of %.4g mm, but the radius of its D is %.4g mm: check that it is no diameter",
+			    "has a diameter of %.4g mm, but the radius of its D is %.4g mm: check that it is "
+			    "no diameter",
 			    doubt->limit, doubt->value);
 		break;
 	case DOUBT_TOOL_SHORT:

@@ -23,7 +23,8 @@ static double distance_at_home(struct scene *scene, size_t a, size_t b, double e
 	struct chain chain;
 
 	chain_init(&chain, scene->machine, first->link, second->link);
-	body_pair_init(&bodies, scene->bodies[a].bvh, scene->bodies[b].bvh, &first->placement, &second->placement, &chain);
+	body_pair_init(&bodies, scene->bodies[a].bvh, scene->bodies[b].bvh, &first->placement, &second->placement,
+		       &chain);
 	return sweep_distance(&scene->sweep, &bodies, &home, 0.9, enough, 0);
 }
 

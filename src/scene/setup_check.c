@@ -129,7 +129,8 @@ static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *
 			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
-			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES, diag), corner_depth(scene, k, i, INSIDE_YES, diag));
+			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES, diag),
+					   corner_depth(scene, k, i, INSIDE_YES, diag));
 			doubt.against = k;
 			if (doubt.value > SUNK_BY)
 				doubts_add(doubts, &doubt);
