@@ -93,7 +93,7 @@ demo-web: web
 	@sh scripts/demo-web build-web/app
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
-TEST_TARGETS := accept bench bench-quick bench-readme build-units campaign campaign-dialects campaign-stock campaign-verdict check check-apache check-asan check-browser check-calls check-deb check-faults check-gltf \
+TEST_TARGETS := accept bench bench-quick bench-readme build-units campaign campaign-dialects campaign-stock campaign-verdict check check-apache check-asan check-browser check-calls check-deb check-faults check-firefox check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-page check-program check-quick check-reproducible check-rs274 check-short check-tsan \
 	check-unit check-valgrind check-wasm check-wasm-long coverage demo fuzz lint stress stress-table
 # Each of them starts a make of its own: several goals of one call must not build the same file at once.

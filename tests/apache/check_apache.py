@@ -247,12 +247,11 @@ def nothing_is_sent(server):
     before = len(server.log())
     with Browser(timeout=300) as browser:
         tab = browser.page()
-        tab.call("Page.addScriptToEvaluateOnNewDocument", source="""
+        tab.before("""
             window.ready = new Promise((done) => document.addEventListener('fivecheck-ready', done));
             window.checked = new Promise((done) => document.addEventListener('checked', done));
             window.shown = new Promise((done) => document.addEventListener('report-shown', done));""")
-        tab.call("Page.navigate", url=f"http://127.0.0.1:{server.port}/fivecheck/")
-        tab.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+        tab.navigate(f"http://127.0.0.1:{server.port}/fivecheck/")
         tab.run("await ready")
         files = [(f"secret/{name}", text.decode()) for name, text in job(b"G21 G90\nG0 X300\nM2\n").items()]
         tab.run(f"await fivecheckPage.add({files!r}.map(([path, text]) => [path, new Blob([text])]))".replace("('", "['").replace("')", "']"))

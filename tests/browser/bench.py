@@ -2,6 +2,10 @@
 import json
 import os
 import subprocess
+import traceback
+
+from driver import Browser, NotHere
+from firefox import Firefox
 
 PHONE = {"width": 390, "height": 800, "scale": 2, "mobile": True}
 TESTS = []
@@ -10,6 +14,30 @@ TESTS = []
 def test(function):
     TESTS.append(function)
     return function
+
+
+def browser_of(arguments):
+    """The kind of browser that was asked for."""
+    return Firefox if arguments.firefox else Browser
+
+
+def carry_out(tests, bench_for, names):
+    """Runs the tests, or those of these names, each with a bench of its own: the number of those that failed."""
+    failed = 0
+    for function in tests:
+        if names and function.__name__ not in names:
+            continue
+        try:
+            with bench_for() as bench:
+                function(bench)
+            print(f"ok   {function.__name__}", flush=True)
+        except NotHere as word:
+            print(f"     {function.__name__} is skipped: {word}", flush=True)
+        except Exception:  # noqa: BLE001 - every failure is told, and the rest goes on
+            failed += 1
+            print(f"FAIL {function.__name__}", flush=True)
+            traceback.print_exc()
+    return failed
 
 
 def same(what, found, wanted):

@@ -1,43 +1,32 @@
-"""Looks at reports in a real Chromium: make check-browser. Pictures are kept in the folder that --keep names.
+"""Looks at reports in a real Chromium or Firefox: make check-browser, check-firefox. Pictures are kept in the folder that --keep names.
 
-usage: check_browser.py --fivecheck PROGRAM --viewer viewer.js --keep FOLDER [TEST...]
+usage: check_browser.py [--firefox] --fivecheck PROGRAM --viewer viewer.js --keep FOLDER [TEST...]
 """
 import argparse
+import contextlib
+import functools
 import os
 import sys
 import tempfile
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from bench import TESTS, Bench  # noqa: E402
-from driver import Browser, find_browser  # noqa: E402
+from bench import TESTS, Bench, browser_of, carry_out  # noqa: E402
 import seen_tests  # noqa: E402, F401
 import used_tests  # noqa: E402, F401
 
 
 def main():
     parser = argparse.ArgumentParser()
+    parser.add_argument("--firefox", action="store_true")
     parser.add_argument("--fivecheck", required=True)
     parser.add_argument("--viewer", required=True)
     parser.add_argument("--keep", required=True)
     parser.add_argument("tests", nargs="*")
     arguments = parser.parse_args()
-    if not find_browser():
-        sys.exit("check_browser: there is no Chromium")
     os.makedirs(arguments.keep, exist_ok=True)
-    chosen = [t for t in TESTS if not arguments.tests or t.__name__ in arguments.tests]
-    failed = 0
-    with tempfile.TemporaryDirectory() as work, Browser() as browser:
-        bench = Bench(arguments, work, browser)
-        for function in chosen:
-            try:
-                function(bench)
-                print(f"{function.__name__} passed", flush=True)
-            except Exception:  # one test's failure must not hide the others
-                traceback.print_exc()
-                print(f"FAILED: {function.__name__}", flush=True)
-                failed += 1
-    print(f"browser tests: {len(chosen) - failed} passed, {failed} failed; pictures are in {arguments.keep}")
+    with tempfile.TemporaryDirectory() as work, browser_of(arguments)() as browser:
+        failed = carry_out(TESTS, functools.partial(contextlib.nullcontext, Bench(arguments, work, browser)), arguments.tests)
+    print(f"browser tests: {failed} failed; pictures are in {arguments.keep}")
     sys.exit(1 if failed else 0)
 
 

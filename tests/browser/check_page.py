@@ -1,17 +1,17 @@
-"""Uses the page of the checker (make web) in a real Chromium, as a person would: make check-page. Pictures go to --keep.
+"""Uses the page of the checker (make web) in a real Chromium or Firefox, as a person would: make check-page, check-firefox.
+Pictures go to --keep.
 
-usage: check_page.py --fivecheck PROGRAM --page FOLDER --keep FOLDER [TEST...]
+usage: check_page.py [--firefox] --fivecheck PROGRAM --page FOLDER --keep FOLDER [TEST...]
 """
 import argparse
+import contextlib
 import json
 import os
 import subprocess
 import sys
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from bench import PHONE, TESTS, WEAK_TEXT, same, test, true  # noqa: E402
-from driver import Browser  # noqa: E402
+from bench import PHONE, TESTS, WEAK_TEXT, browser_of, carry_out, same, test, true  # noqa: E402
 from page_bench import VERDICTS, WORDS, Bench, Site  # noqa: E402
 import figures_page  # noqa: E402, F401
 import hostile_page  # noqa: E402, F401
@@ -152,14 +152,12 @@ def offline(bench):
     page = bench.open()
     page.run("await navigator.serviceWorker.ready")
     bench.example(page, "cb-head")
-    page.call("Page.reload")
-    page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+    page.reload()
     page.run("await until('fivecheck-ready', 1)")
     bench.example(page, "cb-head")
-    page.call("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
+    page.offline()
     bench.site.close()
-    page.call("Page.reload")
-    page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+    page.reload()
     page.run("await until('fivecheck-ready', 1)")
     bench.example(page, "cb-head")
     bench.check(page)
@@ -333,29 +331,25 @@ def contrast(bench):
 
 def main():
     parser = argparse.ArgumentParser()
+    parser.add_argument("--firefox", action="store_true")
     parser.add_argument("--fivecheck", required=True)
     parser.add_argument("--page", required=True)
     parser.add_argument("--keep", required=True)
     parser.add_argument("tests", nargs="*")
     arguments = parser.parse_args()
     os.makedirs(arguments.keep, exist_ok=True)
-    failed = 0
-    with Browser(timeout=600) as browser:
-        for function in TESTS:
-            if arguments.tests and function.__name__ not in arguments.tests:
-                continue
-            site = Site(arguments.page)
-            try:
-                function(Bench(arguments, site, browser))
-                print(f"ok   {function.__name__}", flush=True)
-            except Exception:  # noqa: BLE001 - every failure is told, and the rest goes on
-                failed += 1
-                print(f"FAIL {function.__name__}", flush=True)
-                traceback.print_exc()
-            finally:
-                if site.thread.is_alive():
-                    site.close()
-    return 1 if failed else 0
+
+    @contextlib.contextmanager
+    def bench():
+        site = Site(arguments.page)
+        try:
+            yield Bench(arguments, site, browser)
+        finally:
+            if site.thread.is_alive():
+                site.close()
+
+    with browser_of(arguments)(timeout=600) as browser:
+        return 1 if carry_out(TESTS, bench, arguments.tests) else 0
 
 
 if __name__ == "__main__":

@@ -21,8 +21,18 @@ FLAGS = [
 ]
 
 
+PROFILE = "fivecheck-browser-"
+# Before all scripts of a page: the promise of the moment at which it is ready.
+LOADED = "await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))"
+READY = """window.wasReady = new Promise((done) => document.addEventListener(%s, () => done(performance.now()), {once: true}));"""
+
+
 class BrowserError(Exception):
     pass
+
+
+class NotHere(Exception):
+    """A browser cannot be asked for that from outside: the test is skipped there, with this word."""
 
 
 def find_browser():
@@ -41,7 +51,7 @@ class Browser:
         self.flags = list(flags)
 
     def __enter__(self):
-        self.profile = tempfile.mkdtemp(prefix="fivecheck-browser-")
+        self.profile = tempfile.mkdtemp(prefix=PROFILE)
         to_read, self.write_end = os.pipe()
         self.read_end, to_write = os.pipe()
         sandbox = ["--no-sandbox"] if os.geteuid() == 0 else []
@@ -146,12 +156,47 @@ class Page:
             if "method" in message:
                 self.browser.events.append(message)
 
+    def before(self, script):
+        """Runs before the scripts of each page that is opened from now on."""
+        self.call("Page.addScriptToEvaluateOnNewDocument", source=script)
+
+    def navigate(self, url):
+        """Opens an address, and waits for it and all that it loads."""
+        self.call("Page.navigate", url=url)
+        self.run(LOADED)
+
+    def reload(self):
+        self.call("Page.reload")
+        self.run(LOADED)
+
+    def open_without_scripts(self, path):
+        self.call("Emulation.setScriptExecutionDisabled", value=True)
+        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        self.wait("Page.loadEventFired")
+        self.call("Emulation.setScriptExecutionDisabled", value=False)
+
+    def on_paper(self):
+        """Shows the page as it would be printed."""
+        self.call("Emulation.setEmulatedMedia", media="print")
+
+    def offline(self):
+        self.call("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
+
+    def choose(self, selector, paths):
+        """Chooses files by a button of the page."""
+        root = self.call("DOM.getDocument")["root"]["nodeId"]
+        node = self.call("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
+        self.call("DOM.setFileInputFiles", nodeId=node, files=paths)
+
+    def drop(self, x, y, paths):
+        """Drops files or folders as a file manager does."""
+        data = {"items": [], "files": paths, "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.call("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+
     def open(self, path, ready="fivecheck-ready", scripts=""):
         """Opens a file and waits for the event `ready` of its document; `scripts` run before those of the page."""
-        source = scripts + """;
-            window.wasReady = new Promise((done) => document.addEventListener(%s, () => done(performance.now()), {once: true}));
-        """ % json.dumps(ready)
-        self.call("Page.addScriptToEvaluateOnNewDocument", source=source)
+        self.before(scripts + ";" + READY % json.dumps(ready))
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         return self.run("await window.wasReady")
 

@@ -8,7 +8,6 @@ import time
 
 import fixtures
 from bench import same, test, true
-from driver import Browser
 from page_bench import VERDICTS, Bench
 
 FIRST_VERDICT = """await new Promise((done) => {
@@ -30,7 +29,7 @@ def first_verdict(bench):
 @test
 def visits(bench):
     """The first visit of a browser that has never seen the page, and the second one."""
-    with Browser(timeout=600) as fresh:
+    with type(bench.browser)(timeout=600) as fresh:
         visitor = Bench(bench, bench.site, fresh)
         page, ready, verdict = first_verdict(visitor)
         page.run("await navigator.serviceWorker.ready")
@@ -45,9 +44,7 @@ def visits(bench):
 def choose(page, paths):
     """Chooses files by the button of the page."""
     shown = page.run("counts['files-shown']")
-    root = page.call("DOM.getDocument")["root"]["nodeId"]
-    node = page.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
-    page.call("DOM.setFileInputFiles", nodeId=node, files=paths)
+    page.choose("#choose", paths)
     page.run(f"await until('files-shown', {shown + 1})")
 
 

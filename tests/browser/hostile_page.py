@@ -107,9 +107,7 @@ def drop(page, folder, count):
     """Drops a folder onto the page as a file manager does, in place of what was there."""
     page.run("document.querySelector('#empty').click()")
     shown = page.run("counts['files-shown']")
-    data = {"items": [], "files": [folder], "dragOperationsMask": 1}
-    for kind in ("dragEnter", "dragOver", "drop"):
-        page.call("Input.dispatchDragEvent", type=kind, x=640, y=200, data=data)
+    page.drop(640, 200, [folder])
     page.run(f"await until('files-shown', {shown + 1})")
     same(f"files of {folder}", page.run("fivecheckPage.files.length"), count)
 

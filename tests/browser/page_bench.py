@@ -1,4 +1,4 @@
-"""What the tests of the page share: its folder on a server, the page in Chromium, what its cards say."""
+"""What the tests of the page share: its folder on a server, the page in a browser, what its cards say."""
 import functools
 import http.server
 import json
@@ -58,9 +58,8 @@ class Bench:
 
     def open(self, path="", **options):
         page = self.browser.page(**options)
-        page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
-        page.call("Page.navigate", url=self.site.address + path)
-        page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+        page.before(WATCH)
+        page.navigate(self.site.address + path)
         page.run("await until('fivecheck-ready', 1)")
         return page
 
