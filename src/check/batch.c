@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "geom/tolerance.h"
 #include "scene/pairs.h"
 
@@ -11,6 +12,7 @@ void batch_release(struct batch *batch)
 	free(batch->steps);
 	path_copies_release(&batch->paths);
 	free(batch->chunks);
+	free(batch->pieces);
 	*batch = (struct batch){0};
 }
 
@@ -60,20 +62,51 @@ static bool is_beyond_travel(const struct motion_step *step)
 	return step->outside;
 }
 
-void batch_close(struct batch *batch)
+static void widen_chunk(struct batch_chunk *chunk, const struct batch_chunk *piece)
 {
-	size_t count = (batch->step_count + CHUNK_STEPS - 1) / CHUNK_STEPS;
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		chunk->low.v[i] = smaller(chunk->low.v[i], piece->low.v[i]);
+		chunk->high.v[i] = larger(chunk->high.v[i], piece->high.v[i]);
+		chunk->errors.path.v[i] = larger(chunk->errors.path.v[i], piece->errors.path.v[i]);
+	}
+	chunk->errors.any |= piece->errors.any;
+	chunk->beyond |= piece->beyond;
+	chunk->classes |= piece->classes;
+}
 
-	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count, sizeof(*batch->chunks));
+static size_t count_of(const struct batch *batch, size_t steps)
+{
+	return (batch->step_count + steps - 1) / steps;
+}
+
+static void fill_pieces(struct batch *batch)
+{
+	batch->pieces = mem_grow(batch->pieces, &batch->piece_capacity, count_of(batch, PIECE_STEPS),
+				 sizeof(*batch->pieces));
 	for (size_t i = 0; i < batch->step_count; i++) {
-		struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+		struct batch_chunk *piece = &batch->pieces[i / PIECE_STEPS];
 		struct batch_step *step = &batch->steps[i];
 
-		if (i % CHUNK_STEPS == 0)
-			*chunk = (struct batch_chunk){.low = step->motion.span.q0, .high = step->motion.span.q0};
-		widen(chunk, &step->motion);
+		if (i % PIECE_STEPS == 0)
+			*piece = (struct batch_chunk){.low = step->motion.span.q0, .high = step->motion.span.q0};
+		widen(piece, &step->motion);
 		step->beyond = is_beyond_travel(&step->motion);
-		chunk->beyond |= step->beyond;
-		chunk->classes |= step->motion.step_class;
+		piece->beyond |= step->beyond;
+		piece->classes |= step->motion.step_class;
+	}
+}
+
+void batch_close(struct batch *batch)
+{
+	enum { PIECES = CHUNK_STEPS / PIECE_STEPS };
+
+	fill_pieces(batch);
+	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count_of(batch, CHUNK_STEPS),
+				 sizeof(*batch->chunks));
+	for (size_t i = 0; i < count_of(batch, PIECE_STEPS); i++) {
+		if (i % PIECES == 0)
+			batch->chunks[i / PIECES] = batch->pieces[i];
+		else
+			widen_chunk(&batch->chunks[i / PIECES], &batch->pieces[i]);
 	}
 }

@@ -17,11 +17,12 @@ struct batch_step {
 	bool beyond;	/* an axis is past a limit, or so near that the path tolerance may take it there */
 };
 
-/* Steps to a chunk. */
-enum { CHUNK_STEPS = 64 };
+/* Steps to a chunk, and to each of its pieces. */
+enum { CHUNK_STEPS = 64, PIECE_STEPS = 8 };
 
 /*
- * The box of all programmed positions in a chunk, chord errors included, and the largest path tolerance of its steps.
+ * The box of all programmed positions in a chunk or piece, chord errors included, and the largest path tolerance of its
+ * steps.
  */
 struct batch_chunk {
 	axis_values low, high;
@@ -35,7 +36,8 @@ struct batch {
 	size_t step_count, step_capacity;
 	struct path_copies paths;
 	struct batch_chunk *chunks;	/* chunk i begins with step i * CHUNK_STEPS; the last one may be shorter */
-	size_t chunk_capacity;
+	struct batch_chunk *pieces;	/* likewise, of PIECE_STEPS */
+	size_t chunk_capacity, piece_capacity;
 };
 
 void batch_release(struct batch *batch);
@@ -44,7 +46,7 @@ void batch_clear(struct batch *batch);
 /* Copies a step and its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block, long number);
 
-/* Fills in the chunks. Call it after the last batch_add, before the chunks are used. */
+/* Fills in chunks and pieces. Call it after the last batch_add, before they are used. */
 void batch_close(struct batch *batch);
 
 #endif

@@ -168,14 +168,17 @@ static bool applies(const struct pair_check *check, const struct batch_step *ste
 	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
-/* How many steps from i on are checked as one chunk; 0: check them one by one. */
-static size_t skip_chunk(struct pair_check *check, const struct batch *batch, size_t i, size_t to,
-			 const struct check_options *options)
+/*
+ * How many steps from i on are checked at once, as the chunk or piece of so many steps that begins there; 0: check
+ * smaller parts.
+ */
+static size_t skip_box(struct pair_check *check, const struct batch *batch, size_t i, size_t to, size_t steps,
+		       const struct check_options *options)
 {
-	size_t count = to - i < CHUNK_STEPS ? to - i : CHUNK_STEPS;
-	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+	const size_t count = to - i < steps ? to - i : steps;
+	const struct batch_chunk *chunk = &(steps == CHUNK_STEPS ? batch->chunks : batch->pieces)[i / steps];
 
-	if (i % CHUNK_STEPS)
+	if (i % steps)
 		return 0;
 	if (!(check->steps & chunk->classes) || (check->past_limits_only && !chunk->beyond)) {
 		leave_out(check);
@@ -183,7 +186,7 @@ static size_t skip_chunk(struct pair_check *check, const struct batch *batch, si
 	}
 	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || check->maybe_inside ||
 	    !strategy_advance_box(&check->methods->strategy, &chunk->low, &chunk->high, &chunk->errors,
-			   &batch->steps[i + count - 1].motion.span.q1, count))
+				  &batch->steps[i + count - 1].motion.span.q1, count, steps == CHUNK_STEPS))
 		return 0;
 	return count;
 }
@@ -204,8 +207,10 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
 {
-	size_t skipped = skip_chunk(check, batch, i, to, options);
+	size_t skipped = skip_box(check, batch, i, to, CHUNK_STEPS, options);
 
+	if (!skipped)
+		skipped = skip_box(check, batch, i, to, PIECE_STEPS, options);
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
 	    batch->steps[i].block == check->found_block)
 		return skipped;

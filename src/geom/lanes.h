@@ -43,6 +43,12 @@ LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 	return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ)) == 0xff;
 }
 
+/* Bit i is set where lane i of a is at least that of b. */
+LANES_FUNCTION unsigned lanes_reaching(lanes a, lanes b)
+{
+	return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GE_OQ));
+}
+
 #elif LANES_LEVEL == LANES_SSE2
 
 #include <emmintrin.h>
@@ -69,6 +75,12 @@ LANES_FUNCTION lanes lanes_swap_halves(lanes a) { return (lanes){a.high, a.low};
 LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 {
 	return (_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) & _mm_movemask_ps(_mm_cmpgt_ps(a.high, b.high))) == 0xf;
+}
+
+LANES_FUNCTION unsigned lanes_reaching(lanes a, lanes b)
+{
+	return (unsigned)(_mm_movemask_ps(_mm_cmpge_ps(a.low, b.low)) |
+			  _mm_movemask_ps(_mm_cmpge_ps(a.high, b.high)) << 4);
 }
 
 LANES_FUNCTION void lanes_store(float *to, lanes a)
@@ -119,6 +131,15 @@ LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 		if (!(a.v[i] > b.v[i]))
 			return false;
 	return true;
+}
+
+LANES_FUNCTION unsigned lanes_reaching(lanes a, lanes b)
+{
+	unsigned reaching = 0;
+
+	for (int i = 0; i < LANES; i++)
+		reaching |= a.v[i] >= b.v[i] ? 1u << i : 0;
+	return reaching;
 }
 
 LANES_FUNCTION void lanes_store(float *to, lanes a)

@@ -6,5 +6,6 @@
 #if LANES_LEVEL <= LANES_BEST
 #include "geom/boxes_kernel.h"
 #include "geom/item_kernel.h"
+#include "geom/reach_kernel.h"
 #include "geom/support_kernel.h"
 #endif

@@ -18,6 +18,19 @@ typedef void boxes_apart_fn(const struct box_motion *motion, int side, const str
 /* support of support.h, for a direction in floats. */
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
+/*
+ * reach[i] becomes the greatest n.p over the points p of the node's i-th box, from the tree's origin. Bit i of the
+ * result: it is at least `enough`, and the child is in use. Off by less than 8 roundings of float times |n| and the
+ * largest |p|.
+ */
+typedef unsigned boxes_reach_fn(const struct bvh_node *node, const float n[3], float enough, float *reach);
+
+/*
+ * The greatest n.p over points in groups of eight, at least one group: x of the first eight, y, z, x of the next. Off
+ * by less than 6 roundings of float times |n| and the largest |p|.
+ */
+typedef float points_reach_fn(const float *points, size_t groups, const float n[3]);
+
 /* A triangle's box: the least x y z, 0, the greatest x y z with their signs changed, 0. So one minimum widens all. */
 struct bvh_item {
 	float bounds[8];
@@ -29,19 +42,27 @@ typedef void bvh_items_bounds_fn(const struct bvh_item *items, size_t count, str
 
 boxes_apart_fn boxes_apart_scalar;
 support_fn support_scalar;
+boxes_reach_fn boxes_reach_scalar;
+points_reach_fn points_reach_scalar;
 bvh_items_bounds_fn bvh_items_bounds_scalar;
 #if LANES_BEST == LANES_AVX2
 boxes_apart_fn boxes_apart_sse2;
 support_fn support_sse2;
+boxes_reach_fn boxes_reach_sse2;
+points_reach_fn points_reach_sse2;
 bvh_items_bounds_fn bvh_items_bounds_sse2;
 boxes_apart_fn boxes_apart_avx2;	/* only where simd_level() says so */
 support_fn support_avx2;
+boxes_reach_fn boxes_reach_avx2;
+points_reach_fn points_reach_avx2;
 bvh_items_bounds_fn bvh_items_bounds_avx2;
 #endif
 
 /* The functions of a level that this processor has. */
 boxes_apart_fn *boxes_at_level(int level);
 support_fn *support_at_level(int level);
+boxes_reach_fn *boxes_reach_at_level(int level);
+points_reach_fn *points_reach_at_level(int level);
 bvh_items_bounds_fn *bvh_items_bounds_at_level(int level);
 
 #endif

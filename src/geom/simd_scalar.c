@@ -5,4 +5,5 @@
 
 #include "geom/boxes_kernel.h"
 #include "geom/item_kernel.h"
+#include "geom/reach_kernel.h"
 #include "geom/support_kernel.h"

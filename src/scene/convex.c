@@ -6,8 +6,9 @@
 
 /*
  * As a share of half the diagonal of the body's box: more than twice what boxes reach too far, as they are rounded
- * outward, and more than what the projection of a box in float is off. Each is below 8 roundings of 2^-24. The first
- * keeps boxes beside a flat face shut, all of which reach as far as the face.
+ * outward; more than what the projection of a box in float is off; more than what a corner of a run and its projection
+ * are. Each is below 8 roundings of 2^-24. The first keeps boxes beside a flat face shut, all of which reach as far as
+ * the face.
  */
 #define SUPPORT_SLACK 0x1p-20
 
@@ -18,41 +19,40 @@ static void run_of(const struct bvh *bvh, struct leaf leaf, size_t *first, size_
 	*count = leaf.count ? leaf.count : bvh->nodes[leaf.first].total;
 }
 
-/* A corner as seen along an axis: how far along it, how far from it. */
-static void about_axis(vec3 p, vec3 location, vec3 axis, double *u, double *rho)
+/* Into the piece of the axis that holds u. */
+static void widen_ring(struct profile *profile, int k, double u, double rho)
 {
-	vec3 to = vec3_sub(p, location);
+	bool first = profile->rho[k] < 0;
 
-	*u = vec3_dot(axis, to);
-	*rho = vec3_norm(vec3_cross(axis, to));
+	profile->low[k] = first ? u : smaller(profile->low[k], u);
+	profile->high[k] = first ? u : larger(profile->high[k], u);
+	profile->rho[k] = larger(profile->rho[k], rho);
 }
 
 void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
 		  vec3 axis)
 {
-	double least = INFINITY, greatest = -INFINITY, u, rho;
+	const vec3 along = mat3_apply_transposed(&place->rotation, axis);
+	const vec3 from = mat3_apply_transposed(&place->rotation, vec3_sub(location, place->translation));
+	double least = INFINITY, greatest = -INFINITY;
 	size_t first, count;
 
 	run_of(bvh, leaf, &first, &count);
 	for (size_t i = 0; i < 3 * count; i++) {
-		vec3 p = mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3));
+		double u = vec3_dot(along, mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3)));
 
-		about_axis(xform_apply(place, p), location, axis, &u, &rho);
 		least = smaller(least, u);
 		greatest = larger(greatest, u);
 	}
 	for (int k = 0; k < PROFILE_RINGS; k++)
 		profile->rho[k] = -1;
 	for (size_t i = 0; i < 3 * count; i++) {
-		vec3 p = mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3));
-		int k;
+		vec3 p = mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3)), to = vec3_sub(p, from);
+		double way = vec3_dot(along, p) - least;
+		int k = greatest > least ? (int)(way / (greatest - least) * PROFILE_RINGS) : 0;
 
-		about_axis(xform_apply(place, p), location, axis, &u, &rho);
-		k = greatest > least ? (int)((u - least) / (greatest - least) * PROFILE_RINGS) : 0;
-		k = k < 0 ? 0 : k >= PROFILE_RINGS ? PROFILE_RINGS - 1 : k;
-		profile->low[k] = profile->rho[k] < 0 ? u : smaller(profile->low[k], u);
-		profile->high[k] = profile->rho[k] < 0 ? u : larger(profile->high[k], u);
-		profile->rho[k] = larger(profile->rho[k], rho);
+		widen_ring(profile, k < 0 ? 0 : k >= PROFILE_RINGS ? PROFILE_RINGS - 1 : k, vec3_dot(along, to),
+			   vec3_norm(vec3_cross(along, to)));
 	}
 	profile->count = 0;
 	for (int k = 0; k < PROFILE_RINGS; k++) {
@@ -64,17 +64,14 @@ void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf le
 	}
 }
 
-struct convex convex_of_mesh(const struct bvh *bvh, struct leaf leaf, const xform *place)
+struct mesh_part mesh_part_of(const struct bvh *bvh, const struct corner_runs *corners, struct leaf leaf)
 {
-	struct convex convex = {.bvh = bvh, .leaf = leaf, .place = place};
+	struct mesh_part part = {bvh, corners, leaf, bvh->origin, bvh->radius};
 	vec3 least, greatest;
 	size_t first, count;
 
-	if (!leaf.count && !leaf.first) {
-		convex.centre = xform_apply(place, bvh->origin);
-		convex.radius = bvh->radius;
-		return convex;
-	}
+	if (!leaf.count && !leaf.first)
+		return part;
 	run_of(bvh, leaf, &first, &count);
 	least = greatest = mesh_corner(&bvh->mesh.triangles[first], 0);
 	for (size_t i = 0; i < 3 * count; i++) {
@@ -83,9 +80,19 @@ struct convex convex_of_mesh(const struct bvh *bvh, struct leaf leaf, const xfor
 		least = vec3_min(least, p);
 		greatest = vec3_max(greatest, p);
 	}
-	convex.centre = xform_apply(place, vec3_scale(0.5, vec3_add(least, greatest)));
-	convex.radius = 0.5 * vec3_norm(vec3_sub(greatest, least));
-	return convex;
+	part.centre = vec3_scale(0.5, vec3_add(least, greatest));
+	part.radius = 0.5 * vec3_norm(vec3_sub(greatest, least));
+	return part;
+}
+
+struct convex convex_of_mesh(const struct mesh_part *part, const xform *place)
+{
+	return (struct convex){
+		.mesh = part,
+		.place = place,
+		.centre = xform_apply(place, part->centre),
+		.radius = part->radius,
+	};
 }
 
 struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis)
@@ -118,83 +125,114 @@ static double support_of_profile(const struct convex *convex, vec3 m, vec3 *at)
 		best = reach > most ? k : best;
 		most = larger(most, reach);
 	}
+	if (!at)
+		return vec3_dot(m, convex->location) + most;
 	*at = vec3_mad(convex->location, along > 0 ? profile->high[best] : profile->low[best], convex->axis);
 	if (across > 0)
 		*at = vec3_mad(*at, profile->rho[best] / across, out);
 	return vec3_dot(m, convex->location) + most;
 }
 
+/* All from the tree's origin. */
 struct farthest {
 	const struct bvh *bvh;
+	const struct corner_runs *corners;
 	vec3 m;
-	float direction[3], size[3];	/* m and its absolute values */
-	float slack;	/* what reaches at most so much farther is not looked for */
-	double base, most;	/* mm times |m|: of the tree's origin, and of what reaches farthest, from there */
-	vec3 at;
+	float direction[3];	/* m */
+	double slack;	/* what reaches at most so much farther is not looked for */
+	double most;	/* mm times |m|: of what reaches farthest */
+	vec3 at;	/* a triangle's corner; or anywhere in the run */
+	const struct corner_run *run;	/* or NULL */
 	long visits;
 };
 
 static void try_triangle(struct farthest *f, uint32_t triangle)
 {
 	for (int k = 0; k < 3; k++) {
-		vec3 p = mesh_corner(&f->bvh->mesh.triangles[triangle], k);
-		double along = vec3_dot(f->m, p) - f->base;
+		vec3 p = vec3_sub(mesh_corner(&f->bvh->mesh.triangles[triangle], k), f->bvh->origin);
+		double along = vec3_dot(f->m, p);
 
 		if (along > f->most) {
 			f->most = along;
 			f->at = p;
+			f->run = NULL;
 		}
 	}
 }
 
-/* The child that may reach farthest is looked at first. The depth of a tree is bounded (bvh.c). */
-static void try_node(struct farthest *f, const struct bvh_node *node)
+static void try_run(struct farthest *f, const struct corner_run *run)
 {
-	const struct bvh *bvh = f->bvh;
-	const float *n = f->direction, *size = f->size;
+	const float *points = &f->corners->points[(size_t)run->first * 3 * BVH_WIDTH];
+	double along = f->corners->reach(points, run->groups, f->direction);
+
+	if (along > f->most) {
+		f->most = along;
+		f->run = run;
+	}
+}
+
+/* The child that reaches farthest of those that reach far enough; the others are closed. None: BVH_WIDTH. */
+static int next_child(const float reach[BVH_WIDTH], double enough, unsigned *open)
+{
+	int best = BVH_WIDTH;
+
+	for (int i = 0; i < BVH_WIDTH && *open >> i; i++) {
+		if (!(*open >> i & 1))
+			continue;
+		if (!(reach[i] > enough))
+			*open &= ~(1u << i);
+		else if (best == BVH_WIDTH || reach[i] > reach[best])
+			best = i;
+	}
+	return best;
+}
+
+/* The child that may reach farthest is looked at first. The depth of a tree is bounded (bvh.c). */
+static void try_node(struct farthest *f, uint32_t at)
+{
+	const struct bvh_node *node = &f->bvh->nodes[at];
 	float reach[BVH_WIDTH];
+	unsigned open;
+	int best;
 
 	f->visits += node->used;
-	for (int i = 0; i < BVH_WIDTH; i++)
-		reach[i] = n[0] * node->centre[0][i] + n[1] * node->centre[1][i] + n[2] * node->centre[2][i] +
-			   size[0] * node->half[0][i] + size[1] * node->half[1][i] + size[2] * node->half[2][i] -
-			   f->slack;
-	for (;;) {
-		int best = 0;
-
-		for (int i = 1; i < node->used; i++)
-			best = reach[i] > reach[best] ? i : best;
-		if (!(reach[best] > f->most))
-			return;
-		reach[best] = -INFINITY;
+	if (f->corners->runs[at].groups) {
+		try_run(f, &f->corners->runs[at]);
+		return;
+	}
+	open = f->corners->boxes(node, f->direction, (float)(f->most + f->slack), reach);
+	while ((best = next_child(reach, f->most + f->slack, &open)) < BVH_WIDTH) {
+		open &= ~(1u << best);
 		if (!node->count[best])
-			try_node(f, &bvh->nodes[node->first[best]]);
+			try_node(f, node->first[best]);
 		for (uint32_t i = 0; i < node->count[best]; i++)
 			try_triangle(f, node->first[best] + i);
 	}
 }
 
-static double support_of_mesh(const struct convex *convex, vec3 m, vec3 *at, long *visits)
+static double support_of_mesh(const struct mesh_part *part, vec3 m, vec3 *at, long *visits)
 {
-	const struct bvh *bvh = convex->bvh;
+	const struct bvh *bvh = part->bvh;
 	double slack = SUPPORT_SLACK * vec3_norm(m) * vec3_norm(bvh->half);
 	struct farthest f = {
 		.bvh = bvh,
+		.corners = part->corners,
 		.m = m,
 		.direction = {(float)m.x, (float)m.y, (float)m.z},
-		.size = {fabsf((float)m.x), fabsf((float)m.y), fabsf((float)m.z)},
-		.slack = (float)slack,
-		.base = vec3_dot(m, bvh->origin),
+		.slack = slack,
 		.most = -INFINITY,
 	};
 
-	for (uint32_t i = 0; i < convex->leaf.count; i++)
-		try_triangle(&f, convex->leaf.first + i);
-	if (!convex->leaf.count)
-		try_node(&f, &bvh->nodes[convex->leaf.first]);
+	for (uint32_t i = 0; i < part->leaf.count; i++)
+		try_triangle(&f, part->leaf.first + i);
+	if (!part->leaf.count)
+		try_node(&f, part->leaf.first);
 	*visits += f.visits + 1;
-	*at = f.at;
-	return f.base + f.most + 2 * slack;
+	if (at && f.run)
+		f.at = corner_runs_farthest(part->corners, f.run, f.direction);
+	if (at)
+		*at = vec3_add(f.at, bvh->origin);
+	return vec3_dot(m, bvh->origin) + f.most + 3 * slack;
 }
 
 double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits)
@@ -205,8 +243,9 @@ double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visit
 		*visits += 1;
 		return support_of_profile(convex, m, at);
 	}
-	most = support_of_mesh(convex, mat3_apply_transposed(&convex->place->rotation, m), at, visits);
-	*at = xform_apply(convex->place, *at);
+	most = support_of_mesh(convex->mesh, mat3_apply_transposed(&convex->place->rotation, m), at, visits);
+	if (at)
+		*at = xform_apply(convex->place, *at);
 	return most + vec3_dot(m, convex->place->translation);
 }
 

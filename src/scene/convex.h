@@ -8,6 +8,7 @@
 #include <stdbool.h>
 
 #include "geom/bvh.h"
+#include "geom/corner_runs.h"
 #include "geom/xform.h"
 #include "scene/bvh_pair.h"
 
@@ -33,8 +34,7 @@ void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf le
  * ball is then around these.
  */
 struct convex {
-	const struct bvh *bvh;
-	struct leaf leaf;	/* the triangles below it */
+	const struct mesh_part *mesh;
 	const xform *place;	/* mesh coordinates -> those of the pose */
 	const struct profile *profile;	/* or NULL */
 	vec3 location, axis;	/* of the profile, at the pose */
@@ -42,13 +42,25 @@ struct convex {
 	double radius;	/* mm */
 };
 
+/* The triangles below a leaf of a tree, and a ball around them, all in mesh coordinates. Borrows tree and corners. */
+struct mesh_part {
+	const struct bvh *bvh;
+	const struct corner_runs *corners;	/* of the tree */
+	struct leaf leaf;
+	vec3 centre;
+	double radius;	/* mm */
+};
+
+struct mesh_part mesh_part_of(const struct bvh *bvh, const struct corner_runs *corners, struct leaf leaf);
+
 /* The part of a mesh at `place`, without or with a profile. */
-struct convex convex_of_mesh(const struct bvh *bvh, struct leaf leaf, const xform *place);
+struct convex convex_of_mesh(const struct mesh_part *part, const xform *place);
 struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis);
 
 /*
  * At least the greatest m.p over the points p, in double, and at most |m| times two millionths of the body's size more;
- * m is any vector. *at is a point that reaches about so far. Adds the node pairs that this is worth to *visits.
+ * m is any vector. *at, unless NULL, is a point that reaches about so far. Adds the node pairs that this is worth to
+ * *visits.
  */
 double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits);
 

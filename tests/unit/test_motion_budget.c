@@ -140,7 +140,7 @@ static void move_in_box(struct walk *w, struct sweep *sweep)
 		amount.v[k] = strays ? 1e-3 : 0;
 	}
 	errors = random_errors(w, &amount);
-	if (kept_budgets_cover_box(&w->budgets, &low, &high, &q1, &errors)) {
+	if (kept_budgets_cover_box(&w->budgets, &low, &high, &q1, &errors, random_below(&w->random, 2))) {
 		w->boxes++;
 		for (int i = 0; i < SAMPLES; i++) {
 			axis_values q, off = random_off(&w->random, &amount);

@@ -194,7 +194,10 @@ static int offer_chunk(struct near_program *n, struct strategy *strategy, int fi
 			errors.any |= errors.path.v[k] > 0;
 		}
 	}
-	return strategy_advance_box(strategy, &low, &high, &errors, &n->p.corners[first + count], (size_t)count) ? count : 0;
+	return strategy_advance_box(strategy, &low, &high, &errors, &n->p.corners[first + count], (size_t)count,
+				    random_below(&n->p.random, 2))
+		       ? count
+		       : 0;
 }
 
 struct counts {

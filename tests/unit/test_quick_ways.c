@@ -72,7 +72,8 @@ static bool by_box(struct faces *f, struct sweep *sweep, double gap)
 
 	(void)sweep;
 	tell_distance(f, 0, gap);
-	return pair_proof_box(&f->proof, q0->v[0] < q1->v[0] ? q0 : q1, q0->v[0] < q1->v[0] ? q1 : q0, &errors, q1);
+	return pair_proof_box(&f->proof, q0->v[0] < q1->v[0] ? q0 : q1, q0->v[0] < q1->v[0] ? q1 : q0, &errors, q1,
+			      false);
 }
 
 /* The budget that holds is not the last one. */
@@ -100,6 +101,16 @@ static bool by_planes(struct faces *f, struct sweep *sweep, double gap)
 	(void)sweep;
 	(void)gap;
 	return pair_proof_step_by_planes(&f->proof, step, &errors, true);
+}
+
+static bool by_halves(struct faces *f, struct sweep *sweep, double gap)
+{
+	const struct motion_step *step = &f->steps[0].motion;
+	struct position_errors errors = step_errors(&f->duo.chain, step);
+
+	(void)sweep;
+	(void)gap;
+	return pair_proof_halves_by_planes(&f->proof, step, &errors, 2);
 }
 
 static bool box_by_planes(struct faces *f, struct sweep *sweep, double gap)
@@ -162,6 +173,7 @@ START_TEST(no_quick_way_passes_what_the_sweep_may_report)
 	look_at(by_earlier_budget, "earlier budget");
 	look_at(by_chord, "chord");
 	look_at(by_planes, "planes");
+	look_at(by_halves, "halves by planes");
 	look_at(box_by_planes, "box by planes");
 	look_at(by_kept_planes, "kept planes");
 }

@@ -20,7 +20,8 @@ static int skip_some(struct program *p, struct strategy *strategy, int first, lo
 			high.v[k] = fmax(high.v[k], p->corners[i].v[k]);
 		}
 	}
-	if (!strategy_advance_box(strategy, &low, &high, &exact, &p->corners[first + count], (size_t)count))
+	if (!strategy_advance_box(strategy, &low, &high, &exact, &p->corners[first + count], (size_t)count,
+				  random_below(&p->random, 2)))
 		return 0;
 	for (int i = first; i < first + count; i++)
 		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,

@@ -136,6 +136,8 @@ static struct made make_plane(struct scene_of_two *s)
 	const struct leaf root = {0, 0};
 	struct profile profiles[2];
 	struct plane_pose pose;
+	struct corner_runs *corners[2];
+	struct mesh_part parts[2];
 	struct convex a, b;
 	xform places[2];
 	double gap;
@@ -144,8 +146,12 @@ static struct made make_plane(struct scene_of_two *s)
 	plane_pose_init(&pose, pair, &s->at);
 	places[0] = pair->place_a;
 	places[1] = xform_mul(&pose.state.pose, &pair->place_b);
-	a = convex_of_mesh(pair->a, root, &places[0]);
-	b = convex_of_mesh(pair->b, root, &places[1]);
+	corners[0] = corner_runs_new(pair->a);
+	corners[1] = corner_runs_new(pair->b);
+	parts[0] = mesh_part_of(pair->a, corners[0], root);
+	parts[1] = mesh_part_of(pair->b, corners[1], root);
+	a = convex_of_mesh(&parts[0], &places[0]);
+	b = convex_of_mesh(&parts[1], &places[1]);
 	if (link > 0 && chain->joints[0].rotary && random_below(random, 2)) {
 		profile_init(&profiles[0], pair->a, root, &pair->place_a, chain->joints[0].location,
 			     chain->joints[0].direction);
@@ -162,6 +168,8 @@ static struct made make_plane(struct scene_of_two *s)
 		made.n = pose.state.direction[random_below(random, (int)chain->count)];
 	gap = travelling_plane_gap(&pose, &a, &b, made.n, &visits);
 	travelling_plane_init(&made.plane, &pose, &a, &b, made.n, link, gap, &visits);
+	corner_runs_release(corners[0]);
+	corner_runs_release(corners[1]);
 	return made;
 }
 
@@ -293,6 +301,8 @@ START_TEST(motion_across_the_normal_is_free)
 	struct travelling_plane plane;
 	struct plane_motion motion = {.straight = true};
 	struct plane_pose pose;
+	struct corner_runs *corners[2];
+	struct mesh_part parts[2];
 	struct convex a, b;
 	axis_values at = {{0}};
 	struct duo duo;
@@ -304,8 +314,12 @@ START_TEST(motion_across_the_normal_is_free)
 	at.v[SLOT_Z] = 21;
 	plane_pose_init(&pose, &duo.pair, &at);
 	places[1] = pose.state.pose;
-	a = convex_of_mesh(duo.a, root, &places[0]);
-	b = convex_of_mesh(duo.b, root, &places[1]);
+	corners[0] = corner_runs_new(duo.a);
+	corners[1] = corner_runs_new(duo.b);
+	parts[0] = mesh_part_of(duo.a, corners[0], root);
+	parts[1] = mesh_part_of(duo.b, corners[1], root);
+	a = convex_of_mesh(&parts[0], &places[0]);
+	b = convex_of_mesh(&parts[1], &places[1]);
 	travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 0, 1}, 1,
 			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, &visits), &visits);
 	motion.q0 = motion.q1 = at;
@@ -320,6 +334,8 @@ START_TEST(motion_across_the_normal_is_free)
 	motion.q0.v[SLOT_Z] = 30;
 	motion.q1.v[SLOT_Z] = 20.5;
 	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 0.5, 1e-3);
+	corner_runs_release(corners[0]);
+	corner_runs_release(corners[1]);
 	duo_release(&duo);
 }
 END_TEST
@@ -340,6 +356,8 @@ START_TEST(normal_goes_with_its_link)
 	axis_values at = {{0}}, turned = {{0}};
 	struct travelling_plane plane;
 	struct plane_pose pose;
+	struct corner_runs *corners[2];
+	struct mesh_part parts[2];
 	struct convex a, b;
 	struct duo duo;
 	long visits = 0;
@@ -353,12 +371,18 @@ START_TEST(normal_goes_with_its_link)
 		vec3 n;
 
 		plane_pose_init(&pose, &duo.pair, &at);
-		a = convex_of_mesh(duo.a, root, &places[0]);
-		b = convex_of_mesh(duo.b, root, &places[1]);
+		corners[0] = corner_runs_new(duo.a);
+		corners[1] = corner_runs_new(duo.b);
+		parts[0] = mesh_part_of(duo.a, corners[0], root);
+		parts[1] = mesh_part_of(duo.b, corners[1], root);
+		a = convex_of_mesh(&parts[0], &places[0]);
+		b = convex_of_mesh(&parts[1], &places[1]);
 		travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 1, 0}, link, 1, &visits);
 		plane_pose_init(&pose, &duo.pair, &turned);
 		n = travelling_plane_normal(&plane, &pose);
 		ck_assert_double_lt(vec3_norm(vec3_sub(n, expected[link])), 1e-12);
+		corner_runs_release(corners[0]);
+		corner_runs_release(corners[1]);
 	}
 	duo_release(&duo);
 }

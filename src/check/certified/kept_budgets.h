@@ -35,11 +35,11 @@ bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, co
 
 /*
  * As in motion_budget.h, with the budget in use; if that does not cover the motion, with a kept one, which is in use
- * from then on. The axes come from q0.
+ * from then on: for a box only with `recall`. The axes come from q0.
  */
 bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
 		   const struct position_errors *errors);
 bool kept_budgets_cover_box(struct kept_budgets *budgets, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const struct position_errors *errors);
+		       const axis_values *q1, const struct position_errors *errors, bool recall);
 
 #endif

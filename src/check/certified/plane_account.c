@@ -17,8 +17,8 @@
 /* Nodes: the least that a first search costs. */
 #define FIRST_PRICE 2000
 
-/* After searches in vain at most so many chunks are left out. */
-enum { CHUNK_BACKOFF_MAX = 64 };
+/* After searches in vain at most so many chunks or steps are left out. */
+enum { BACKOFF_MAX = 64 };
 
 void plane_account_init(struct plane_account *account, size_t triangles)
 {
@@ -30,14 +30,24 @@ bool plane_account_allows(const struct plane_account *account)
 	return account->credit > account->search_price;
 }
 
-bool plane_account_allows_chunk(struct plane_account *account)
+static bool allows(const struct plane_account *account, struct plane_pause *pause)
 {
 	if (!plane_account_allows(account))
 		return false;
-	if (account->idle <= 0)
+	if (pause->idle <= 0)
 		return true;
-	account->idle--;
+	pause->idle--;
 	return false;
+}
+
+bool plane_account_allows_chunk(struct plane_account *account)
+{
+	return allows(account, &account->chunks);
+}
+
+bool plane_account_allows_halves(struct plane_account *account)
+{
+	return allows(account, &account->halves);
 }
 
 static void add_credit(struct plane_account *account, double visits)
@@ -69,8 +79,18 @@ void plane_account_add_search(struct plane_account *account, long visits)
 	account->search_price += LAST_SHARE * (price - account->search_price);
 }
 
+static void learn(struct plane_pause *pause, bool proved)
+{
+	pause->backoff = proved ? 0 : pause->backoff < BACKOFF_MAX ? 2 * pause->backoff + 1 : BACKOFF_MAX;
+	pause->idle = pause->backoff;
+}
+
 void plane_account_add_chunk(struct plane_account *account, bool proved)
 {
-	account->backoff = proved ? 0 : account->backoff < CHUNK_BACKOFF_MAX ? 2 * account->backoff + 1 : CHUNK_BACKOFF_MAX;
-	account->idle = account->backoff;
+	learn(&account->chunks, proved);
+}
+
+void plane_account_add_halves(struct plane_account *account, bool proved)
+{
+	learn(&account->halves, proved);
 }

@@ -13,7 +13,10 @@ struct plane_account {
 	double credit;	/* node pairs that searches may still look at */
 	double sweep_price;	/* node pairs that the sweep of a step looks at: a running mean */
 	double search_price;	/* the same of a search */
-	int idle, backoff;	/* chunks for which no plane is searched: now, and after the next search in vain */
+	/* Chunks for which no plane is searched, and steps that are not halved: now, and after the next search in vain. */
+	struct plane_pause {
+		int idle, backoff;
+	} chunks, halves;
 };
 
 /* triangles: of both bodies. The first search looks at all of them. */
@@ -21,8 +24,9 @@ void plane_account_init(struct plane_account *account, size_t triangles);
 
 bool plane_account_allows(const struct plane_account *account);
 
-/* The same for the planes of a chunk; false also while earlier such searches were in vain. */
+/* The same for the planes of a chunk and of halves; false also while earlier such searches were in vain. */
 bool plane_account_allows_chunk(struct plane_account *account);
+bool plane_account_allows_halves(struct plane_account *account);
 
 /* A step was swept, or the distance asked for. */
 void plane_account_add_sweep(struct plane_account *account, long visits);
@@ -33,5 +37,6 @@ void plane_account_add_saved(struct plane_account *account, size_t steps);
 
 void plane_account_add_search(struct plane_account *account, long visits);
 void plane_account_add_chunk(struct plane_account *account, bool proved);
+void plane_account_add_halves(struct plane_account *account, bool proved);
 
 #endif

@@ -27,7 +27,7 @@ enum { WHOLE_BACKOFF_MAX = 64 };
 
 struct plane_part {
 	int body;	/* 0: A, 1: B */
-	struct leaf leaf;
+	struct mesh_part mesh;
 	bool has_profile;
 	struct profile profile;	/* about the joint next to the body */
 	size_t first_child, child_count;	/* parts; 0: not divided yet */
@@ -54,6 +54,8 @@ void plane_cells_init(struct plane_cells *cells, const struct body_pair *bodies)
 
 void plane_cells_release(struct plane_cells *cells)
 {
+	for (int i = 0; i < 2; i++)
+		corner_runs_release(cells->corners[i]);
 	free(cells->parts);
 	free(cells->cells);
 	*cells = (struct plane_cells){.bodies = cells->bodies};
@@ -62,6 +64,8 @@ void plane_cells_release(struct plane_cells *cells)
 void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from)
 {
 	*to = *from;
+	for (int i = 0; i < 2; i++)
+		corner_runs_hold(to->corners[i]);
 	if (!from->cell_count)
 		return;
 	to->parts = mem_realloc(NULL, from->part_count, sizeof(*to->parts));
@@ -70,6 +74,15 @@ void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from)
 	to->cell_capacity = from->cell_count;
 	memcpy(to->parts, from->parts, from->part_count * sizeof(*to->parts));
 	memcpy(to->cells, from->cells, from->cell_count * sizeof(*to->cells));
+}
+
+void plane_cells_join(struct plane_cells *cells)
+{
+	if (!cells->cell_count)
+		return;
+	cells->cell_count = 1;
+	cells->cells[0].divided = false;
+	cells->cells[0].idle = cells->cells[0].backoff = 0;
 }
 
 static const struct bvh *bvh_of(const struct plane_cells *cells, int body)
@@ -93,7 +106,8 @@ static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
 	cells->parts =
 	    mem_grow(cells->parts, &cells->part_capacity, cells->part_count + 1, sizeof(*cells->parts));
 	part = &cells->parts[cells->part_count++];
-	*part = (struct plane_part){.body = body, .leaf = leaf, .has_profile = WITH_PROFILES && joint->rotary};
+	*part = (struct plane_part){.body = body, .mesh = mesh_part_of(bvh_of(cells, body), cells->corners[body], leaf),
+				    .has_profile = WITH_PROFILES && joint->rotary};
 	if (part->has_profile)
 		profile_init(&part->profile, bvh_of(cells, body), leaf,
 			     body ? &cells->bodies->place_b : &cells->bodies->place_a, joint->location,
@@ -247,7 +261,7 @@ static void try_shapes(struct search *search, const struct convex *a, const stru
 
 static struct convex mesh_of(const struct search *search, const struct plane_part *part)
 {
-	return convex_of_mesh(bvh_of(search->cells, part->body), part->leaf, &search->places[part->body]);
+	return convex_of_mesh(&part->mesh, &search->places[part->body]);
 }
 
 static struct convex rings_of(const struct search *search, const struct plane_part *part)
@@ -318,9 +332,9 @@ static bool divide_part(struct plane_cells *cells, size_t at)
 	const struct plane_part part = cells->parts[at];
 	const struct bvh_node *node;
 
-	if (part.leaf.count || part.child_count)
+	if (part.mesh.leaf.count || part.child_count)
 		return part.child_count > 0;
-	node = &bvh_of(cells, part.body)->nodes[part.leaf.first];
+	node = &bvh_of(cells, part.body)->nodes[part.mesh.leaf.first];
 	if (node->used < 2)
 		return false;
 	cells->parts[at].first_child = cells->part_count;
@@ -330,17 +344,11 @@ static bool divide_part(struct plane_cells *cells, size_t at)
 	return true;
 }
 
-static double radius_of(const struct search *search, size_t part)
-{
-	return mesh_of(search, &search->cells->parts[part]).radius;
-}
-
 /* Divides the larger part of the cell. */
-static bool divide_cell(struct search *search, size_t at)
+static bool divide_cell(struct plane_cells *cells, size_t at)
 {
-	struct plane_cells *cells = search->cells;
 	const size_t part[2] = {cells->cells[at].part[0], cells->cells[at].part[1]};
-	int body = radius_of(search, part[1]) > radius_of(search, part[0]);
+	int body = cells->parts[part[1]].mesh.radius > cells->parts[part[0]].mesh.radius;
 	size_t first, count;
 
 	if (!divide_part(cells, part[body])) {
@@ -368,7 +376,7 @@ static bool renew_cell(struct search *search, size_t at)
 		keep_plane(&cells->cells[at], &search->best);
 		return search->life > 1;
 	}
-	return divide_cell(search, at);
+	return divide_cell(cells, at);
 }
 
 /* The cell of the whole bodies: false also if the front has to be looked at. */
@@ -388,7 +396,7 @@ static bool renew_whole(struct search *search)
 	if (search->life > 1)
 		return true;
 	if (search->life < 0 && !whole->divided)
-		divide_cell(search, 0);
+		divide_cell(search->cells, 0);
 	whole = &search->cells->cells[0];
 	whole->backoff = whole->backoff < WHOLE_BACKOFF_MAX ? 2 * whole->backoff + 1 : WHOLE_BACKOFF_MAX;
 	whole->idle = whole->backoff;
@@ -404,8 +412,10 @@ bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const s
 	if (chain_is_rigid(bodies->chain))
 		return false;
 	if (!cells->cell_count) {
-		add_part(cells, 0, (struct leaf){0, 0});
-		add_part(cells, 1, (struct leaf){0, 0});
+		for (int i = 0; i < 2; i++) {
+			cells->corners[i] = corner_runs_new(bvh_of(cells, i));
+			add_part(cells, i, (struct leaf){0, 0});
+		}
 		add_cell(cells, 0, 1);
 	}
 	plane_pose_init(&search.pose, bodies, q);

@@ -18,6 +18,7 @@ struct plane_cell;
  */
 struct plane_cells {
 	const struct body_pair *bodies;
+	struct corner_runs *corners[2];	/* held, or NULL before the first search: of A, B */
 	struct plane_part *parts;	/* owned: parts of both bodies */
 	size_t part_count, part_capacity;
 	struct plane_cell *cells;	/* owned; the first one is that of the whole bodies */
@@ -31,6 +32,9 @@ void plane_cells_release(struct plane_cells *cells);
 
 /* A copy for another check of the same bodies, which the caller releases. */
 void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from);
+
+/* Begins with the whole bodies again: smaller gaps are needed from here on, so cells may be larger. */
+void plane_cells_join(struct plane_cells *cells);
 
 /* Do kept planes leave gaps of more than `needed` mm throughout the motion? */
 bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed);

@@ -55,6 +55,8 @@ void pair_proof_aim(struct pair_proof *proof, double wanted)
 	double target = wanted > proof->clearance + proof->tolerance ? wanted : proof->clearance;
 
 	assert(target <= proof->target);
+	if (target < proof->target)
+		plane_cells_join(&proof->planes);
 	proof->target = target;
 }
 
@@ -86,9 +88,9 @@ bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *
 }
 
 bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,
-		    const struct position_errors *errors, const axis_values *end)
+		    const struct position_errors *errors, const axis_values *end, bool recall)
 {
-	if (!kept_budgets_cover_box(&proof->budgets, low, high, end, errors))
+	if (!kept_budgets_cover_box(&proof->budgets, low, high, end, errors, recall))
 		return false;
 	proof->clear_at_end = proof->position_known = true;
 	return true;
@@ -102,7 +104,7 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 
 	if (step_is_box(step)) {
 		step_box(step, &low, &high);
-		return pair_proof_box(proof, &low, &high, errors, &span->q1);
+		return pair_proof_box(proof, &low, &high, errors, &span->q1, true);
 	}
 	if (!proof->position_known)
 		kept_budgets_resume(&proof->budgets, &span->q0);
@@ -111,42 +113,83 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 	return proof->position_known;
 }
 
-/* The kept planes, else new ones at q. The axes have gone on past what the budget in use has counted. */
-static bool by_planes(struct pair_proof *proof, const struct plane_motion *motion, const struct position_errors *errors,
-		      const axis_values *q, bool search)
+/* mm: planes must leave more than this. */
+static double needed_of_planes(const struct pair_proof *proof, const struct plane_motion *motion,
+			       const struct position_errors *errors)
 {
-	double needed = pair_proof_needed(proof) + plane_motion_path(motion, &proof->bodies, errors);
+	return pair_proof_needed(proof) + plane_motion_path(motion, &proof->bodies, errors);
+}
 
-	if (!(search ? plane_cells_search(&proof->planes, q, motion, needed)
-		     : plane_cells_cover(&proof->planes, motion, needed)))
+/* Planes have proved a piece of motion. The axes have gone on past what the budget in use has counted. */
+static bool passed_by_planes(struct pair_proof *proof, bool passed)
+{
+	if (!passed)
 		return false;
 	proof->clear_at_end = true;
 	proof->position_known = false;
 	return true;
 }
 
+/* The kept planes, else new ones at q. */
+static bool by_planes(struct pair_proof *proof, const struct plane_motion *motion, const struct position_errors *errors,
+		      const axis_values *q, bool search)
+{
+	double needed = needed_of_planes(proof, motion, errors);
+
+	return passed_by_planes(proof, search ? plane_cells_search(&proof->planes, q, motion, needed)
+					      : plane_cells_cover(&proof->planes, motion, needed));
+}
+
 bool pair_proof_box_by_planes(struct pair_proof *proof, const axis_values *low, const axis_values *high,
 			      const struct position_errors *errors, bool search)
 {
 	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
-	axis_values middle;
+	const axis_values middle = plane_motion_middle(&motion);
 
-	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * low->v[i] + 0.5 * high->v[i];
 	return by_planes(proof, &motion, errors, &middle, search);
 }
 
-bool pair_proof_step_by_planes(struct pair_proof *proof, const struct motion_step *step,
-			       const struct position_errors *errors, bool search)
+static struct plane_motion motion_of(const struct motion_step *step, const struct position_errors *errors)
 {
-	const struct plane_motion motion = {
+	return (struct plane_motion){
 		.straight = !step_is_box(step),
 		.q0 = step->span.q0,
 		.q1 = step->span.q1,
 		.chord_error = errors->chord,
 	};
+}
+
+bool pair_proof_step_by_planes(struct pair_proof *proof, const struct motion_step *step,
+			       const struct position_errors *errors, bool search)
+{
+	const struct plane_motion motion = motion_of(step, errors);
 
 	return by_planes(proof, &motion, errors, &step->span.q1, search);
+}
+
+/* `needed` of the whole motion is enough for each part of it. */
+static bool halves_by_planes(struct plane_cells *planes, const struct plane_motion *motion, double needed, int halvings)
+{
+	const axis_values middle = plane_motion_middle(motion);
+	struct plane_motion half[2] = {*motion, *motion};
+
+	if (plane_cells_cover(planes, motion, needed) || plane_cells_search(planes, &middle, motion, needed))
+		return true;
+	if (!halvings)
+		return false;
+	half[0].q1 = half[1].q0 = middle;
+	return halves_by_planes(planes, &half[0], needed, halvings - 1) &&
+	       halves_by_planes(planes, &half[1], needed, halvings - 1);
+}
+
+bool pair_proof_halves_by_planes(struct pair_proof *proof, const struct motion_step *step,
+				 const struct position_errors *errors, int halvings)
+{
+	const struct plane_motion motion = motion_of(step, errors);
+
+	return motion.straight && passed_by_planes(proof, halves_by_planes(&proof->planes, &motion,
+									   needed_of_planes(proof, &motion, errors),
+									   halvings));
 }
 
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)

@@ -72,10 +72,10 @@ bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *
 
 /*
  * Box: by a budget, D > t + W + e at all positions between low and high, give or take `errors`. The motion ends at
- * `end`.
+ * `end`. recall: earlier budgets are looked through, too.
  */
 bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,
-		    const struct position_errors *errors, const axis_values *end);
+		    const struct position_errors *errors, const axis_values *end, bool recall);
 
 /* Step: by a budget, D > t + W + e on all of it. */
 bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_step *step,
@@ -90,6 +90,13 @@ bool pair_proof_box_by_planes(struct pair_proof *proof, const axis_values *low, 
 			      const struct position_errors *errors, bool search);
 bool pair_proof_step_by_planes(struct pair_proof *proof, const struct motion_step *step,
 			       const struct position_errors *errors, bool search);
+
+/*
+ * The same, with other planes for parts of the step, which is halved up to so many times where none lasts for longer.
+ * New ones are measured at the middle of each part.
+ */
+bool pair_proof_halves_by_planes(struct pair_proof *proof, const struct motion_step *step,
+				 const struct position_errors *errors, int halvings);
 
 /* Is the step within an earlier budget? Then that budget is used from here on. Proves nothing by itself. */
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step);

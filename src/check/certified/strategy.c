@@ -44,6 +44,9 @@
  */
 #define CHORD_ERROR_SHARE 0.1
 
+/* How often a step is halved until planes last for a part of it. */
+#define HALVINGS 4
+
 void strategy_init(struct strategy *strategy, const struct body_pair *bodies, double clearance, double tolerance,
 		   enum strategy_measure measure)
 {
@@ -220,6 +223,29 @@ static bool covered_by_planes(struct strategy *strategy, const struct motion_ste
 	return held;
 }
 
+/*
+ * Do other planes for each part of the step save its sweep? As long as such searches fail, fewer and fewer steps are
+ * halved.
+ */
+static bool halves_by_planes(struct strategy *strategy, const struct motion_step *step,
+			     const struct position_errors *errors)
+{
+	struct pair_proof *proof = &strategy->proof;
+	long before = proof->planes.visits;
+	bool held;
+
+	if (!uses_planes(strategy) || !plane_account_allows_halves(&strategy->planes))
+		return false;
+	held = pair_proof_halves_by_planes(proof, step, errors, HALVINGS);
+	plane_account_add_search(&strategy->planes, proof->planes.visits - before);
+	plane_account_add_halves(&strategy->planes, held);
+	if (held) {
+		plane_account_add_saved(&strategy->planes, 1);
+		strategy->plane_steps++;
+	}
+	return held;
+}
+
 static enum query_answer sweep_step(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 				    struct contact *contact)
 {
@@ -273,6 +299,8 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 		if (covered(strategy, step, &errors))
 			return QUERY_CLEAR;
 	}
+	if (halves_by_planes(strategy, step, &errors))
+		return QUERY_CLEAR;
 	answer = is_target_missed(strategy, sweep, step, contact) ? QUERY_CONTACT
 								   : sweep_step(strategy, sweep, step, contact);
 	strategy->distance_pays = false;
@@ -348,7 +376,8 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 	if (pair_proof_recall(proof, &steps[0].motion))
 		return 0;
 	errors = step_errors(proof->bodies.chain, &steps[0].motion);
-	if (covered_by_planes(strategy, &steps[0].motion, &errors))
+	if (covered_by_planes(strategy, &steps[0].motion, &errors) ||
+	    halves_by_planes(strategy, &steps[0].motion, &errors))
 		return 1;
 	merge_count = choose_merge(strategy, steps, count, &chord);
 	strategy->merge_count = merge_count;
@@ -368,7 +397,7 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 
 /* As covered_by_planes, for a box of steps. */
 static bool box_by_planes(struct strategy *strategy, const axis_values *low, const axis_values *high,
-			  const struct position_errors *errors)
+			  const struct position_errors *errors, bool thorough)
 {
 	struct pair_proof *proof = &strategy->proof;
 	long before = proof->planes.visits;
@@ -377,7 +406,7 @@ static bool box_by_planes(struct strategy *strategy, const axis_values *low, con
 	if (!uses_planes(strategy))
 		return false;
 	held = pair_proof_box_by_planes(proof, low, high, errors, false);
-	if (!held && plane_account_allows_chunk(&strategy->planes)) {
+	if (!held && thorough && plane_account_allows_chunk(&strategy->planes)) {
 		held = pair_proof_box_by_planes(proof, low, high, errors, true);
 		plane_account_add_search(&strategy->planes, proof->planes.visits - before);
 		plane_account_add_chunk(&strategy->planes, held);
@@ -386,14 +415,14 @@ static bool box_by_planes(struct strategy *strategy, const axis_values *low, con
 }
 
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
-			  const struct position_errors *errors, const axis_values *end, size_t steps)
+			  const struct position_errors *errors, const axis_values *end, size_t steps, bool thorough)
 {
-	if (pair_proof_box(&strategy->proof, low, high, errors, end)) {
+	if (pair_proof_box(&strategy->proof, low, high, errors, end, thorough)) {
 		strategy->distance_pays = true;
 		strategy->covered_steps += (long)steps;
 		return true;
 	}
-	if (!box_by_planes(strategy, low, high, errors))
+	if (!box_by_planes(strategy, low, high, errors, thorough))
 		return false;
 	plane_account_add_saved(&strategy->planes, steps);
 	strategy->plane_steps += (long)steps;

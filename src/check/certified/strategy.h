@@ -57,10 +57,11 @@ void strategy_forget_position(struct strategy *strategy);
 
 /*
  * Checks many steps at once: all positions are between low and high, give or take `errors`, and the last one is `end`.
- * False: no budget covers them, and nothing was checked.
+ * False: neither a budget nor planes cover them, and nothing was checked. thorough: earlier budgets are looked through,
+ * and new planes are searched if that may pay.
  */
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
-			  const struct position_errors *errors, const axis_values *end, size_t steps);
+			  const struct position_errors *errors, const axis_values *end, size_t steps, bool thorough);
 
 /*
  * Where distance queries do not pay, tries to prove several of the next `count` steps at once. Returns how many; 0:

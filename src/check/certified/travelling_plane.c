@@ -39,21 +39,19 @@ vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct 
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
 			    long *visits)
 {
-	vec3 at;
-
-	return -convex_support(b, vec3_scale(-1, n), &at, visits) - convex_support(a, n, &at, visits) - pose->rounding;
+	return -convex_support(b, vec3_scale(-1, n), NULL, visits) - convex_support(a, n, NULL, visits) - pose->rounding;
 }
 
 /* What a rotary joint does to the part of the body that it carries. */
 static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part,
 		       size_t i, vec3 n, long *visits)
 {
-	vec3 axis = pose->state.direction[i], location = pose->state.location[i], at;
+	vec3 axis = pose->state.direction[i], location = pose->state.location[i];
 	vec3 lever = vec3_cross(n, axis);
 	double from = vec3_dot(lever, location);
 
-	plane->high[i] = convex_support(part, lever, &at, visits) - from + pose->rounding;
-	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), &at, visits) - from - pose->rounding;
+	plane->high[i] = convex_support(part, lever, NULL, visits) - from + pose->rounding;
+	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), NULL, visits) - from - pose->rounding;
 	plane->turn[i] = vec3_norm(lever) + pose->slack;
 	plane->lever[i] =
 	    vec3_norm(vec3_cross(axis, vec3_sub(part->centre, location))) + part->radius + pose->rounding;
@@ -82,6 +80,15 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 			add_rotary(plane, pose, part, i, n, visits);
 		}
 	}
+}
+
+axis_values plane_motion_middle(const struct plane_motion *motion)
+{
+	axis_values middle;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
+	return middle;
 }
 
 double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,

@@ -83,6 +83,8 @@ struct plane_motion {
 	axis_values q0, q1, chord_error;
 };
 
+axis_values plane_motion_middle(const struct plane_motion *motion);
+
 /* mm: no path displacement (motion_bound.h) of the bodies is larger at any position of the motion. */
 double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
 			 const struct position_errors *errors);

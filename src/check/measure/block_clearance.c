@@ -72,15 +72,6 @@ static double enough(const struct block_clearance *block, double distance)
 	return fmax(SHARP_ENOUGH * distance, distance > SHARP_BEYOND * block->bound ? block->bound : 0);
 }
 
-static axis_values middle_of(const axis_values *a, const axis_values *b)
-{
-	axis_values middle;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * a->v[i] + 0.5 * b->v[i];
-	return middle;
-}
-
 /* Do travelling planes keep the bodies more than `needed` mm apart? New ones are measured at q if that may pay. */
 static bool planes_cover(struct block_clearance *block, const struct plane_motion *motion, const axis_values *q,
 			 double needed, bool chunk)
@@ -104,7 +95,7 @@ bool block_clearance_clears(struct block_clearance *block, const axis_values *lo
 			    const struct position_errors *errors, size_t steps, double most)
 {
 	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
-	const axis_values middle = middle_of(low, high);
+	const axis_values middle = plane_motion_middle(&motion);
 
 	if (block->maybe_inside)
 		return false;
@@ -172,7 +163,7 @@ static void look_at(struct block_clearance *block, struct sweep *sweep, struct m
 static bool planes_prove(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
 			 const struct plane_motion *part, int halvings)
 {
-	const axis_values middle = middle_of(&part->q0, &part->q1);
+	const axis_values middle = plane_motion_middle(part);
 	const double kept = plane_cells_rest(&block->planes, part) - measured->path;
 
 	if (kept > wanted_of(block, measured))

@@ -1,0 +1,39 @@
+/* reach_kernel.h - how far boxes and points reach in a direction, for one level of SIMD; see simd_kernels.h. */
+#include <math.h>
+
+#include "geom/bvh.h"
+#include "geom/lanes.h"
+#include "geom/simd_kernels.h"
+
+LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float enough,
+					    float reach[BVH_WIDTH])
+{
+	lanes all = lanes_all(0);
+
+	for (int k = 0; k < 3; k++) {
+		lanes middle = lanes_mul(lanes_all(n[k]), lanes_load(node->centre[k]));
+		lanes half = lanes_mul(lanes_abs(lanes_all(n[k])), lanes_load(node->half[k]));
+
+		all = lanes_add(all, lanes_add(middle, half));
+	}
+	lanes_store(reach, all);
+	return lanes_reaching(all, lanes_all(enough)) & ((1u << node->used) - 1);
+}
+
+LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])
+{
+	const lanes all[3] = {lanes_all(n[0]), lanes_all(n[1]), lanes_all(n[2])};
+	lanes most = lanes_all(-INFINITY);
+	float each[LANES], greatest = -INFINITY;
+
+	for (; groups; groups--, points += 3 * LANES) {
+		lanes x = lanes_mul(all[0], lanes_load(points)), y = lanes_mul(all[1], lanes_load(points + LANES));
+		lanes z = lanes_mul(all[2], lanes_load(points + 2 * LANES));
+
+		most = lanes_max(most, lanes_add(lanes_add(x, y), z));
+	}
+	lanes_store(each, most);
+	for (int i = 0; i < LANES; i++)
+		greatest = each[i] > greatest ? each[i] : greatest;
+	return greatest;
+}
