@@ -16,8 +16,8 @@ static enum joined kind_of_line(struct interp *interp)
 
 	if (klartext_of(interp)->definition.open || !klartext_continues(text))
 		return JOINED_NOT;
-	lexer.position += strspn(text + lexer.position, " \t");
-	lexer.position += strspn(text + lexer.position, "0123456789");
+	/* A block number, and the mark of a block that may be left out, before or behind it. */
+	lexer.position += strspn(text + lexer.position, " \t0123456789/");
 	if (klartext_upper(lexer_peek(&lexer)) == 'Q')
 		return JOINED_FORMULA;
 	if (strchr(text, ';') || !klartext_word(&lexer, word))
@@ -36,6 +36,42 @@ static bool begins_with_digit(const char *text)
 	return byte >= '0' && byte <= '9';
 }
 
+/* Does this line begin a block of its own? What some blocks ignore, would swallow it. */
+static bool begins_block(struct interp *interp, const char *text)
+{
+	static const char *const opening[] = {
+		"L",  "C",   "CC", "CR", "CT",	"LN",	"LP",	"CP",	"CTP",	"RND",	"CHF",	"CYCL",	    "CYCLE", "LBL",
+		"FL", "FLT", "FC", "FN", "FCT", "FPOL", "CALL", "TOOL", "STOP", "APPR", "PLANE", "FUNCTION", "TCH",   "BLK",
+		"BEGIN", "END", "DEP", "SEL", "TRANS", "PRESET", "PATTERN", "CONTOUR", "DECLARE",
+	};
+	const struct line_place at = interp->at;
+	struct lexer lexer;
+	char word[KLARTEXT_WORD], behind;
+	bool begins = false;
+
+	interp->at.text = text;
+	lexer = klartext_lexer(interp);
+	klartext_word(&lexer, word);
+	behind = text[lexer.position];
+	interp->at = at;
+	if (word[0] == 'Q')
+		return strchr(text, '=') != NULL;
+	for (size_t i = 0; i < sizeof(opening) / sizeof(opening[0]) && !begins; i++)
+		begins = !strcmp(word, opening[i]);
+	/* "L+5", "C+90": a length and an axis. */
+	return begins && (behind == '\0' || behind == ' ' || behind == '\t');
+}
+
+/* Adds the line without its '~' and, where others follow, without its comment; within it '~' stays, and is refused. */
+static void add_part(struct strbuf *line, const char *text)
+{
+	size_t length = strlen(text);
+
+	if (klartext_continues(text))
+		length = strchr(text, ';') ? strcspn(text, ";") : (size_t)(strrchr(text, '~') - text);
+	strbuf_addf(line, "%.*s", (int)length, text);
+}
+
 /* The reader has given up the first line: what was joined so far stands for it. */
 static bool fault_joined(struct interp *interp, const char *message)
 {
@@ -52,7 +88,7 @@ bool klartext_join(struct interp *interp)
 	if (kind == JOINED_NOT)
 		return true;
 	strbuf_clear(line);
-	strbuf_addf(line, "%.*s", (int)strcspn(text, ";~"), text);
+	add_part(line, text);
 	while (klartext_continues(text)) {
 		if (reader_next(&interp->program.source->reader, &text) != READER_LINE)
 			return fault_joined(interp, kind == JOINED_FORMULA
@@ -61,7 +97,11 @@ bool klartext_join(struct interp *interp)
 		/* Behind a value, a number would become part of it. */
 		if (kind == JOINED_BLOCK && begins_with_digit(text))
 			return fault_joined(interp, "'~' continues this block, but the next line begins with a number");
-		strbuf_addf(line, kind == JOINED_BLOCK ? " %.*s" : "%.*s", (int)strcspn(text, ";~"), text);
+		if (kind == JOINED_BLOCK && begins_block(interp, text))
+			return fault_joined(interp, "'~' continues this block, but the next line begins another one");
+		if (kind == JOINED_BLOCK)
+			strbuf_addf(line, " ");
+		add_part(line, text);
 	}
 	interp->at.text = strbuf_text(line);
 	return true;

@@ -388,6 +388,23 @@ static bool is_comment(struct lexer *lexer, bool numbered)
 	return byte == '\0' || begins || goes_on;
 }
 
+/*
+ * Behind a block with a comment that ends in '~', do words without a block follow? They may be the comment's, or the
+ * block's, whose move they would change.
+ */
+static bool may_belong_before(struct lexer *lexer, bool numbered)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+	const char *text = lexer->at->text;
+	const bool behind = klartext->tail_goes_on && !numbered;
+	struct lexer look = *lexer;
+	char word[KLARTEXT_WORD];
+
+	klartext->tail_goes_on = strchr(text, ';') && klartext_continues(text);
+	klartext_word(&look, word);
+	return behind && !klartext->definition.open && !find_statement(word) && starts_word(word, text[look.position]);
+}
+
 static bool take_line(struct lexer *lexer, bool *bare)
 {
 	struct interp *interp = lexer->context;
@@ -401,8 +418,14 @@ static bool take_line(struct lexer *lexer, bool *bare)
 		return fault(lexer->at, klartext_column(lexer),
 			     "'~' has this line belong to the comment before it, but it reads like a block: take the "
 			     "'~' away, or begin the line with ';'");
-	if (is_comment(lexer, numbered))
+	if (is_comment(lexer, numbered)) {
+		klartext_of(interp)->tail_goes_on = false;
 		return true;
+	}
+	if (may_belong_before(lexer, numbered))
+		return fault(lexer->at, klartext_column(lexer),
+			     "'~' behind the comment of the block before leaves open whether this line belongs to it: take "
+			     "the '~' away, or write it before the comment's ';' and without the comment");
 	if (klartext_of(interp)->behind_end)
 		return pass_by(lexer);
 	if (!count_block(interp) || !check_begun(lexer))
