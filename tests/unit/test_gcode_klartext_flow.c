@@ -54,8 +54,8 @@ static const struct klartext_program parameters[] = {
 	/* Blocks of several lines. */
 	{"7 L X+1 ~\n  Y+2~\n Z+3 FMAX ; done\n8 L X+4 FMAX ; no more ~\nL Y+5 FMAX\nL X+6 FMAX~\n\n",
 	 "rapid 1 2 3 0 0\nrapid 4 2 3 0 0\nrapid 4 5 3 0 0\nrapid 6 5 3 0 0\n"},
-	{"/L X+1 ~\n Y+2 FMAX\nBLK FORM CYLINDER Z R50 ~\n L105 DIST+5\nL X+3 FMAX ; done ~\n7 Y+4 FMAX\nLBL \"A~\" ~\n\n"
-	 "LBL 0\n",
+	{"/L X+1 ~\n Y+2 FMAX\nBLK FORM CYLINDER Z R50 ~\n L105 DIST+5\nL X+3 FMAX ; done ~\n7 Y+4 FMAX\n"
+	 "LBL \"A~\" ~\n\nLBL 0\n",
 	 "rapid 1 2 0 0 0\nrapid 3 2 0 0 0\nrapid 3 4 0 0 0\n"},
 	{"Q1 = 5 * ~\n  ( 1 + ~ \n 1 ) ; twice\nL X+Q1 FMAX\n",
 	 "rapid 10 0 0 0 0\n"},

@@ -40,9 +40,9 @@ static bool begins_with_digit(const char *text)
 static bool begins_block(struct interp *interp, const char *text)
 {
 	static const char *const opening[] = {
-		"L",  "C",   "CC", "CR", "CT",	"LN",	"LP",	"CP",	"CTP",	"RND",	"CHF",	"CYCL",	    "CYCLE", "LBL",
-		"FL", "FLT", "FC", "FN", "FCT", "FPOL", "CALL", "TOOL", "STOP", "APPR", "PLANE", "FUNCTION", "TCH",   "BLK",
-		"BEGIN", "END", "DEP", "SEL", "TRANS", "PRESET", "PATTERN", "CONTOUR", "DECLARE",
+		"L", "C", "CC", "CR", "CT", "LN", "LP", "CP", "CTP", "RND", "CHF", "FL", "FLT", "FC", "FCT", "FPOL",
+		"APPR", "DEP", "CYCL", "CYCLE", "LBL", "FN", "CALL", "TOOL", "STOP", "PLANE", "FUNCTION", "TCH",
+		"BLK", "BEGIN", "END", "SEL", "TRANS", "PRESET", "PATTERN", "CONTOUR", "DECLARE",
 	};
 	const struct line_place at = interp->at;
 	struct lexer lexer;

@@ -424,8 +424,8 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	}
 	if (may_belong_before(lexer, numbered))
 		return fault(lexer->at, klartext_column(lexer),
-			     "'~' behind the comment of the block before leaves open whether this line belongs to it: take "
-			     "the '~' away, or write it before the comment's ';' and without the comment");
+			     "'~' behind the comment of the block before leaves open whether this line belongs to it: "
+			     "take the '~' away, or write it before the comment's ';' and without the comment");
 	if (klartext_of(interp)->behind_end)
 		return pass_by(lexer);
 	if (!count_block(interp) || !check_begun(lexer))
