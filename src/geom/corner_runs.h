@@ -30,9 +30,6 @@ struct corner_runs {
 	int holders;
 };
 
-/* As a share of the largest distance from the tree's origin: no point of a run is farther than this from its corner. */
-#define RUN_ROUNDING 0x1p-23
-
 /* Who makes the runs holds them, too. */
 struct corner_runs *corner_runs_new(const struct bvh *bvh);
 struct corner_runs *corner_runs_hold(struct corner_runs *runs);
