@@ -12,24 +12,25 @@ enum { PLACES = 512 };
 struct seen {
 	uint32_t place[PLACES];	/* the corner's number in the run, from 1; 0: free */
 	float corners[3 * RUN_TRIANGLES][3];
+	uint32_t bits[3 * RUN_TRIANGLES][3];
 	uint32_t count;
 };
 
-static uint32_t hash_of(const float p[3])
+static uint32_t hash_of(const uint32_t bits[3])
 {
-	uint32_t bits[3];
-
-	memcpy(bits, p, sizeof(bits));
 	return (bits[0] * 0x9e3779b1u ^ bits[1] * 0x85ebca77u ^ bits[2] * 0xc2b2ae3du) >> 16;
 }
 
 static void add_corner(struct seen *seen, const float p[3])
 {
-	uint32_t at = hash_of(p) % PLACES;
+	uint32_t bits[3], at;
 
+	memcpy(bits, p, sizeof(bits));
+	at = hash_of(bits) % PLACES;
 	for (; seen->place[at]; at = (at + 1) % PLACES)
-		if (!memcmp(seen->corners[seen->place[at] - 1], p, sizeof(seen->corners[0])))
+		if (!memcmp(seen->bits[seen->place[at] - 1], bits, sizeof(bits)))
 			return;
+	memcpy(seen->bits[seen->count], bits, sizeof(bits));
 	memcpy(seen->corners[seen->count++], p, sizeof(seen->corners[0]));
 	seen->place[at] = seen->count;
 }

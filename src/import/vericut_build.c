@@ -89,27 +89,25 @@ static bool read_parts(struct vericut_build *build, const xmlNode *root, struct 
 
 /* --------------------------------------------------------------------- mount */
 
-/* The carrier of the stock and the design that have models; NULL: none has one. False, reported: they differ. */
-static bool mount_of_models(const struct vericut_build *build, const char **mount)
+/* The first stock or design that has a model; NULL: there is none. False, reported: others have another carrier. */
+static bool find_work(const struct vericut_build *build, const struct vericut_part **first)
 {
-	const struct vericut_part *first = NULL;
-
+	*first = NULL;
 	for (size_t i = 0; i < build->count; i++) {
 		const struct vericut_part *part = &build->parts[i];
 
 		if (!is_work(part) || !vericut_part_has_model(part))
 			continue;
-		if (first && strcmp(first->carrier, part->carrier) != 0) {
+		if (*first && strcmp((*first)->carrier, part->carrier) != 0) {
 			xml_error(build->xml, part->node, NULL,
 				  "'%s' stands on '%s', and '%s' on '%s': a setup has its work in one place; save a "
 				  "project for each",
 				  xml_quote(part->name).text, xml_quote(part->carrier).text,
-				  xml_quote(first->name).text, xml_quote(first->carrier).text);
+				  xml_quote((*first)->name).text, xml_quote((*first)->carrier).text);
 			return false;
 		}
-		first = first ? first : part;
+		*first = *first ? *first : part;
 	}
-	*mount = first ? first->carrier : NULL;
 	return true;
 }
 
@@ -156,21 +154,19 @@ static const char *mount_of_types(const struct vericut_build *build)
 
 bool vericut_build_read(struct vericut_build *build, struct xml_reader *xml, const xmlNode *setup, struct arena *arena)
 {
-	bool sure;
+	const struct vericut_part *work;
 
 	*build = (struct vericut_build){.xml = xml};
-	if (!read_parts(build, foreign_child(setup, "Build"), arena) || !mount_of_models(build, &build->mount))
+	if (!read_parts(build, foreign_child(setup, "Build"), arena) || !find_work(build, &work))
 		return false;
-	sure = build->mount != NULL;
-	if (!build->mount)
-		build->mount = mount_of_offsets(build, setup, arena);
-	if (!build->mount)
+	build->mount = work ? work->carrier : mount_of_offsets(build, setup, arena);
+	if (!work && !build->mount)
 		build->mount = mount_of_types(build);
 	for (size_t i = 0; i < build->count; i++) {
 		struct vericut_part *part = &build->parts[i];
 
 		part->mounted = !vericut_part_is_axis(part) && !strcmp(part->carrier, build->mount);
-		if (!sure && is_work(part) && !part->mounted)
+		if (!work && is_work(part) && !part->mounted)
 			build->other_mount = part->carrier;
 	}
 	return true;
