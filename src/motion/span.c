@@ -16,13 +16,15 @@ void span_init(struct span *whole, const struct path *path)
 
 void span_init_from(struct span *whole, const struct path *path, const axis_values *start)
 {
+	static const axis_values none;
+
 	whole->q0 = *start;
 	whole->path = path;
 	whole->u0 = 0;
 	whole->u1 = 1;
 	/* Nearly all paths are straight. */
 	whole->q1 = is_straight(path) ? path->end : path_position(path, 1);
-	whole->chord_error = is_straight(path) ? (axis_values){{0}} : path_chord_error(path, 0, 1);
+	whole->chord_error = is_straight(path) ? none : path_chord_error(path, 0, 1);
 }
 
 void span_halve(const struct span *span, struct span *first, struct span *second)
