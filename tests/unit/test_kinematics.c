@@ -36,16 +36,27 @@ static struct machine five_axes(unsigned tool)
 	return machine;
 }
 
-static size_t count(const struct machine *machine, enum doubt_kind kind)
+static size_t count_by(void (*check)(const struct machine *, struct doubts *), const struct machine *machine,
+		       enum doubt_kind kind)
 {
 	struct doubts doubts = {0};
 	size_t found = 0;
 
-	kinematics_check(machine, &doubts);
+	check(machine, &doubts);
 	for (size_t i = 0; i < doubts.count; i++)
 		found += doubts.items[i].kind == kind;
 	doubts_release(&doubts);
 	return found;
+}
+
+static size_t count(const struct machine *machine, enum doubt_kind kind)
+{
+	return count_by(kinematics_check, machine, kind);
+}
+
+static size_t count_values(const struct machine *machine, enum doubt_kind kind)
+{
+	return count_by(value_check, machine, kind);
 }
 
 static size_t count_all(const struct machine *machine)
@@ -198,18 +209,6 @@ START_TEST(nesting)
 	ck_assert_uint_eq(count(&machine, DOUBT_IDLE), 0);
 }
 END_TEST
-
-static size_t count_values(const struct machine *machine, enum doubt_kind kind)
-{
-	struct doubts doubts = {0};
-	size_t found = 0;
-
-	value_check(machine, &doubts);
-	for (size_t i = 0; i < doubts.count; i++)
-		found += doubts.items[i].kind == kind;
-	doubts_release(&doubts);
-	return found;
-}
 
 /* Rates are kept for a second; 100 mm/s are 6 m a minute. */
 START_TEST(values)
