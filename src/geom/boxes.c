@@ -32,7 +32,7 @@ void box_motion_init(struct box_motion *motion, const struct bvh *a, const struc
 {
 	const struct bvh *own[2] = {a, b}, *other[2] = {b, a};
 
-	motion->apart = boxes_at_level(a->simd_level);
+	motion->apart = simd_kernels_at_level(a->simd_level)->boxes_apart;
 	/* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): -0 and 0 may count as a motion. */
 	motion->still = !memcmp(&poses[0], &poses[1], sizeof(poses[0]));
 	for (int v = 0; v < 2; v++) {
@@ -61,18 +61,6 @@ struct box box_whole(const struct bvh *bvh)
 	for (int k = 0; k < 3; k++)
 		box.half[k] = (float)(half[k] * (1 + FLOAT_MARGIN)) + 0x1p-126f;
 	return box;
-}
-
-boxes_apart_fn *boxes_at_level(int level)
-{
-#if LANES_BEST == LANES_AVX2
-	if (level == LANES_AVX2)
-		return boxes_apart_avx2;
-	if (level == LANES_SSE2)
-		return boxes_apart_sse2;
-#endif
-	(void)level;
-	return boxes_apart_scalar;
 }
 
 void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,

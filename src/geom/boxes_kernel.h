@@ -1,8 +1,8 @@
 /*
  * boxes_kernel.h - the box tests of boxes.h for one level of SIMD.
  *
- * Included once by each of simd_scalar.c, simd_sse2.c, simd_avx2.c, which define LANES_LEVEL and
- * AT_LEVEL(name), the name at that level of the one function that comes out.
+ * Included through level_kernels.h once by each of simd_scalar.c, simd_sse2.c and simd_avx2.c, which define
+ * LANES_LEVEL and AT_LEVEL(name), the name at that level of the one function that comes out.
  */
 #include "geom/boxes.h"
 #include "geom/lanes.h"
@@ -118,7 +118,7 @@ LANES_FUNCTION lanes distance_of(lanes square, float displacement)
 	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - FLOAT_MARGIN)), lanes_all(displacement));
 }
 
-LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,
+static LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,
 			      const struct box *other, float enough, float *apart,
 			      float *lost)
 {

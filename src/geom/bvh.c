@@ -29,18 +29,6 @@ struct builder {
 	bvh_items_bounds_fn *bounds_of;
 };
 
-bvh_items_bounds_fn *bvh_items_bounds_at_level(int level)
-{
-#if LANES_BEST == LANES_AVX2
-	if (level == LANES_AVX2)
-		return bvh_items_bounds_avx2;
-	if (level == LANES_SSE2)
-		return bvh_items_bounds_sse2;
-#endif
-	(void)level;
-	return bvh_items_bounds_scalar;
-}
-
 static inline float least3(float a, float b, float c)
 {
 	float ab = a < b ? a : b;
@@ -377,7 +365,7 @@ static void set_bounds(struct bvh *bvh, const struct bvh_item *box)
 struct bvh *bvh_new_by(struct mesh *mesh, int threads)
 {
 	struct bvh *bvh = mem_zalloc(1, sizeof(*bvh));
-	struct builder b = {.bounds_of = bvh_items_bounds_at_level(simd_level())};
+	struct builder b = {.bounds_of = simd_kernels_at_level(simd_level())->bvh_items_bounds};
 	struct run all = {.count = mesh->count};
 
 	assert(mesh->count > 0 && mesh->count <= UINT32_MAX);

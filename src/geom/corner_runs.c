@@ -58,38 +58,13 @@ static void add_run(struct corner_runs *runs, size_t *count, size_t *capacity, c
 	*count += run->groups;
 }
 
-boxes_reach_fn *boxes_reach_at_level(int level)
-{
-#if LANES_BEST == LANES_AVX2
-	if (level == LANES_AVX2)
-		return boxes_reach_avx2;
-	if (level == LANES_SSE2)
-		return boxes_reach_sse2;
-#endif
-	(void)level;
-	return boxes_reach_scalar;
-}
-
-points_reach_fn *points_reach_at_level(int level)
-{
-#if LANES_BEST == LANES_AVX2
-	if (level == LANES_AVX2)
-		return points_reach_avx2;
-	if (level == LANES_SSE2)
-		return points_reach_sse2;
-#endif
-	(void)level;
-	return points_reach_scalar;
-}
-
 struct corner_runs *corner_runs_new(const struct bvh *bvh)
 {
 	struct corner_runs *runs = mem_zalloc(1, sizeof(*runs));
 	size_t count = 0, capacity = 0;
 
 	runs->holders = 1;
-	runs->boxes = boxes_reach_at_level(bvh->simd_level);
-	runs->reach = points_reach_at_level(bvh->simd_level);
+	runs->kernels = simd_kernels_at_level(bvh->simd_level);
 	runs->runs = mem_zalloc(bvh->node_count, sizeof(*runs->runs));
 	if (bvh->mesh.count > RUN_MESH_TRIANGLES)
 		return runs;

@@ -25,8 +25,7 @@ struct corner_runs {
 	struct corner_run {
 		uint32_t first, groups;	/* 0 groups: the branch has no run of its own */
 	} *runs;	/* owned: by node of the tree */
-	boxes_reach_fn *boxes;	/* the fastest that this processor has */
-	points_reach_fn *reach;
+	const struct simd_kernels *kernels;	/* of the tree's level */
 	int holders;
 };
 

@@ -5,7 +5,7 @@
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
-LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float enough,
+static LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float enough,
 					    float reach[BVH_WIDTH])
 {
 	lanes all = lanes_all(0);
@@ -20,7 +20,7 @@ LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, const f
 	return lanes_reaching(all, lanes_all(enough)) & ((1u << node->used) - 1);
 }
 
-LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])
+static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])
 {
 	const lanes all[3] = {lanes_all(n[0]), lanes_all(n[1]), lanes_all(n[2])};
 	lanes most = lanes_all(-INFINITY);

@@ -4,8 +4,5 @@
 #define AT_LEVEL(name) name##_avx2
 
 #if LANES_LEVEL <= LANES_BEST
-#include "geom/boxes_kernel.h"
-#include "geom/item_kernel.h"
-#include "geom/reach_kernel.h"
-#include "geom/support_kernel.h"
+#include "geom/level_kernels.h"
 #endif

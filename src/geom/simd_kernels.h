@@ -40,29 +40,22 @@ struct bvh_item {
 typedef void bvh_items_bounds_fn(const struct bvh_item *items, size_t count, struct bvh_item *box,
 				 struct bvh_item *middles);
 
-boxes_apart_fn boxes_apart_scalar;
-support_fn support_scalar;
-boxes_reach_fn boxes_reach_scalar;
-points_reach_fn points_reach_scalar;
-bvh_items_bounds_fn bvh_items_bounds_scalar;
+/* All of them, for one level. */
+struct simd_kernels {
+	boxes_apart_fn *boxes_apart;
+	support_fn *support;
+	boxes_reach_fn *boxes_reach;
+	points_reach_fn *points_reach;
+	bvh_items_bounds_fn *bvh_items_bounds;
+};
+
+extern const struct simd_kernels simd_kernels_scalar;
 #if LANES_BEST == LANES_AVX2
-boxes_apart_fn boxes_apart_sse2;
-support_fn support_sse2;
-boxes_reach_fn boxes_reach_sse2;
-points_reach_fn points_reach_sse2;
-bvh_items_bounds_fn bvh_items_bounds_sse2;
-boxes_apart_fn boxes_apart_avx2;	/* only where simd_level() says so */
-support_fn support_avx2;
-boxes_reach_fn boxes_reach_avx2;
-points_reach_fn points_reach_avx2;
-bvh_items_bounds_fn bvh_items_bounds_avx2;
+extern const struct simd_kernels simd_kernels_sse2;
+extern const struct simd_kernels simd_kernels_avx2;	/* only where simd_level() says so */
 #endif
 
-/* The functions of a level that this processor has. */
-boxes_apart_fn *boxes_at_level(int level);
-support_fn *support_at_level(int level);
-boxes_reach_fn *boxes_reach_at_level(int level);
-points_reach_fn *points_reach_at_level(int level);
-bvh_items_bounds_fn *bvh_items_bounds_at_level(int level);
+/* Those of a level that this processor has. */
+const struct simd_kernels *simd_kernels_at_level(int level);
 
 #endif

@@ -32,7 +32,7 @@ LANES_FUNCTION lanes greatest_of_turn(const float *at, const lanes n[3], lanes m
 	return most;
 }
 
-LANES_TARGET float AT_LEVEL(support)(const mesh_triangle *triangles, size_t count, const float n[3])
+static LANES_TARGET float AT_LEVEL(support)(const mesh_triangle *triangles, size_t count, const float n[3])
 {
 	const float *at = triangles[0].v[0], *end = at + count * (sizeof(*triangles) / sizeof(float));
 	const lanes all[3] = {lanes_all(n[0]), lanes_all(n[1]), lanes_all(n[2])};

@@ -163,7 +163,7 @@ static void try_triangle(struct farthest *f, uint32_t triangle)
 static void try_run(struct farthest *f, const struct corner_run *run)
 {
 	const float *points = &f->corners->points[(size_t)run->first * 3 * BVH_WIDTH];
-	double along = f->corners->reach(points, run->groups, f->direction);
+	double along = f->corners->kernels->points_reach(points, run->groups, f->direction);
 
 	if (along > f->most) {
 		f->most = along;
@@ -200,7 +200,7 @@ static void try_node(struct farthest *f, uint32_t at)
 		try_run(f, &f->corners->runs[at]);
 		return;
 	}
-	open = f->corners->boxes(node, f->direction, (float)(f->most + f->slack), reach);
+	open = f->corners->kernels->boxes_reach(node, f->direction, (float)(f->most + f->slack), reach);
 	while ((best = next_child(reach, f->most + f->slack, &open)) < BVH_WIDTH) {
 		open &= ~(1u << best);
 		if (!node->count[best])

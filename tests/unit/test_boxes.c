@@ -217,9 +217,10 @@ START_TEST(every_level_gives_the_same_bits)
 			float enough = (float)random_in(&m.random, 0, 100);
 			float want[2][BVH_WIDTH], got[2][BVH_WIDTH];
 
-			boxes_apart_scalar(&m.motion, side, node, &other, enough, want[0], want[1]);
+			simd_kernels_scalar.boxes_apart(&m.motion, side, node, &other, enough, want[0], want[1]);
 			for (int level = LANES_SCALAR + 1; level <= simd_level(); level++) {
-				boxes_at_level(level)(&m.motion, side, node, &other, enough, got[0], got[1]);
+				simd_kernels_at_level(level)->boxes_apart(&m.motion, side, node, &other, enough, got[0],
+									  got[1]);
 				require(!memcmp(want, got, sizeof(want)), "case %ld: level %d differs", n, level);
 			}
 		}

@@ -65,10 +65,10 @@ START_TEST(every_level_gives_the_same_bits)
 		struct mesh mesh = random_triangles(&random);
 		vec3 unit = random_unit(&random);
 		const float direction[3] = {(float)unit.x, (float)unit.y, (float)unit.z};
-		float want = support_scalar(mesh.triangles, mesh.count, direction);
+		float want = simd_kernels_scalar.support(mesh.triangles, mesh.count, direction);
 
 		for (int level = LANES_SCALAR + 1; level <= simd_level(); level++) {
-			float got = support_at_level(level)(mesh.triangles, mesh.count, direction);
+			float got = simd_kernels_at_level(level)->support(mesh.triangles, mesh.count, direction);
 
 			require(!(got < want) && !(got > want), "case %ld: level %d says %a, the scalar one %a", n, level,
 				(double)got, (double)want);
