@@ -401,6 +401,26 @@ START_TEST(all_faults)
 }
 END_TEST
 
+/* Of each line that a block joins there is room for one, not for a file of them. */
+START_TEST(endless_block)
+{
+	for (int length = 32000; length <= 33000; length += 1000) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		klartext_case(&c);
+		strbuf_addf(&program, "BEGIN PGM T MM\nL X+1 ~\nY+2%*s~\nZ+3%*s~\nR0 FMAX\nEND PGM T MM\n", length, " ",
+			    length, " ");
+		ck_assert_int_eq(case_run(&c, strbuf_text(&program)), length == 32000);
+		if (length > 32000)
+			ck_assert_str_eq(strbuf_text(&c.messages), "p.nc:2: error: '~' continues this block over more than "
+								   "65536 bytes; is this an NC program?\n");
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("bad");
@@ -408,5 +428,6 @@ int main(void)
 	tcase_add_loop_test(tcase, fault_table, 0, COUNT(faults));
 	tcase_add_loop_test(tcase, head_table, 0, COUNT(heads));
 	tcase_add_test(tcase, all_faults);
+	tcase_add_test(tcase, endless_block);
 	return run_suite("gcode_klartext_bad", tcase);
 }

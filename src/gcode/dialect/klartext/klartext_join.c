@@ -79,6 +79,15 @@ static bool fault_joined(struct interp *interp, const char *message)
 	return fault(&interp->at, 1, "%s", message);
 }
 
+/* It would fill the memory, and is too long to be shown. */
+static bool fault_long(struct interp *interp)
+{
+	interp->at.text = strbuf_text(&klartext_of(interp)->joined);
+	diag_error(interp->diag, (struct srcloc){interp->at.file, interp->at.line, 0},
+		   "'~' continues this block over more than %d bytes; is this an NC program?", LINE_LENGTH_MAX);
+	return false;
+}
+
 bool klartext_join(struct interp *interp)
 {
 	struct strbuf *line = &klartext_of(interp)->joined;
@@ -102,6 +111,8 @@ bool klartext_join(struct interp *interp)
 		if (kind == JOINED_BLOCK)
 			strbuf_addf(line, " ");
 		add_part(line, text);
+		if (line->length > LINE_LENGTH_MAX)
+			return fault_long(interp);
 	}
 	interp->at.text = strbuf_text(line);
 	return true;
