@@ -135,6 +135,25 @@ struct builder_macro {
 	const char *name;	/* upper case, where programs have names; NULL: it has none */
 };
 
+/* Of an array. */
+#define CONTROL_DIMENSIONS 3
+
+enum control_type { CONTROL_REAL, CONTROL_INT, CONTROL_BOOL, CONTROL_CHAR, CONTROL_STRING, CONTROL_AXIS };
+
+/*
+ * A variable that programs read and the control has: a parameter that keeps its value, a variable of the maker or a
+ * system variable; and what it holds when a program begins.
+ */
+struct control_variable {
+	const char *name;	/* as control_variable_name_normalise leaves it */
+	bool typed;	/* its type is given, and with it the variable is made */
+	enum control_type type;
+	int dimensions;	/* 0: one value */
+	int size[CONTROL_DIMENSIONS];
+	const char *text;	/* of each of its elements; NULL: none was given */
+	double number;	/* that the text is, or TRUE or FALSE; NAN: it is none */
+};
+
 /* A place in machine coordinates where the control sends axes by itself. */
 struct control_place {
 	bool given;
@@ -195,6 +214,8 @@ struct controller {
 	size_t mcode_count;
 	const struct builder_macro *macros;
 	size_t macro_count;
+	const struct control_variable *variables;
+	size_t variable_count;
 	struct control_place references[REFERENCES_MAX];
 	struct control_place tool_change;	/* M6 goes there first */
 	struct control_place swivel_retract;	/* a cycle that swivels goes there first if it is told to */

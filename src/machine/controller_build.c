@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "control/dialects.h"
+#include "machine/variable_build.h"
 
 #define MCODE_MAX 9999
 /* mm or degrees: Fanuc's increment systems are IS-A (0.01) to IS-E (0.000001). */
@@ -364,6 +365,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 		build_macro(file, &from->macros[i], &machine->arena, dialect_rows[from->dialect].has_frames, macros,
 			    &to->macro_count);
 	to->macros = macros;
+	variable_build(described, machine);
 }
 
 /* ----------------------------------------------------------------- places */

@@ -72,6 +72,12 @@ struct macro_description {
 	struct optional_number around[SLOT_COUNT];
 };
 
+struct variable_description {
+	const void *at;
+	const char *name, *value, *size;	/* NULL: it is not given */
+	int type;	/* an enum control_type; -1: not given */
+};
+
 /* <reference>, <tool_change> and <swivel_retract>. */
 struct place_description {
 	const void *at;
@@ -127,6 +133,8 @@ struct controller_description {
 	size_t mcode_count;
 	struct macro_description *macros;
 	size_t macro_count;
+	struct variable_description *variables;
+	size_t variable_count;
 	struct place_description *places;
 	size_t place_count;
 };

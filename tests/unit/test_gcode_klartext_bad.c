@@ -17,8 +17,8 @@ static const struct klartext_fault faults[] = {
 	{"L Q5 FMAX\n",
 	 "p.nc:2:3: error: this is no word of a positioning block"},
 	{"L X+Q5 FMAX\n",
-	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one, and what the control "
-	 "still holds from before is not known"},
+	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one; if the control holds one from before, <variable "
+	 "name=\"Q5\" value=\"\"/> in the machine's <controller> says it"},
 	{"L X+Q2000 FMAX\n",
 	 "p.nc:2:5: error: Q parameters go from Q0 to Q1999"},
 	{"L X+QL500 FMAX\n",
@@ -175,7 +175,8 @@ static const struct klartext_fault faults[] = {
 	{"QS1 = \"A\"\nQ1 = QS1 + 1\n",
 	 "p.nc:3:6: error: a string (QS) in a formula is not supported yet"},
 	{"QS1 = QS2\n",
-	 "p.nc:2:7: error: QS2 has no value that is known here"},
+	 "p.nc:2:7: error: QS2 has no value that is known here; if the control holds one from before, <variable "
+	 "name=\"QS2\" value=\"\"/> in the machine's <controller> says it"},
 	{"QS1 = SUBSTR ( SRC_QS2 BEG0 LEN4 )\n",
 	 "p.nc:2:7: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings are "
 	 "not supported yet"},
@@ -206,8 +207,8 @@ static const struct klartext_fault faults[] = {
 	{"QS1 = \"" "0123456789012345678901234567890123456789012345678901234567890123456789" "\"\nQS2 = QS1 || QS1\n",
 	 "p.nc:3:1: error: a string of more than 127 characters is not supported"},
 	{"Q1 = Q2\n",
-	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one, and what the control "
-	 "still holds from before is not known"},
+	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one; if the control holds one from before, <variable "
+	 "name=\"Q2\" value=\"\"/> in the machine's <controller> says it"},
 	{"Q1 = -8 ^ 0.5\n",
 	 "p.nc:2:9: error: a negative number to a power that is not whole"},
 	{"Q1 = -5 % 3\n",
@@ -227,16 +228,16 @@ static const struct klartext_fault faults[] = {
 	{"FN 14: ERROR = 1000\n",
 	 "p.nc:2:4: error: FN 14 stops the program here with an error of its own"},
 	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n",
-	 "p.nc:3:5: error: Q1 was read from the control (FN 18, FN 28), and that value is not known here: to check the "
-	 "program, assign the value by FN 0 behind it"},
+	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to "
+	 "check the program, assign the value by FN 0 behind it"},
 	{"FN 28: TABREAD Q1 = +5/\"X,Y\"\nL X+Q2 FMAX\n",
-	 "p.nc:3:5: error: Q2 was read from the control (FN 18, FN 28), and that value is not known here: to check the "
+	 "p.nc:3:5: error: Q2 was read from the control (FN 28), and that value is not known here: to check the "
 	 "program, assign the value by FN 0 behind it"},
 	{"FN 18: SYSREAD Q1 = ID50 NR2 IDX3\nL X+Q1 FMAX\n",
-	 "p.nc:3:5: error: Q1 was read from the control (FN 18, FN 28), and that value is not known here: to check the "
-	 "program, assign the value by FN 0 behind it"},
+	 "p.nc:3:5: error: Q1 was read from a table of the control (FN 18), and what that holds is not known here: "
+	 "<variable name=\"ID50 NR2 IDX3\" value=\"\"/> in the machine's <controller> says it"},
 	{"FN 18: SYSREAD Q1 = ID20 NR1\nL X+Q1 FMAX\n",
-	 "p.nc:3:5: error: Q1 was read from the control (FN 18, FN 28), and that value is not known here: to check the "
+	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID20 NR1), and that value is not known here: to check the "
 	 "program, assign the value by FN 0 behind it"},
 	{"FN 18: SYSREAD Q1 ID20 NR1\n",
 	 "p.nc:2:19: error: '=' is needed here"},
@@ -322,10 +323,11 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:20: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
 	 "coordinates of the block belong before M118"},
 	{"CALL LBL QS1\n",
-	 "p.nc:2:10: error: QS1 has no value that is known here"},
+	 "p.nc:2:10: error: QS1 has no value that is known here; if the control holds one from before, <variable "
+	 "name=\"QS1\" value=\"\"/> in the machine's <controller> says it"},
 	{"FN 9: IF Q1 IS UNDEFINED GOTO LBL 1\nLBL 1\n",
-	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one, and what the control still holds from before is "
-	 "not known"},
+	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one; if the control holds one from before, <variable "
+	 "name=\"Q1\" value=\"\"/> in the machine's <controller> says it"},
 	{"Q1=5\nFN 9: IF Q1 IS GOTO LBL 1\nLBL 1\n",
 	 "p.nc:3:16: error: IS needs DEFINED or UNDEFINED"},
 	{"FN 0: Q1 SET 5\n",

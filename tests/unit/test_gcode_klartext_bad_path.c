@@ -99,8 +99,8 @@ static const struct klartext_fault faults[] = {
 	{"L X+10 F100\nRND R2\nFN 9: IF +1 EQU +1 GOTO LBL 5\nL Y+10\n",
 	 "p.nc:4:29: error: the program has no LBL 5"},
 	{"L X+10 F100\nRND R2\nQ1 = Q2\nL Y+10\n",
-	 "p.nc:4:6: error: Q2 has no value: the program has not assigned one, and what the control still holds from before "
-	 "is not known"},
+	 "p.nc:4:6: error: Q2 has no value: the program has not assigned one; if the control holds one from before, <variable "
+	 "name=\"Q2\" value=\"\"/> in the machine's <controller> says it"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\n",
 	 "p.nc:4:1: error: the program ends right behind the first block of radius compensation: where the tool is then "
 	 "is not known"},

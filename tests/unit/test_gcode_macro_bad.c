@@ -62,12 +62,16 @@ static const struct {
 	 "#100 to #199 and #500 to #999\n    G0 X#200\n        ^\n"},
 	{BOTH, "#1=#500\n",
 	 "p.nc:1:4: error: #500 keeps its value from one program to the next, and this one has given it none "
-	 "so far: what it holds is known to the control only\n    #1=#500\n       ^\n"},
+	 "so far: <variable name=\"#500\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#500\n       ^\n"},
 	{H, "#1=#100\n",
 	 "p.nc:1:4: error: #100 keeps its value from one program to the next, and this one has given it none "
-	 "so far: what it holds is known to the control only\n    #1=#100\n       ^\n"},
+	 "so far: <variable name=\"#100\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#100\n       ^\n"},
 	{F, "#1=#10100\n",
-	 "p.nc:1:4: error: the system variable #10100 is not known here in the fanuc dialect\n    #1=#10100\n "
+	 "p.nc:1:4: error: #10100 is a system variable that is not known here; if it stays the same while the "
+	 "program runs: <variable name=\"#10100\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#10100\n "
 	 "      ^\n"},
 	{F, "#1=LN[0]\n", "p.nc:1:4: error: LN of 0: only positive numbers have one\n    #1=LN[0]\n       ^\n"},
 	{H, "#1=LN[2]\n", "p.nc:1:4: error: Haas has no function LN\n    #1=LN[2]\n       ^\n"},
@@ -164,8 +168,9 @@ static const struct {
 	 "p.nc:1:4: error: #3001 holds a clock: it is not known before the program runs\n    #1=#3001\n       "
 	 "^\n"},
 	{BOTH, "#1=#1000\n",
-	 "p.nc:1:4: error: #1000 holds the state of inputs and outputs: it is not known before the program "
-	 "runs\n    #1=#1000\n       ^\n"},
+	 "p.nc:1:4: error: #1000 holds the state of an input or output, which may change while the program runs; "
+	 "if it does not: <variable name=\"#1000\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#1000\n       ^\n"},
 	{BOTH, "#1=#5021\n",
 	 "p.nc:1:4: error: #5021 holds where the machine is while the control reads ahead (the programmed "
 	 "position is in #5001): it is not known before the program runs\n    #1=#5021\n       ^\n"},
@@ -179,10 +184,14 @@ static const struct {
 	 "p.nc:1:4: error: #5201 holds an offset of the control's own that lies on all work offsets: it is "
 	 "not known before the program runs\n    #1=#5201\n       ^\n"},
 	{F, "#1=#6000\n",
-	 "p.nc:1:4: error: the system variable #6000 is not known here in the fanuc dialect\n    #1=#6000\n   "
+	 "p.nc:1:4: error: #6000 is a system variable that is not known here; if it stays the same while the "
+	 "program runs: <variable name=\"#6000\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#6000\n   "
 	 "    ^\n"},
 	{H, "#1=#6000\n",
-	 "p.nc:1:4: error: the system variable #6000 is not known here in the haas dialect\n    #1=#6000\n    "
+	 "p.nc:1:4: error: #6000 is a system variable that is not known here; if it stays the same while the "
+	 "program runs: <variable name=\"#6000\" "
+	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#6000\n    "
 	 "   ^\n"},
 	{F, "#5001=1\n", "p.nc:1:1: error: #5001 cannot be assigned here in the fanuc dialect\n    #5001=1\n    ^\n"},
 	{H, "#5001=1\n", "p.nc:1:1: error: #5001 cannot be assigned here in the haas dialect\n    #5001=1\n    ^\n"},

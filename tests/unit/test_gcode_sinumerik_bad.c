@@ -85,8 +85,7 @@ static const struct refused_program programs[] = {
 	{"E5\n", 1, 1,
 	 "E is neither an axis of the machine nor an address"},
 	{"Q5=1\n", 1, 1,
-	 "Q5 is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
-	 "that the machine's maker has defined are not known here"},
+	 "Q5 is neither an axis of the machine nor a variable of this program"},
 	{"W=5\n", 1, 1,
 	 "the machine has no W axis"},
 	{"H5\n", 1, 1,
@@ -116,13 +115,12 @@ static const struct refused_program programs[] = {
 	{"X=LN(0)\n", 1, 3,
 	 "LN of 0: only positive numbers have one"},
 	{"X=FOO\n", 1, 3,
-	 "FOO is no variable of this program; DEF makes one, and those that the machine's maker has defined "
-	 "are not known here"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
+	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\" value=\"\"/> in the machine's <controller> makes it"},
 	{"X=FOO(1)\n", 1, 3,
 	 "the function FOO is not known here"},
 	{"X=SIN 30\n", 1, 3,
-	 "SIN is no variable of this program; DEF makes one, and those that the machine's maker has defined "
-	 "are not known here"},
+	 "SIN is neither an axis of the machine nor a variable of this program"},
 	{"X=R1000\n", 1, 8,
 	 "R parameters have numbers up to 999"},
 	{"X=R[1.5]\n", 1, 5,
@@ -131,11 +129,11 @@ static const struct refused_program programs[] = {
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1000"},
 	/* R parameters keep their values from one program to the next. */
 	{"R1=5 G500\nG0 X=R1\nIF R1>R2 GOTOF LL\nX5\nLL:\n", 3, 7,
-	 "R2 keeps its value from one program to the next, and this one has given it none so far: what it holds is known "
-	 "to the control only; assign it first, in this program or in one that calls it"},
+	 "R2 keeps its value from one program to the next, and this one has given it none so far: <variable "
+	 "name=\"R2\" value=\"\"/> in the machine's <controller> says what it holds"},
 	{"R1=5 G500\nR[7]=R1\nG0 X=R[R1+2] Y=R[R1+3]\n", 3, 16,
-	 "R8 keeps its value from one program to the next, and this one has given it none so far: what it holds is known "
-	 "to the control only; assign it first, in this program or in one that calls it"},
+	 "R8 keeps its value from one program to the next, and this one has given it none so far: <variable "
+	 "name=\"R8\" value=\"\"/> in the machine's <controller> says what it holds"},
 	{"R1=5 R2=0\nIF R1>3 AND R2==0 GOTOF LL\nLL:\n", 2, 4,
 	 "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than the other "
 	 "order: put the comparisons into parentheses"},
@@ -153,17 +151,18 @@ static const struct refused_program programs[] = {
 	{"X=\"A\"==\"B\n", 1, 8,
 	 "this text is not closed: '\"' is missing"},
 	{"X=$MN_SOMETHING\n", 1, 3,
-	 "the value of $MN_SOMETHING is known to the control alone"},
+	 "the value of $MN_SOMETHING is known to the control alone; if it stays the same while the program runs, "
+	 "<variable name=\"$MN_SOMETHING\" value=\"\"/> in the machine's <controller> says it"},
 	{"X=$AA_IW[Q]\n", 1, 10,
 	 "an axis of the machine is needed here"},
 	{"$MC_X=1\n", 1, 1,
 	 "$MC_X: a program that writes data of the control is not supported yet"},
 	{"FOO=1\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
-	 "that the machine's maker has defined are not known here"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
+	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\"/> in the machine's <controller> makes it"},
 	{"FOO[1]=2\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
-	 "that the machine's maker has defined are not known here"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
+	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\" size=\"\"/> in the machine's <controller> makes it"},
 	{"DEF FOO X\n", 1, 5,
 	 "a type is needed here: INT, REAL, BOOL, CHAR, STRING or AXIS"},
 	{"DEF REAL\n", 1, 9,

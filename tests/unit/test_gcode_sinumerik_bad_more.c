@@ -210,7 +210,8 @@ static const struct refused_program programs[] = {
 	{"X='H12\n", 1, 3,
 	 "this quote is not closed"},
 	{"X=$A_IN[1]\n", 1, 3,
-	 "the value of $A_IN is known to the control alone"},
+	 "the value of $A_IN[1] is known to the control alone; if it stays the same while the program runs, "
+	 "<variable name=\"$A_IN[1]\" value=\"\"/> in the machine's <controller> says it"},
 	{"X=$P_UIFR[1,X,QQ]\n", 1, 3,
 	 "a component of $P_UIFR is TR, FI, RT, SC or MI"},
 	{"X=$P_UIFR[6,X,TR]\n", 1, 3,

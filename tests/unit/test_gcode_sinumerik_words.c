@@ -129,7 +129,8 @@ static const struct refused_words bad[] = {
 	{"F6 G500 G0 Z10\nMCALL ROWS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_ROWS_SPF\nHOLES1(0,0,0,1,1,2)\nM17\n",
 	 "HOLES1 in the subprogram ROWS, which MCALL calls, is not supported"},
 	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},
-	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25 is known to the control alone"},
+	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same while the program runs, "
+	 "<variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine's <controller> says it"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
 	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
 	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},

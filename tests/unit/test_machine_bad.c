@@ -59,6 +59,26 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller><mcode number='-5' action='on'/></controller><base/>"),
      "m.xml:2: error: number=\"-5\" of <mcode> must be a whole number, 0 or more\n"
      "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off, ignore, spindle-on or spindle-off\n"},
+    {MACHINE("<controller dialect='fanuc'><variable value='1'/></controller><base/>"),
+     "m.xml:2: error: <variable> lacks the attribute 'name'\n"},
+    {MACHINE("<controller dialect='fanuc'><variable name='#1' value='1'/>\n<variable name='# 1'/></controller><base/>"),
+     "m.xml:3: error: #1 is given twice\n"},
+    {MACHINE("<controller dialect='fanuc'><variable name='#1' value=''/></controller><base/>"),
+     "m.xml:2: error: value of <variable> is empty: what does #1 hold?\n"},
+    {MACHINE("<controller dialect='klartext'><variable name='Q1' type='REAL' value='1'/></controller><base/>"),
+     "m.xml:2: error: <variable> of this control has a name and a value, and neither type nor size\n"},
+    {MACHINE("<controller><variable name='#1' value='1'/></controller><base/>"),
+     "m.xml:2: error: <variable> of <controller>: LinuxCNC takes its values from the program alone\n"},
+    {MACHINE("<controller dialect='sinumerik'><variable name='_A' type='REAL' value='x'/>\n"
+	     "<variable name='_B' type='AXIS' value='Q'/>\n<variable name='_C' size='3'/>\n"
+	     "<variable name='_D' type='INT' size='3,'/>\n<variable name='_E' type='INT' size='1,2,3,4'/></controller><base/>"),
+     "m.xml:2: error: value=\"x\" of <variable> is no number\n"
+     "m.xml:3: error: value=\"Q\" of <variable> is no letter of an axis\n"
+     "m.xml:4: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"
+     "m.xml:5: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"
+     "m.xml:6: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"},
+    {MACHINE("<controller dialect='sinumerik'><variable name='_F' type='FRAME'/></controller><base/>"),
+     "m.xml:2: error: type=\"FRAME\" of <variable> must be REAL, INT, BOOL, CHAR, STRING or AXIS\n"},
     {BASE("<body name='b' mesh='b.stl' units='feet'/>"),
      "m.xml:2: error: units=\"feet\" of <body> must be mm, inch, cm or m\n"},
     {BASE("steel"), "m.xml:2: error: <base> holds text; only elements belong there\n"},

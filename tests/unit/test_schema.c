@@ -48,7 +48,8 @@ static const char questions_text[] =
 	" power_on_distance='incremental' power_on_plane='yz' m6_with_move='before' m6_with_t='own'\n"
 	" length_under_g68='turned' semicolon='comment' colon='block' cutter_comp_d='radius' cutter_comp_start='A'\n"
 	" cutter_comp_corner='linear' cycle_repeats='K' arc_radius_tolerance='0.01'>\n"
-	"<macro program='9810' action='move'/><macro program='9811' code='107' action='around' X='1' Z='2'/></controller>\n"
+	"<macro program='9810' action='move'/><macro program='9811' code='107' action='around' X='1' Z='2'/>"
+	"<variable name='#500' value='1.5'/></controller>\n"
 	"<base><axis name='X' type='linear' direction='1 0 0' rate_max='6000'/></base>\n"
 	"</machine>";
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "control/control_variable.h"
 #include "gcode/interp.h"
 #include "geom/xform.h"
 
@@ -13,8 +14,8 @@
 #define TOOLS 999
 #define OFFSETS 108
 #define OFFSET_NAME 16
-/* What a question names: a number, or the name of a program. */
-#define MACRO_NAME 64
+/* What a question names: a number, the name of a program, or the attributes of a variable. */
+#define ASKED_NAME 200
 
 struct asked {
 	char *text;	/* what the machine file is to say */
@@ -27,7 +28,9 @@ struct scan_questions {
 	size_t count;
 	struct mcode mcodes[QUESTIONS_MAX];
 	struct builder_macro macros[QUESTIONS_MAX];
-	char macro_names[QUESTIONS_MAX][MACRO_NAME];
+	char macro_names[QUESTIONS_MAX][ASKED_NAME];
+	struct control_variable variables[QUESTIONS_MAX];
+	char variable_names[QUESTIONS_MAX][CONTROL_VARIABLE_NAME];
 	struct tool tools[TOOLS];
 	struct length_offset lengths[TOOLS];
 	struct radius_offset radii[TOOLS];
@@ -69,6 +72,7 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect)
 	questions->config.dialect = dialect;
 	questions->config.controller.mcodes = questions->mcodes;
 	questions->config.controller.macros = questions->macros;
+	questions->config.controller.variables = questions->variables;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		questions->config.has_axis[slot] = true;
 	/*
@@ -131,10 +135,33 @@ static void answer_macro(struct scan_questions *q, const char *asked)
 	const size_t i = q->config.controller.macro_count++;
 	const int number = (int)strtol(asked, NULL, 10);
 
-	snprintf(q->macro_names[i], MACRO_NAME, "%s", asked);
+	snprintf(q->macro_names[i], ASKED_NAME, "%s", asked);
 	q->macros[i] = (struct builder_macro){.program = number > 0 ? number : MACRO_OF_CODE,
 					      .action = MACRO_NONE,
 					      .name = number > 0 ? NULL : q->macro_names[i]};
+}
+
+/* name="NAME" and, of a variable that is to be made, type="" and size=",": two dimensions. */
+static void answer_variable(struct scan_questions *q, const char *asked)
+{
+	static const int sizes[] = {1, 1000, 100, 20};
+	const size_t i = q->config.controller.variable_count++;
+	const char *name = asked + strcspn(asked, "\"") + 1, *size = strstr(asked, " size=\"");
+	const char *type = strstr(asked, " type=\"");
+	struct control_variable *variable = &q->variables[i];
+
+	snprintf(q->variable_names[i], CONTROL_VARIABLE_NAME, "%.*s", (int)strcspn(name, "\""), name);
+	*variable = (struct control_variable){.name = q->variable_names[i], .typed = type != NULL, .number = 1};
+	if (type && !strncmp(type, " type=\"STRING", 13))
+		variable->type = CONTROL_STRING;
+	if (size) {
+		size += strlen(" size=\"");
+		variable->dimensions = 1 + (int)strspn(size, ",");
+	}
+	for (int k = 0; k < variable->dimensions; k++)
+		variable->size[k] = sizes[variable->dimensions];
+	if (strstr(asked, " value=\""))
+		variable->text = "1";
 }
 
 /* A field of the controller that is one of the enumerations, or a number. */
@@ -144,7 +171,8 @@ static void answer_macro(struct scan_questions *q, const char *asked)
 /* The text that marks the question in a message, the line for the machine file to print, and any valid answer. */
 static const struct question {
 	const char *key;	/* in the message; a number or a name may follow */
-	const char *line;	/* with %s: what follows the key, up to a quotation mark */
+	const char *line;	/* with %s: what follows the key, up to a quotation mark or to `end` */
+	const char *end;
 	/* NULL: the field gets the choice or the number */
 	void (*take)(struct scan_questions *questions, const char *asked);
 	size_t field;
@@ -153,6 +181,7 @@ static const struct question {
 } questions_table[] = {
     {"<mcode number=\"", "<mcode number=\"%s\" action=\"\"/>", .take = answer_mcode},
     {"<macro program=\"", "<macro program=\"%s\" action=\"\"/>", .take = answer_macro},
+    {"<variable ", "<variable %s/>", .end = "/>", .take = answer_variable},
     {"<reference number=\"", "<reference number=\"%s\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
     {"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
     {"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
@@ -259,13 +288,15 @@ static bool take_answer(struct scan_questions *questions, const struct first_err
 		const struct question *question = &questions_table[i];
 		const char *found = strstr(strbuf_text(&error->text), question->key);
 		struct strbuf line = {0}, place = {0};
-		char asked[MACRO_NAME];
+		char asked[ASKED_NAME];
+		const char *end;
 		bool fresh;
 
 		if (!found)
 			continue;
 		found += strlen(question->key);
-		snprintf(asked, sizeof(asked), "%.*s", (int)strcspn(found, "\""), found);
+		end = question->end ? strstr(found, question->end) : NULL;
+		snprintf(asked, sizeof(asked), "%.*s", end ? (int)(end - found) : (int)strcspn(found, "\""), found);
 		add_line(&line, question->line, asked);
 		fresh = questions->count < QUESTIONS_MAX && !is_asked(questions, strbuf_text(&line));
 		if (fresh) {

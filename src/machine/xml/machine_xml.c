@@ -60,6 +60,26 @@ static void read_macro(struct xml_reader *xml, const xmlNode *node, void *contex
 	xml_read_nothing(xml, node);
 }
 
+static void read_variable(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	static const char *const types[] = {
+		[CONTROL_REAL] = "REAL", [CONTROL_INT] = "INT",	      [CONTROL_BOOL] = "BOOL", [CONTROL_CHAR] = "CHAR",
+		[CONTROL_STRING] = "STRING", [CONTROL_AXIS] = "AXIS", NULL,
+	};
+	struct machine_description *described = context;
+	struct controller_description *controller = &described->controller;
+
+	xml_require(xml, node, "name", NULL);
+	controller->variables[controller->variable_count++] = (struct variable_description){
+		.at = node,
+		.name = xml_name(xml, node, "name", &described->arena),
+		.value = xml_label(xml, node, "value", &described->arena),
+		.size = xml_label(xml, node, "size", &described->arena),
+		.type = xml_choice(xml, node, "type", types, -1),
+	};
+	xml_read_nothing(xml, node);
+}
+
 static struct place_description *read_place(struct xml_reader *xml, const xmlNode *node,
 					    struct machine_description *described)
 {
@@ -160,6 +180,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const corners[] = {"linear", "circular", NULL};
 	static const struct xml_child children[] = {{"mcode", read_mcode, false, false},
 						    {"macro", read_macro, false, false},
+						    {"variable", read_variable, false, false},
 						    {"reference", read_reference, false, false},
 						    {"tool_change", read_tool_change, false, false},
 						    {"swivel_retract", read_swivel_retract, false, false},
@@ -207,6 +228,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	read_frames(xml, node, controller);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
 	controller->macros = arena_alloc(&described->arena, xml_count(node, "macro") * sizeof(*controller->macros));
+	controller->variables =
+	    arena_alloc(&described->arena, xml_count(node, "variable") * sizeof(*controller->variables));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));
 	xml_read_children(xml, node, children, described);
 }

@@ -2,12 +2,16 @@
 
 #include <math.h>
 
+#include "gcode/dialect/fanuc/macro_b_kept.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/execute/program_position.h"
 #include "gcode/execute/work_offset_use.h"
 
 /* Work offsets have six axes each, and their first variables are 20 numbers apart. */
 enum { WORK_STEP = 20, WORK_SLOTS = 6 };
+
+/* UI and UO of the interface. */
+enum { INPUT_FIRST = 1000, INPUT_LAST = 1199 };
 
 /* The number of a code that has no tenths. */
 static int whole_code(int code)
@@ -17,7 +21,6 @@ static int whole_code(int code)
 
 /* What is known to the machine only, or differs from one to the next. Controls may add to it: macro_b_rules.h. */
 static const struct macro_b_range machine_only[] = {
-	{1000, 1199, "the state of inputs and outputs"},
 	{2001, 2999, "tool offsets of the control's own table"},
 	{3000, 3000, "no value"},
 	{3001, 3002, "a clock"},
@@ -180,6 +183,11 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 	const char *what = find_machine_only(macro_b_of(interp)->rules, number);
 	int system, slot;
 
+	if (number >= INPUT_FIRST && number <= INPUT_LAST)
+		return macro_b_kept_read(interp, number, column,
+					 "holds the state of an input or output, which may change while the program runs; "
+					 "if it does not",
+					 value);
 	if (what)
 		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,
 			     what);
@@ -190,7 +198,10 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 	if (!find_work(interp, number, column, &system, &slot))
 		return false;
 	if (system < 0)
-		return fault_unknown(interp, number, column);
+		return macro_b_kept_read(interp, number, column,
+					 "is a system variable that is not known here; if it stays the same while the "
+					 "program runs",
+					 value);
 	if (!work_offset_use_require(interp, system, column))
 		return false;
 	*value = interp->state.work[system].v[slot] / unit_of(&interp->state, slot);

@@ -1,5 +1,6 @@
 #include "gcode/dialect/fanuc/macro_b_vars.h"
 
+#include "gcode/dialect/fanuc/macro_b_kept.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/macro_b_system.h"
 
@@ -33,16 +34,16 @@ static bool was_assigned(const struct interp *interp, int number)
 }
 
 /* B-63944EN, common variables: #100 to #199 are vacant from the start, #500 to #999 are kept; Haas keeps them all. */
-static bool read_common(struct interp *interp, int number, int index, int column, double *value)
+static bool read_common(struct interp *interp, int index, int column, double *value)
 {
 	const struct macro_b_vars *vars = &macro_b_of(interp)->vars;
 	bool kept = macro_b_of(interp)->rules->common_all_kept || index >= 500;
 
-	if (kept && !vars->given[index])
-		return fault(&interp->at, column,
-			     "#%d keeps its value from one program to the next, and this one has given it none so far: "
-			     "what it holds is known to the control only",
-			     number);
+	if (!vars->given[index] && (kept || macro_b_kept_tells(interp, index)))
+		return macro_b_kept_read(interp, index, column,
+					 "keeps its value from one program to the next, and this one has given it none "
+					 "so far",
+					 value);
 	*value = vars->common[index];
 	return true;
 }
@@ -61,7 +62,7 @@ bool macro_b_vars_read(struct interp *interp, int number, int column, double *va
 	if (number >= 1 && number <= MACRO_B_LOCALS)
 		*value = vars->local[vars->level][number];
 	else if (index >= 0)
-		return read_common(interp, number, index, column, value);
+		return read_common(interp, index, column, value);
 	else if (number >= 1000)
 		return macro_b_system_read(interp, number, column, value);
 	else

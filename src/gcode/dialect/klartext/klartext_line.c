@@ -16,6 +16,7 @@
 #include "gcode/dialect/klartext/klartext_free.h"
 #include "gcode/dialect/klartext/klartext_function.h"
 #include "gcode/dialect/klartext/klartext_join.h"
+#include "gcode/dialect/klartext/klartext_kept.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "gcode/dialect/klartext/klartext_move.h"
@@ -83,7 +84,7 @@ static bool begin(struct lexer *lexer)
 	interp->state.scale = klartext->inch ? state_unit(G20) : state_unit(G21);
 	if (klartext->programs == 0)
 		klartext->programmed = klartext_frame_point(interp);
-	return true;
+	return klartext->programs > 0 || klartext_kept_load(lexer);
 }
 
 static bool end(struct lexer *lexer)

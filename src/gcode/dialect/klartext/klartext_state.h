@@ -25,12 +25,19 @@
 #define KLARTEXT_NAME 128
 #define KLARTEXT_STRINGS_MAX 64
 
+/* What FN 18 asks for: ID, NR and IDX. */
+struct klartext_query {
+	int id, number, index;
+	bool has_index;
+};
+
 /* One of Q, QL and QR. */
 struct klartext_q {
 	double value;
 	bool given; /* by this program, or by the control */
 	bool read; /* from the control, by FN 18 or FN 28: it has a value, which is not known here */
 	bool undefined; /* by SET UNDEFINED */
+	struct klartext_query query; /* of FN 18, if it was read by that; an ID of 0: it was not */
 };
 
 /* QS<number>. */
@@ -205,6 +212,7 @@ struct klartext {
 	struct klartext_q q[KLARTEXT_Q_COUNT], qr[KLARTEXT_QL_COUNT], ql[KLARTEXT_CALLS_MAX + 1][KLARTEXT_QL_COUNT];
 	struct klartext_string strings[KLARTEXT_STRINGS_MAX];
 	int string_count;
+	bool strings_read; /* FN 28 has read texts that are not known here */
 	struct klartext_call calls[KLARTEXT_CALLS_MAX + 1];
 	int level, programs; /* calls inside each other; of these, of programs */
 	struct klartext_repeat repeats[KLARTEXT_REPEATS_MAX];

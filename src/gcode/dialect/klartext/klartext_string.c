@@ -43,8 +43,13 @@ static bool read_value(struct lexer *lexer, char text[KLARTEXT_NAME])
 	if (!read_number(lexer, &number))
 		return false;
 	string = find(klartext_of(lexer->context), number);
-	if (!string)
+	if (!string && klartext_of(lexer->context)->strings_read)
 		return fault(lexer->at, column, "QS%d has no value that is known here", number);
+	if (!string)
+		return fault(lexer->at, column,
+			     "QS%d has no value that is known here; if the control holds one from before, <variable "
+			     "name=\"QS%d\" value=\"\"/> in the machine's <controller> says it",
+			     number, number);
 	memcpy(text, string->text, sizeof(string->text));
 	return true;
 }
@@ -74,11 +79,14 @@ static bool read_term(struct lexer *lexer, char text[KLARTEXT_NAME])
 			   "strings are not supported yet");
 }
 
-static bool set(struct lexer *lexer, int column, int number, const char *text)
+bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text)
 {
 	struct klartext *klartext = klartext_of(lexer->context);
 	struct klartext_string *string = find(klartext, number);
 
+	if (strlen(text) >= sizeof(string->text))
+		return fault(lexer->at, column, "a string of more than %zu characters is not supported",
+			     sizeof(string->text) - 1);
 	if (!string && klartext->string_count == KLARTEXT_STRINGS_MAX)
 		return fault(lexer->at, column, "more than %d string parameters", KLARTEXT_STRINGS_MAX);
 	if (!string)
@@ -110,7 +118,7 @@ bool klartext_string_assign(struct lexer *lexer)
 				     sizeof(whole) - 1);
 		strcat(whole, term);
 	} while (lexer_peek(lexer) == '|' && lexer->at->text[lexer->position + 1] == '|');
-	return klartext_expect_end(lexer) && set(lexer, column, number, whole);
+	return klartext_expect_end(lexer) && klartext_string_set(lexer, column, number, whole);
 }
 
 bool klartext_string_declare(struct lexer *lexer)
@@ -142,4 +150,5 @@ bool klartext_string_number(struct lexer *lexer, double *value)
 void klartext_string_forget(struct klartext *klartext)
 {
 	klartext->string_count = 0;
+	klartext->strings_read = true;
 }

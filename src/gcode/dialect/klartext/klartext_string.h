@@ -14,6 +14,9 @@ bool klartext_string_follows(struct lexer *lexer);
 bool klartext_string_assign(struct lexer *lexer);
 bool klartext_string_declare(struct lexer *lexer);
 
+/* Gives QS<number> a text. False: it is too long, or there are too many, which was reported at the column. */
+bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text);
+
 /* Behind TONUMB: "( SRC_QS5 )", the number that the string is. False: reported. */
 bool klartext_string_number(struct lexer *lexer, double *value);
 

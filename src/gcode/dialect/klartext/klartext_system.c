@@ -1,16 +1,11 @@
 #include "gcode/dialect/klartext/klartext_system.h"
 
+#include "gcode/dialect/klartext/klartext_kept.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* ID, NR and IDX of FN 18. */
-struct query {
-	int id, number, index;
-	bool has_index;
-};
-
-static double tool_value(const struct interp *interp, const struct query *query, bool *known)
+static double tool_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const int number = query->has_index && query->index > 0 ? query->index : interp->state.tool;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
@@ -26,7 +21,7 @@ static double axis_of(vec3 v, int index)
 	return index == 1 ? v.x : index == 2 ? v.y : v.z;
 }
 
-static double frame_value(const struct klartext_frame *frame, const struct query *query, bool *known)
+static double frame_value(const struct klartext_frame *frame, const struct klartext_query *query, bool *known)
 {
 	const bool axis = query->has_index && query->index >= 1 && query->index <= 3;
 
@@ -43,13 +38,13 @@ static double frame_value(const struct klartext_frame *frame, const struct query
 	return *known ? axis_of(frame->shift, query->index) : 0;
 }
 
-static bool is_length(const struct query *query)
+static bool is_length(const struct klartext_query *query)
 {
-	return query->id == 50 || query->id == 220;
+	return query->id == 50 || query->id == 60 || query->id == 220;
 }
 
 /* Machine status. Before the first TOOL CALL, M3 or S the control has values of its own. */
-static double status_value(const struct interp *interp, const struct query *query, bool *known)
+static double status_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct state *state = &interp->state;
 	const bool called = klartext_of(interp)->called;
@@ -73,11 +68,32 @@ static double status_value(const struct interp *interp, const struct query *quer
 	}
 }
 
+/* What TOOL CALL has given. */
+static double called_value(const struct interp *interp, const struct klartext_query *query, bool *known)
+{
+	const struct klartext *klartext = klartext_of(interp);
+
+	*known = klartext->called && query->number != 3 && query->number < 6;
+	switch (query->number) {
+	case 1:
+		return interp->state.tool;
+	case 2:
+		return 2; /* Z */
+	case 4:
+		return klartext->delta_length;
+	case 5:
+		return klartext->delta_radius;
+	default:
+		*known = false;
+		return 0;
+	}
+}
+
 /*
  * iTNC 530 HSCI technical manual, "Data transfer NC > NC program (FN18: SYSREAD)". Lengths are in mm on newer controls,
  * whatever the program's unit is (TNC7 user's manual, "System data"): in a program in inches they stay unknown.
  */
-static double find_value(const struct interp *interp, const struct query *query, bool *known)
+static double find_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct klartext *klartext = klartext_of(interp);
 	const bool m128 = interp->state.tcp == TCP_BY_MCODE;
@@ -93,6 +109,8 @@ static double find_value(const struct interp *interp, const struct query *query,
 		return status_value(interp, query, known);
 	case 50:
 		return query->number == 1 || query->number == 2 ? tool_value(interp, query, known) : 0;
+	case 60:
+		return called_value(interp, query, known);
 	case 210:
 	case 220:
 		return frame_value(&klartext->frame, query, known);
@@ -110,7 +128,7 @@ static bool read_number(struct lexer *lexer, const char *name, int *value)
 	return klartext_integer(lexer, name, -1, 100000, value);
 }
 
-static bool read_query(struct lexer *lexer, struct query *query)
+static bool read_query(struct lexer *lexer, struct klartext_query *query)
 {
 	if (!klartext_take(lexer, "ID"))
 		return fault(lexer->at, klartext_column(lexer), "SYSREAD needs ID and its number");
@@ -120,6 +138,15 @@ static bool read_query(struct lexer *lexer, struct query *query)
 		return false;
 	query->has_index = klartext_take(lexer, "IDX");
 	return !query->has_index || read_number(lexer, "IDX", &query->index);
+}
+
+/* Without an index, data of the tool table are those of the tool that is called. */
+static void name_tool(const struct interp *interp, struct klartext_query *query)
+{
+	if (query->id != 50 || (query->has_index && query->index > 0) || !klartext_of(interp)->called)
+		return;
+	query->index = interp->state.tool;
+	query->has_index = true;
 }
 
 /* "Q10 =" */
@@ -143,7 +170,7 @@ static struct klartext_q *read_target(struct lexer *lexer, int *number)
 
 bool klartext_system_read(struct lexer *lexer)
 {
-	struct query query = {0};
+	struct klartext_query query = {0};
 	struct klartext_q *q;
 	double value;
 	bool known;
@@ -155,7 +182,10 @@ bool klartext_system_read(struct lexer *lexer)
 	if (!q || !read_query(lexer, &query) || !klartext_expect_end(lexer))
 		return false;
 	value = find_value(lexer->context, &query, &known);
-	*q = known ? (struct klartext_q){.value = value, .given = true} : (struct klartext_q){.read = true};
+	name_tool(lexer->context, &query);
+	known = known || klartext_kept_data(lexer->context, &query, &value);
+	*q = known ? (struct klartext_q){.value = value, .given = true}
+		   : (struct klartext_q){.read = true, .query = query};
 	return true;
 }
 

@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -102,6 +103,55 @@ struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
 	return &array[*number];
 }
 
+void klartext_query_name(const struct klartext_query *query, char *name, size_t size)
+{
+	const int length = snprintf(name, size, "ID%d NR%d", query->id, query->number);
+
+	if (query->has_index)
+		snprintf(name + length, size - (size_t)length, " IDX%d", query->index);
+}
+
+/* iTNC 530 technical manual, FN 18: tool table, pocket table, pocket of a tool, software limits, touch probe. */
+bool klartext_query_is_table(const struct klartext_query *query)
+{
+	static const int tables[] = {50, 51, 52, 230, 350};
+
+	for (size_t i = 0; i < sizeof(tables) / sizeof(tables[0]); i++) {
+		if (query->id == tables[i])
+			return true;
+	}
+	return false;
+}
+
+/* Tables can be told by the machine file; where axes stand, and what the program itself changes, cannot. */
+static bool ask_data(const struct lexer *lexer, int column, const char *name, int length,
+		     const struct klartext_query *query)
+{
+	char data[48];
+
+	klartext_query_name(query, data, sizeof(data));
+	if (klartext_query_is_table(query))
+		return fault(lexer->at, column,
+			     "%.*s was read from a table of the control (FN 18), and what that holds is not known here: "
+			     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     length, name, data);
+	return fault(lexer->at, column,
+		     "%.*s was read from the control (FN 18, %s), and that value is not known here: to check the "
+		     "program, assign the value by FN 0 behind it",
+		     length, name, data);
+}
+
+/* What a parameter holds before the program assigns it. */
+static bool ask_kept(const struct lexer *lexer, int column, const char *name, int length)
+{
+	if (klartext_upper(name[1]) == 'L')
+		return fault(lexer->at, column, "%.*s has no value: the program has not assigned one", length, name);
+	return fault(lexer->at, column,
+		     "%.*s has no value: the program has not assigned one; if the control holds one from before, "
+		     "<variable name=\"%.*s\" value=\"\"/> in the machine's <controller> says it",
+		     length, name, length, name);
+}
+
 bool klartext_q_read(struct lexer *lexer, double *value)
 {
 	int column = klartext_column(lexer), number;
@@ -113,18 +163,16 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 		return false;
 	if (q->read && number >= 100 && number < 200)
 		return fault(lexer->at, column, "%.*s is a value of the control that is not known here", length, name);
+	if (q->read && q->query.id > 0)
+		return ask_data(lexer, column, name, length, &q->query);
 	if (q->read)
 		return fault(
 		    lexer->at, column,
-		    "%.*s was read from the control (FN 18, FN 28), and that value is not known here: to check "
+		    "%.*s was read from the control (FN 28), and that value is not known here: to check "
 		    "the program, assign the value by FN 0 behind it",
 		    length, name);
 	if (!q->given)
-		return fault(
-		    lexer->at, column,
-		    "%.*s has no value: the program has not assigned one, and what the control still holds from "
-		    "before is not known",
-		    length, name);
+		return ask_kept(lexer, column, name, length);
 	*value = q->value;
 	return true;
 }

@@ -22,6 +22,12 @@ void klartext_q_forget(struct klartext *klartext, int number);
 /* The value of Q<number>; false: none was given. */
 bool klartext_q_get(const struct klartext *klartext, int number, double *value);
 
+/* "ID50 NR3 IDX1". */
+void klartext_query_name(const struct klartext_query *query, char *name, size_t size);
+
+/* Does it ask for data of a table of the control, which no program changes? */
+bool klartext_query_is_table(const struct klartext_query *query);
+
 /* A number or a signed Q parameter. False: reported. */
 bool klartext_value(struct lexer *lexer, double *value);
 

@@ -10,6 +10,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
+#include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_macro.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
@@ -186,6 +187,8 @@ static bool read_line(struct interp *interp, bool *done)
 	if (!sinumerik_of(interp)->begun) {
 		begin(interp);
 		sinumerik_of(interp)->begun = true;
+		if (!sinumerik_gud_make(interp))
+			return false;
 	}
 	*done = true;
 	if (!sinumerik_call_round(interp, &left))
@@ -242,7 +245,7 @@ static void free_state(void *state)
 {
 	struct sinumerik *sinumerik = state;
 
-	sinumerik_variables_leave(sinumerik, -1);
+	sinumerik_variables_leave(sinumerik, SINUMERIK_LEVEL_OF_CONTROL - 1);
 	free(sinumerik->variables);
 	free(sinumerik->names);
 	strbuf_release(&sinumerik->line);

@@ -5,6 +5,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_system_write.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -34,6 +35,7 @@ static bool set_text(struct interp *interp, struct lexer *lexer, struct sinumeri
 		return fault(lexer->at, column, "a text of %d bytes in %s, which has room for %d",
 			     (int)strlen(text.bytes), variable->name, variable->length);
 	variable->texts[element] = text;
+	sinumerik_variables_mark(variable, element);
 	return true;
 }
 
@@ -44,6 +46,7 @@ static bool set_axis(struct interp *interp, struct lexer *lexer, struct sinumeri
 	if (!sinumerik_expr_axis(interp, lexer, &slot))
 		return false;
 	variable->numbers[element] = slot;
+	sinumerik_variables_mark(variable, element);
 	return true;
 }
 
@@ -97,6 +100,7 @@ static bool repeat_value(struct interp *interp, struct lexer *lexer, struct sinu
 			variable->texts[i] = variable->texts[element];
 		else
 			variable->numbers[i] = variable->numbers[element];
+		sinumerik_variables_mark(variable, i);
 	}
 	return sinumerik_name_need(lexer, ')', "the values of REP");
 }
@@ -146,11 +150,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 		return sinumerik_system_write(interp, lexer, name, column);
 	found = sinumerik_variables_find(sinumerik, name);
 	if (found < 0)
-		return fault(
-		    lexer->at, column,
-		    "%s is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
-		    "that the machine's maker has defined are not known here",
-		    name);
+		return sinumerik_gud_ask(lexer, name, false, column);
 	variable = &sinumerik->variables[found];
 	return sinumerik_expr_element(interp, lexer, variable, &element) &&
 	       sinumerik_name_need(lexer, '=', name) && set_values(interp, lexer, variable, element);

@@ -1,10 +1,13 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/units.h"
+#include "control/control_variable.h"
 #include "gcode/dialect/sinumerik/sinumerik_functions.h"
+#include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/dialect/sinumerik/sinumerik_text.h"
@@ -86,14 +89,32 @@ bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, const c
 	return true;
 }
 
+/* A variable of the type AXIS names the axis; else `slot` stays. */
+static bool axis_of_variable(struct interp *interp, struct lexer *lexer, const char *name, int column, int *slot)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int found = name[0] ? sinumerik_variables_find(sinumerik, name) : -1;
+	size_t element;
+
+	if (found < 0 || sinumerik->variables[found].type != SINUMERIK_AXIS)
+		return true;
+	if (!sinumerik_expr_element(interp, lexer, &sinumerik->variables[found], &element) ||
+	    !sinumerik_variables_check(lexer->at, &sinumerik->variables[found], element, column))
+		return false;
+	*slot = (int)sinumerik->variables[found].numbers[element];
+	return true;
+}
+
 bool sinumerik_expr_axis(struct interp *interp, struct lexer *lexer, int *slot)
 {
 	const int column = expr_column(lexer);
-	char name[SINUMERIK_NAME + 1];
+	char name[SINUMERIK_NAME + 1] = "";
 
 	*slot = -1;
 	if (sinumerik_name_read(lexer, name) == 1)
 		*slot = slot_of_letter(name[0]);
+	else if (!axis_of_variable(interp, lexer, name, column, slot))
+		return false;
 	if (*slot < 0 || !interp->config->has_axis[*slot])
 		return fault(lexer->at, column, "an axis of the machine is needed here");
 	return true;
@@ -142,11 +163,51 @@ static bool index_is_axis(struct lexer *lexer)
 	return is;
 }
 
+/* "[1,X]": numbers and axes, as they are now. */
+static bool read_indices(struct interp *interp, struct lexer *lexer, char *text, size_t size)
+{
+	int length = 0;
+
+	text[0] = '\0';
+	if (!sinumerik_name_take_byte(lexer, '['))
+		return true;
+	do {
+		const size_t position = lexer->position;
+		const int column = expr_column(lexer);
+		char name[SINUMERIK_NAME + 1];
+		double value;
+
+		length += snprintf(text + length, size - (size_t)length, "%c", length > 0 ? ',' : '[');
+		if (sinumerik_name_read(lexer, name) == 1 && (lexer_peek(lexer) == ']' || lexer_peek(lexer) == ',')) {
+			length += snprintf(text + length, size - (size_t)length, "%s", name);
+			continue;
+		}
+		lexer->position = position;
+		if (!sinumerik_expr_number(interp, lexer, &value))
+			return false;
+		length += snprintf(text + length, size - (size_t)length, "%.12g", value);
+		if (length > (int)size - 24)
+			return fault(lexer->at, column, "too many indices");
+	} while (sinumerik_name_take_byte(lexer, ','));
+	snprintf(text + length, size - (size_t)length, "]");
+	return sinumerik_name_need(lexer, ']', "an index");
+}
+
+static bool control_value(struct expr *expr, const char *name, int column, double *value)
+{
+	char indices[CONTROL_VARIABLE_NAME - SINUMERIK_NAME], whole[CONTROL_VARIABLE_NAME];
+
+	if (!read_indices(expr->context, expr->lexer, indices, sizeof(indices)))
+		return false;
+	snprintf(whole, sizeof(whole), "%s%s", name, indices);
+	return sinumerik_gud_system(expr->context, whole, column, value);
+}
+
 static bool system_value(struct expr *expr, const char *name, int column, struct expr_operand *value)
 {
 	int slot = -1, index;
 
-	if (!strncmp(name, "$TC_DP", 6))
+	if (!strcmp(name, "$TC_DP3") || !strcmp(name, "$TC_DP6"))
 		return tool_value(expr, name, column, &value->number);
 	if (!strcmp(name, "$P_UIFR"))
 		return offset_value(expr, column, &value->number);
@@ -157,8 +218,8 @@ static bool system_value(struct expr *expr, const char *name, int column, struct
 		       sinumerik_system_tool(expr->context, name, index, column, &value->number);
 	if (!strcmp(name, "$P_TOOLR"))
 		return sinumerik_system_tool(expr->context, name, 0, column, &value->number);
-	if (lexer_peek(expr->lexer) == '[' && !index_is_axis(expr->lexer))
-		return fault(expr->lexer->at, column, "the value of %s is known to the control alone", name);
+	if (!sinumerik_system_follows(name, index_is_axis(expr->lexer)))
+		return control_value(expr, name, column, &value->number);
 	if (sinumerik_name_take_byte(expr->lexer, '[') &&
 	    (!sinumerik_expr_axis(expr->context, expr->lexer, &slot) ||
 	     !sinumerik_name_need(expr->lexer, ']', "the axis")))
@@ -180,7 +241,9 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 		if (!sinumerik_expr_element(interp, expr->lexer, variable, &element))
 			return false;
 		value->number = variable->numbers[element];
-		return true;
+		if (variable->type == SINUMERIK_AXIS)
+			return fault(expr->lexer->at, column, "%s is the name of an axis and no number", name);
+		return sinumerik_variables_check(expr->lexer->at, variable, element, column);
 	}
 	if (sinumerik_system_constant(name, &value->number))
 		return true;
@@ -194,10 +257,7 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 		return sinumerik_text_measure(expr, name, &value->number);
 	if (lexer_peek(expr->lexer) == '(' || !strcmp(name, "NOT") || !strcmp(name, "B_NOT"))
 		return sinumerik_functions_compute(expr, name, column, &value->number);
-	return fault(expr->lexer->at, column,
-		     "%s is no variable of this program; DEF makes one, and those that the machine's maker has defined "
-		     "are not known here",
-		     name);
+	return sinumerik_gud_ask(expr->lexer, name, true, column);
 }
 
 static bool is_r(const char *name)
@@ -243,17 +303,17 @@ static bool r_value(struct interp *interp, struct lexer *lexer, const char *name
 	if (!sinumerik_expr_r_number(interp, lexer, name, &number))
 		return false;
 	r = &sinumerik_of(interp)->r[number];
-	if (isnan(*r)) {
-		/* Told once. */
-		*r = 0;
-		return fault(
-		    lexer->at, column,
-		    "R%d keeps its value from one program to the next, and this one has given it none so far: what it "
-		    "holds is known to the control only; assign it first, in this program or in one that calls it",
-		    number);
-	}
+	if (isnan(*r))
+		*r = sinumerik_gud_r(interp, number);
 	*value = *r;
-	return true;
+	if (!isnan(*r))
+		return true;
+	/* Told once. */
+	*r = 0;
+	return fault(lexer->at, column,
+		     "R%d keeps its value from one program to the next, and this one has given it none so far: "
+		     "<variable name=\"R%d\" value=\"\"/> in the machine's <controller> says what it holds",
+		     number, number);
 }
 
 static bool variable_value(struct expr *expr, struct expr_operand *value)

@@ -5,6 +5,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -114,10 +115,13 @@ static bool counter(const struct flow *flow, double **value)
 		return true;
 	}
 	found = sinumerik_variables_find(flow->sinumerik, name);
+	if (found < 0 && name[1])
+		return sinumerik_gud_ask(flow->lexer, name, false, column);
 	if (found < 0 || !flow->sinumerik->variables[found].numbers || flow->sinumerik->variables[found].dimensions > 0)
 		return fault(flow->lexer->at, column,
 			     "%s is no variable of this program that FOR can count; DEF makes one", name);
 	*value = &flow->sinumerik->variables[found].numbers[0];
+	sinumerik_variables_mark(&flow->sinumerik->variables[found], 0);
 	return true;
 }
 

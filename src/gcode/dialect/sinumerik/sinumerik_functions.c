@@ -39,6 +39,11 @@ static const struct known *find(const char *name)
 	return NULL;
 }
 
+bool sinumerik_functions_is(const char *name)
+{
+	return find(name) != NULL;
+}
+
 static double compute_own(enum own own, const double *x)
 {
 	switch (own) {

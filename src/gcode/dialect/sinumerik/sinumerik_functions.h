@@ -7,4 +7,7 @@
 /* Reads the arguments behind the upper-case name and computes it. False: reported. */
 bool sinumerik_functions_compute(struct expr *expr, const char *name, int column, double *value);
 
+/* Is this upper-case name that of a function? */
+bool sinumerik_functions_is(const char *name);
+
 #endif

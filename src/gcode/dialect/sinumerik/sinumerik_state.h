@@ -23,7 +23,10 @@ struct sinumerik_text {
 
 enum sinumerik_type { SINUMERIK_INT, SINUMERIK_REAL, SINUMERIK_BOOL, SINUMERIK_CHAR, SINUMERIK_STRING, SINUMERIK_AXIS };
 
-/* Made by DEF or as a parameter of PROC. */
+/* Variables of the maker and of users (GUD) are those of no program. */
+#define SINUMERIK_LEVEL_OF_CONTROL (-1)
+
+/* Made by DEF, as a parameter of PROC, or by the machine file. */
 struct sinumerik_variable {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
 	enum sinumerik_type type;
@@ -33,6 +36,7 @@ struct sinumerik_variable {
 	size_t count;
 	double *numbers;	/* owned; NULL: texts; AXIS: slots */
 	struct sinumerik_text *texts;	/* owned */
+	bool *given;	/* owned: which values are known, of a variable of the control; NULL: all */
 	int refers_to;	/* a VAR parameter: the variable of the caller; or -1 */
 	int level;	/* of the call whose program has made it */
 };

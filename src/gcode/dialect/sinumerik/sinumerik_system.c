@@ -58,30 +58,49 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 	return true;
 }
 
-bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value)
+static bool is_position(const char *name)
 {
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const bool position = !strcmp(name, "$AA_IW") || !strcmp(name, "$P_EP") || !strcmp(name, "$AA_IM");
-	/* A program is checked as it runs: no search for a block, no simulation, no dry run. */
+	return !strcmp(name, "$AA_IW") || !strcmp(name, "$P_EP") || !strcmp(name, "$AA_IM");
+}
+
+/* A program is checked as it runs: no search for a block, no simulation, no dry run. */
+static bool is_zero(const char *name)
+{
 	static const char *const zero[] = {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN", "$P_SIMUL"};
 
 	for (size_t i = 0; i < sizeof(zero) / sizeof(zero[0]); i++) {
-		if (slot < 0 && !strcmp(name, zero[i])) {
-			*value = 0;
+		if (!strcmp(name, zero[i]))
 			return true;
-		}
 	}
-	if (position && slot >= 0)
+	return false;
+}
+
+bool sinumerik_system_follows(const char *name, bool axis)
+{
+	return axis ? is_position(name) : is_zero(name) || !strcmp(name, "$P_TOOLNO") || !strcmp(name, "$P_TOOL");
+}
+
+bool sinumerik_system_is_scratch(const char *name)
+{
+	static const char *const scratch[] = {"$AC_TIMER", "$AC_MARKER", "$AC_PARAM"};
+
+	for (size_t i = 0; i < sizeof(scratch) / sizeof(scratch[0]); i++) {
+		if (!strncmp(name, scratch[i], strlen(scratch[i])) && strchr("[", name[strlen(scratch[i])]))
+			return true;
+	}
+	return false;
+}
+
+bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (slot >= 0)
 		return read_position(interp, name, slot, column, value);
-	if (!strcmp(name, "$P_TOOLNO") && slot < 0) {
-		*value = interp->state.tool;
-		return true;
-	}
-	if (!strcmp(name, "$P_TOOL") && slot < 0 && !sinumerik->edge_unsure) {
-		*value = sinumerik->edge;
-		return true;
-	}
-	return fault(&interp->at, column, "the value of %s is known to the control alone", name);
+	if (!strcmp(name, "$P_TOOL") && sinumerik->edge_unsure)
+		return fault(&interp->at, column, "$P_TOOL behind a change of tools: write D before it");
+	*value = is_zero(name) ? 0 : !strcmp(name, "$P_TOOL") ? sinumerik->edge : interp->state.tool;
+	return true;
 }
 
 bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, int edge, int column, double *value)

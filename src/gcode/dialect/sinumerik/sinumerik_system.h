@@ -7,9 +7,15 @@
 /* The value of a constant of the language by its upper-case name: TRUE, _ORI_FINISH. False: it is none. */
 bool sinumerik_system_constant(const char *name, double *value);
 
+/* Is the system variable followed here? Its index is the name of an axis, or it has none. */
+bool sinumerik_system_follows(const char *name, bool axis);
+
+/* Does it hold what programs put there, with or without an index: $AC_MARKER[1]? What that is, is not followed. */
+bool sinumerik_system_is_scratch(const char *name);
+
 /*
- * The value of the system variable with this upper-case name; slot: the axis in its brackets, or -1. False: it is not
- * known before the program runs, which was reported at the column.
+ * The value of the system variable with this upper-case name, which is followed; slot: the axis in its brackets, or -1.
+ * False: it is not known here, which was reported at the column.
  */
 bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value);
 

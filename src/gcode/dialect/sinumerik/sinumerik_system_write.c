@@ -135,7 +135,6 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 
 bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column)
 {
-	static const char *const idle[] = {"$AC_TIMER", "$AC_MARKER", "$AC_PARAM"};
 	double value;
 	int index;
 
@@ -143,9 +142,7 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 		return write_offset(interp, lexer, column);
 	if (!strcmp(name, "$P_PFRAME") && lexer_peek(lexer) == '=')
 		return write_frame(interp, lexer, column);
-	for (size_t i = 0; i < sizeof(idle) / sizeof(idle[0]); i++) {
-		if (strcmp(idle[i], name) != 0)
-			continue;
+	if (sinumerik_system_is_scratch(name)) {
 		if (sinumerik_name_take_byte(lexer, '[') &&
 		    (!sinumerik_expr_whole(interp, lexer, "an index", 0, 32767, &index) ||
 		     !sinumerik_name_need(lexer, ']', "an index")))

@@ -94,6 +94,7 @@ static bool whole(struct expr *expr, const char *what, int most, int *number)
 
 static bool read_variable(struct expr *expr, const struct sinumerik_variable *variable, struct sinumerik_text *text)
 {
+	const int column = expr_column(expr->lexer);
 	char name[SINUMERIK_NAME + 1];
 	size_t element = 0;
 	int index = 0;
@@ -110,7 +111,7 @@ static bool read_variable(struct expr *expr, const struct sinumerik_variable *va
 	if (lexer_peek(expr->lexer) == '[')
 		return fault(expr->lexer->at, expr_column(expr->lexer), "single bytes of a text are not supported yet");
 	*text = variable->texts[element];
-	return true;
+	return sinumerik_variables_check(expr->lexer->at, variable, element, column);
 }
 
 /* SUBSTR(text, first) and SUBSTR(text, first, length): positions behind the end are left out. */

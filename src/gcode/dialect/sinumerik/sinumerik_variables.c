@@ -1,6 +1,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,10 +23,24 @@ int sinumerik_variables_find_own(const struct sinumerik *sinumerik, const char *
 	return -1;
 }
 
+/* They are the first ones. */
+static int find_of_control(const struct sinumerik *sinumerik, const char *name)
+{
+	for (size_t i = 0; i < sinumerik->variable_count; i++) {
+		if (sinumerik->variables[i].level != SINUMERIK_LEVEL_OF_CONTROL)
+			return -1;
+		if (!strcmp(sinumerik->variables[i].name, name))
+			return (int)i;
+	}
+	return -1;
+}
+
 int sinumerik_variables_find(const struct sinumerik *sinumerik, const char *name)
 {
 	int found = sinumerik_variables_find_own(sinumerik, name);
 
+	if (found < 0)
+		found = find_of_control(sinumerik, name);
 	while (found >= 0 && sinumerik->variables[found].refers_to >= 0)
 		found = sinumerik->variables[found].refers_to;
 	return found;
@@ -73,6 +88,7 @@ void sinumerik_variables_leave(struct sinumerik *sinumerik, int level)
 		sinumerik->elements -= last->count;
 		free(last->numbers);
 		free(last->texts);
+		free(last->given);
 		sinumerik->variable_count--;
 	}
 }
@@ -89,5 +105,43 @@ bool sinumerik_variables_set(struct interp *interp, struct sinumerik_variable *v
 	    (variable->type == SINUMERIK_CHAR && (value < 0 || value > 255)))
 		return fault(&interp->at, column, "%.15g does not fit into %s", value, variable->name);
 	variable->numbers[element] = value;
+	sinumerik_variables_mark(variable, element);
 	return true;
+}
+
+void sinumerik_variables_mark(struct sinumerik_variable *variable, size_t element)
+{
+	if (variable->given)
+		variable->given[element] = true;
+}
+
+/* The element as a program writes it: "NAME[2,0]". */
+static void write_name(const struct sinumerik_variable *variable, size_t element, char *name, size_t size)
+{
+	int index[SINUMERIK_DIMENSIONS] = {0}, length = snprintf(name, size, "%s", variable->name);
+
+	for (int i = variable->dimensions; i-- > 0;) {
+		index[i] = (int)(element % (size_t)variable->size[i]);
+		element /= (size_t)variable->size[i];
+	}
+	for (int i = 0; i < variable->dimensions; i++)
+		length += snprintf(name + length, size - (size_t)length, "%c%d", i > 0 ? ',' : '[', index[i]);
+	if (variable->dimensions > 0)
+		snprintf(name + length, size - (size_t)length, "]");
+}
+
+bool sinumerik_variables_check(const struct line_place *at, const struct sinumerik_variable *variable, size_t element,
+			       int column)
+{
+	char name[SINUMERIK_NAME + 8 * SINUMERIK_DIMENSIONS];
+
+	if (!variable->given || variable->given[element])
+		return true;
+	/* Told once. */
+	variable->given[element] = true;
+	write_name(variable, element, name, sizeof(name));
+	return fault(at, column,
+		     "%s keeps its value from one program to the next, and this one has given it none so far: "
+		     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says what it holds",
+		     name, name);
 }

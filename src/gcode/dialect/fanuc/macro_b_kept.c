@@ -1,0 +1,40 @@
+#include "gcode/dialect/fanuc/macro_b_kept.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "control/control_variable.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
+
+static const struct control_variable *find(const struct interp *interp, int number, char name[16])
+{
+	const struct control_variable *variable;
+
+	snprintf(name, 16, "#%d", number);
+	variable = control_variable_find(&interp->config->controller, name);
+	return variable && variable->text ? variable : NULL;
+}
+
+bool macro_b_kept_tells(const struct interp *interp, int number)
+{
+	char name[16];
+
+	return find(interp, number, name) != NULL;
+}
+
+bool macro_b_kept_read(struct interp *interp, int number, int column, const char *why, double *value)
+{
+	char name[16];
+	const struct control_variable *variable = find(interp, number, name);
+
+	if (!variable)
+		return fault(&interp->at, column,
+			     "%s %s: <variable name=\"%s\" value=\"\"/> in the machine's <controller> says what it "
+			     "holds",
+			     name, why, name);
+	*value = !strcmp(variable->text, "vacant") ? macro_b_vacant() : variable->number;
+	return !isnan(variable->number) || !strcmp(variable->text, "vacant") ||
+	       fault(&interp->at, column, "%s: value=\"%s\" of the machine file is neither a number nor \"vacant\"",
+		     name, variable->text);
+}

@@ -1,0 +1,216 @@
+#include "gcode/dialect/sinumerik/sinumerik_gud.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "control/control_variable.h"
+#include "gcode/dialect/sinumerik/sinumerik_codes.h"
+#include "gcode/dialect/sinumerik/sinumerik_functions.h"
+#include "gcode/dialect/sinumerik/sinumerik_system.h"
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/eval/expr.h"
+
+/* -------------------------------------------------------------- the machine file's */
+
+static bool set_value(struct interp *interp, struct sinumerik_variable *variable, size_t element,
+		      const struct control_variable *from)
+{
+	if (variable->type == SINUMERIK_STRING) {
+		if (strlen(from->text) > (size_t)(variable->length ? variable->length : SINUMERIK_TEXT))
+			return fault(&interp->at, 1, "%s: the text of the machine file is too long for it", from->name);
+		strcpy(variable->texts[element].bytes, from->text);
+		variable->given[element] = true;
+		return true;
+	}
+	if (variable->type == SINUMERIK_AXIS) {
+		const int slot = from->text[0] && !from->text[1] ? slot_of_letter(from->text[0]) : -1;
+
+		if (slot < 0 || !interp->config->has_axis[slot])
+			return fault(&interp->at, 1, "%s: the value of the machine file is no axis of the machine",
+				     from->name);
+		variable->numbers[element] = slot;
+		variable->given[element] = true;
+		return true;
+	}
+	if (isnan(from->number))
+		return fault(&interp->at, 1, "%s: the value of the machine file is no number", from->name);
+	return sinumerik_variables_set(interp, variable, element, from->number, 1);
+}
+
+/* 840D sl, job planning, "Definition of user variables": a name begins with two letters, and means nothing else. */
+static bool may_be_variable(const char *name)
+{
+	struct sinumerik_word word;
+
+	return sinumerik_is_letter(name[0]) && sinumerik_is_letter(name[1]) && !sinumerik_codes_word(name, &word) &&
+	       !sinumerik_functions_is(name);
+}
+
+static bool make_one(struct interp *interp, const struct control_variable *from)
+{
+	static const enum sinumerik_type types[] = {
+		[CONTROL_REAL] = SINUMERIK_REAL, [CONTROL_INT] = SINUMERIK_INT,	      [CONTROL_BOOL] = SINUMERIK_BOOL,
+		[CONTROL_CHAR] = SINUMERIK_CHAR, [CONTROL_STRING] = SINUMERIK_STRING, [CONTROL_AXIS] = SINUMERIK_AXIS,
+	};
+	struct sinumerik_variable made = {.type = types[from->type], .dimensions = from->dimensions, .refers_to = -1};
+	const size_t length = strlen(from->name);
+	struct sinumerik_variable *variable;
+
+	if (length > SINUMERIK_NAME || !may_be_variable(from->name) ||
+	    strspn(from->name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != length)
+		return fault(&interp->at, 1,
+			     "<variable name=\"%s\" type=\"\"> of the machine file: a variable has a name of two letters "
+			     "or more, _ and digits, at most %d, which means nothing else; size=\"\" says how many "
+			     "elements it has",
+			     from->name, SINUMERIK_NAME);
+	memcpy(made.name, from->name, length + 1);
+	memcpy(made.size, from->size, sizeof(made.size));
+	variable = sinumerik_variables_add(interp, &made, 1);
+	if (!variable)
+		return false;
+	variable->level = SINUMERIK_LEVEL_OF_CONTROL;
+	variable->given = mem_zalloc(variable->count, sizeof(*variable->given));
+	for (size_t i = 0; i < variable->count && from->text; i++) {
+		if (!set_value(interp, variable, i, from))
+			return false;
+	}
+	return true;
+}
+
+/* "2,0]": the element. False: it is none of the array. */
+static bool find_element(const struct sinumerik_variable *variable, const char *text, size_t *element)
+{
+	*element = 0;
+	for (int i = 0; i < variable->dimensions; i++) {
+		char *end;
+		const long index = strtol(text, &end, 10);
+
+		if (end == text || index < 0 || index >= variable->size[i] ||
+		    *end != (i + 1 < variable->dimensions ? ',' : ']'))
+			return false;
+		*element = *element * (size_t)variable->size[i] + (size_t)index;
+		text = end + 1;
+	}
+	return variable->dimensions > 0 && *text == '\0';
+}
+
+/* <variable name="NAME[2,0]" value=""/>, and a value of its own for a name that has its type elsewhere. */
+static bool set_element(struct interp *interp, const struct control_variable *from)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const size_t length = strcspn(from->name, "[");
+	char name[SINUMERIK_NAME + 1];
+	size_t element;
+	int found = -1;
+
+	if (length <= SINUMERIK_NAME) {
+		snprintf(name, sizeof(name), "%.*s", (int)length, from->name);
+		found = sinumerik_variables_find(sinumerik, name);
+	}
+	if (found < 0)
+		return fault(&interp->at, 1,
+			     "<variable name=\"%s\"> of the machine file: its type is missing, type=\"REAL\" and the like",
+			     from->name);
+	if (!from->name[length] || !find_element(&sinumerik->variables[found], from->name + length + 1, &element))
+		return fault(&interp->at, 1, "<variable name=\"%s\"> of the machine file is no element of that array",
+			     from->name);
+	return !from->text || set_value(interp, &sinumerik->variables[found], element, from);
+}
+
+static bool is_parameter(const char *name)
+{
+	return name[0] == 'R' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
+}
+
+bool sinumerik_gud_make(struct interp *interp)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (size_t i = 0; i < controller->variable_count; i++) {
+		if (controller->variables[i].typed && !make_one(interp, &controller->variables[i]))
+			return false;
+	}
+	for (size_t i = 0; i < controller->variable_count; i++) {
+		const struct control_variable *variable = &controller->variables[i];
+
+		if (!variable->typed && variable->name[0] != '$' && !is_parameter(variable->name) &&
+		    !set_element(interp, variable))
+			return false;
+	}
+	return true;
+}
+
+double sinumerik_gud_r(const struct interp *interp, int number)
+{
+	const struct control_variable *variable;
+	char name[16];
+
+	snprintf(name, sizeof(name), "R%d", number);
+	variable = control_variable_find(&interp->config->controller, name);
+	return variable && variable->text ? variable->number : NAN;
+}
+
+/* -------------------------------------------------------------- what is missing */
+
+/* What stands behind '=' tells a text. */
+static const char *type_of(struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position;
+
+	text += strcspn(text, "=;");
+	text += *text == '=';
+	text += strspn(text, " \t");
+	return *text == '"' || (text[0] == '<' && text[1] == '<') ? "STRING" : "";
+}
+
+/* The dimensions of the array whose indices come next; 0: none come. */
+static int dimensions_of(struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position;
+	int depth = 0, count = 1;
+
+	if (lexer_peek(lexer) != '[')
+		return 0;
+	for (; *text && *text != ';'; text++) {
+		depth += *text == '[' || *text == '(';
+		depth -= *text == ']' || *text == ')';
+		if (depth == 0 && *text == ']')
+			break;
+		count += depth == 1 && *text == ',';
+	}
+	return count < SINUMERIK_DIMENSIONS ? count : SINUMERIK_DIMENSIONS;
+}
+
+bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int column)
+{
+	static const char *const sizes[] = {"", " size=\"\"", " size=\",\"", " size=\",,\""};
+	const int dimensions = dimensions_of(lexer);
+
+	if (!may_be_variable(name))
+		return fault(lexer->at, column, "%s is neither an axis of the machine nor a variable of this program",
+			     name);
+	return fault(lexer->at, column,
+		     "%s is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
+		     "maker's or a user's (GUD), <variable name=\"%s\" type=\"%s\"%s%s/> in the machine's <controller> "
+		     "makes it",
+		     name, name, reads ? "" : type_of(lexer), sizes[dimensions],
+		     reads && dimensions == 0 ? " value=\"\"" : "");
+}
+
+bool sinumerik_gud_system(struct interp *interp, const char *name, int column, double *value)
+{
+	const struct control_variable *variable = control_variable_find(&interp->config->controller, name);
+
+	if (sinumerik_system_is_scratch(name))
+		return fault(&interp->at, column, "the value of %s is known to the control alone", name);
+	if (!variable || !variable->text)
+		return fault(&interp->at, column,
+			     "the value of %s is known to the control alone; if it stays the same while the program runs, "
+			     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     name, name);
+	*value = variable->number;
+	return !isnan(*value) || fault(&interp->at, column, "%s: the value of the machine file is no number", name);
+}

@@ -1,0 +1,124 @@
+#include "machine/variable_build.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/decimal.h"
+#include "control/control_variable.h"
+#include "control/dialects.h"
+
+/* Elements of an array along one dimension. */
+#define SIZE_MAX_EACH 32767
+
+/* "10" or "3,4". False: it is something else. */
+static bool read_sizes(const char *text, struct control_variable *variable)
+{
+	for (;; text++) {
+		int size = 0;
+
+		text += strspn(text, " ");
+		for (; *text >= '0' && *text <= '9' && size <= SIZE_MAX_EACH; text++)
+			size = 10 * size + (*text - '0');
+		if (size < 1 || size > SIZE_MAX_EACH || variable->dimensions == CONTROL_DIMENSIONS)
+			return false;
+		variable->size[variable->dimensions++] = size;
+		text += strspn(text, " ");
+		if (*text != ',')
+			return *text == '\0';
+	}
+}
+
+static double number_of(const char *text)
+{
+	double value;
+
+	if (!strcmp(text, "TRUE") || !strcmp(text, "FALSE"))
+		return text[0] == 'T';
+	return decimal_read(text, strlen(text), &value) && isfinite(value) ? value : NAN;
+}
+
+static bool is_axis(const char *text)
+{
+	return text[0] && !text[1] && strchr(AXIS_LETTERS, text[0]);
+}
+
+/* An element as it is printed to be filled in is not filled in yet. */
+static void check_value(struct description_file *file, const struct variable_description *described,
+			const struct control_variable *variable)
+{
+	const bool number = variable->typed && variable->type != CONTROL_STRING && variable->type != CONTROL_AXIS;
+
+	if (!variable->text)
+		return;
+	if (!variable->text[0] && !(variable->typed && variable->type == CONTROL_STRING))
+		description_fault(file, described->at, "value", "value of <variable> is empty: what does %s hold?",
+				  variable->name);
+	else if (number && isnan(variable->number))
+		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no number",
+				  description_quote(file, described->at, "value").text);
+	else if (variable->typed && variable->type == CONTROL_AXIS && !is_axis(variable->text))
+		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no letter of an axis",
+				  description_quote(file, described->at, "value").text);
+}
+
+static bool is_known(struct description_file *file, const struct variable_description *described,
+		     const struct control_variable *variables, size_t count, const char *name)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (!strcmp(variables[i].name, name)) {
+			description_fault(file, described->at, "name", "%s is given twice", name);
+			return true;
+		}
+	}
+	return false;
+}
+
+static void build_one(struct description_file *file, const struct variable_description *described, bool types,
+		      struct arena *arena, struct control_variable *variables, size_t *count)
+{
+	struct control_variable variable = {.typed = described->type >= 0,
+					    .type = described->type >= 0 ? (enum control_type)described->type
+									 : CONTROL_REAL,
+					    .text = described->value,
+					    .number = described->value ? number_of(described->value) : NAN};
+	char name[CONTROL_VARIABLE_NAME];
+
+	if (!described->name)
+		return;
+	if (!control_variable_name_normalise(described->name, name)) {
+		description_fault(file, described->at, "name", "name=\"%s\" of <variable> is no name",
+				  description_quote(file, described->at, "name").text);
+		return;
+	}
+	if ((variable.typed || described->size) && !types) {
+		description_fault(file, described->at, variable.typed ? "type" : "size",
+				  "<variable> of this control has a name and a value, and neither type nor size");
+		return;
+	}
+	if (described->size && (!variable.typed || !read_sizes(described->size, &variable)))
+		description_fault(file, described->at, "size",
+				  "size of <variable>: one to three whole numbers, beside a type: size=\"10\", "
+				  "size=\"3,4\"");
+	variable.name = arena_strdup(arena, name);
+	check_value(file, described, &variable);
+	if (!is_known(file, described, variables, *count, name))
+		variables[(*count)++] = variable;
+}
+
+void variable_build(struct machine_description *described, struct machine *machine)
+{
+	const struct controller_description *from = &described->controller;
+	const struct dialect_row *row = &dialect_rows[from->dialect];
+	struct controller *to = &machine->controller;
+	struct control_variable *variables = arena_alloc(&machine->arena, from->variable_count * sizeof(*variables));
+
+	if (from->variable_count > 0 && !row->has_parameters && !row->has_planes && !row->has_frames) {
+		description_fault(&described->file, from->variables[0].at, NULL,
+				  "<variable> of <controller>: %s takes its values from the program alone", row->title);
+		return;
+	}
+	for (size_t i = 0; i < from->variable_count; i++)
+		build_one(&described->file, &from->variables[i], row->has_frames, &machine->arena, variables,
+			  &to->variable_count);
+	to->variables = variables;
+}
