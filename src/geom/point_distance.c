@@ -2,34 +2,52 @@
 
 #include <math.h>
 
+#include "base/minmax.h"
+
 /* The square of the distance to the segment. */
 static double segment_distance2(vec3 p, vec3 a, vec3 b)
 {
 	vec3 along = vec3_sub(b, a), to = vec3_sub(p, a);
 	double length2 = vec3_norm2(along), s = length2 > 0 ? vec3_dot(to, along) / length2 : 0;
 
-	return vec3_norm2(vec3_mad(to, -fmin(fmax(s, 0), 1), along));
+	return vec3_norm2(vec3_mad(to, -smaller(larger(s, 0), 1), along));
 }
 
-/* The nearest point is in the plane's foot if that is inside all three sides, else on a side. */
-static double triangle_distance2(vec3 p, const mesh_triangle *t)
-{
-	vec3 a = mesh_corner(t, 0), b = mesh_corner(t, 1), c = mesh_corner(t, 2);
-	vec3 normal = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
-	double size2 = vec3_norm2(normal), height = vec3_dot(vec3_sub(p, a), normal);
+/* Sines of angles below this are lost in the rounding of a cross product: the normal may then point anywhere. */
+#define LEAST_SINE 1e-6
 
-	if (size2 > 0 && vec3_dot(vec3_cross(vec3_sub(b, a), vec3_sub(p, a)), normal) >= 0 &&
-	    vec3_dot(vec3_cross(vec3_sub(c, b), vec3_sub(p, b)), normal) >= 0 &&
-	    vec3_dot(vec3_cross(vec3_sub(a, c), vec3_sub(p, c)), normal) >= 0)
-		return height * height / size2;
-	return fmin(segment_distance2(p, a, b), fmin(segment_distance2(p, b, c), segment_distance2(p, c, a)));
+/*
+ * The nearest point is in the plane's foot if that is inside all three sides, else on a side beyond which the foot is.
+ * A square that is not below `limit` is of no use: any such may be given.
+ */
+static double triangle_distance2(vec3 p, const mesh_triangle *t, double limit)
+{
+	const vec3 corner[3] = {mesh_corner(t, 0), mesh_corner(t, 1), mesh_corner(t, 2)};
+	const vec3 ab = vec3_sub(corner[1], corner[0]), ac = vec3_sub(corner[2], corner[0]);
+	const vec3 normal = vec3_cross(ab, ac);
+	const double size2 = vec3_norm2(normal), height = vec3_dot(vec3_sub(p, corner[0]), normal);
+	const bool flat = size2 > LEAST_SINE * LEAST_SINE * vec3_norm2(ab) * vec3_norm2(ac);
+	double least = INFINITY;
+	bool inside = size2 > 0;
+
+	if (flat && height * height >= limit * size2)
+		return INFINITY;
+	for (int k = 0; k < 3; k++) {
+		const vec3 from = corner[k], to = corner[(k + 1) % 3];
+		const bool beyond = vec3_dot(vec3_cross(vec3_sub(to, from), vec3_sub(p, from)), normal) < 0;
+
+		inside &= !beyond;
+		if (beyond || !flat)
+			least = smaller(least, segment_distance2(p, from, to));
+	}
+	return inside ? height * height / size2 : least;
 }
 
 static double box_distance2(const struct bvh_node *node, int lane, vec3 off)
 {
-	double x = fmax(0, fabs(off.x - (double)node->centre[0][lane]) - (double)node->half[0][lane]);
-	double y = fmax(0, fabs(off.y - (double)node->centre[1][lane]) - (double)node->half[1][lane]);
-	double z = fmax(0, fabs(off.z - (double)node->centre[2][lane]) - (double)node->half[2][lane]);
+	double x = larger(0, fabs(off.x - (double)node->centre[0][lane]) - (double)node->half[0][lane]);
+	double y = larger(0, fabs(off.y - (double)node->centre[1][lane]) - (double)node->half[1][lane]);
+	double z = larger(0, fabs(off.z - (double)node->centre[2][lane]) - (double)node->half[2][lane]);
 
 	return x * x + y * y + z * z;
 }
@@ -44,7 +62,7 @@ struct search {
 
 static void try_triangle(struct search *search, uint32_t triangle)
 {
-	double distance = triangle_distance2(search->point, &search->bvh->mesh.triangles[triangle]);
+	double distance = triangle_distance2(search->point, &search->bvh->mesh.triangles[triangle], search->best);
 
 	if (!(distance < search->best))
 		return;
