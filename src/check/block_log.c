@@ -19,6 +19,7 @@ void block_log_release(struct block_log *log)
 	free(log->findings);
 	free(log->blocks);
 	free(log->clearances);
+	free(log->chains);
 	free(log->out);
 	*log = (struct block_log){0};
 }
@@ -121,46 +122,64 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 {
 	log->clearances =
 	    mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + 1, sizeof(*log->clearances));
-	log->clearances[log->clearance_count++] = (struct block_pair_clearance){block, *least};
+	log->clearances[log->clearance_count++] = (struct block_pair_clearance){.block = block, .least = *least};
 }
 
-static int by_block(const void *a, const void *b)
+/* Chains the clearances of each complete block, in the order in which they came. */
+static void chain_clearances(struct block_log *log)
 {
-	const struct block_pair_clearance *x = a, *y = b;
+	log->chains = mem_grow(log->chains, &log->chain_capacity, log->block_count, sizeof(*log->chains));
+	memset(log->chains, 0, log->block_count * sizeof(*log->chains));
+	for (size_t i = 0; i < log->clearance_count; i++) {
+		struct block_pair_clearance *clearance = &log->clearances[i];
+		const long k = clearance->block - log->blocks[0].block;
+		struct clearance_chain *chain;
 
-	if (x->block != y->block)
-		return x->block < y->block ? -1 : 1;
-	return (x->least.pair > y->least.pair) - (x->least.pair < y->least.pair);
+		if (k < 0 || k >= (long)log->block_count)
+			continue;
+		chain = &log->chains[k];
+		*(chain->last ? &log->clearances[chain->last - 1].next : &chain->first) = i + 1;
+		chain->last = i + 1;
+		clearance->next = 0;
+	}
 }
 
-/* Collects the clearances of one block in log->out, beginning at *next. Each pair gets one: its smallest. */
-static size_t gather(struct block_log *log, long block, size_t *next)
+/* Puts a clearance among `count` ones in log->out, which are in the order of the pairs. Returns how many there are. */
+static size_t put_in(struct block_log *log, size_t count, const struct pair_clearance *least)
+{
+	size_t at = count;
+
+	while (at && log->out[at - 1].pair > least->pair)
+		at--;
+	if (at && log->out[at - 1].pair == least->pair) {
+		if (least->clearance < log->out[at - 1].clearance)
+			log->out[at - 1] = *least;
+		return count;
+	}
+	log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
+	memmove(&log->out[at + 1], &log->out[at], (count - at) * sizeof(*log->out));
+	log->out[at] = *least;
+	return count + 1;
+}
+
+/* Collects the clearances of one block in log->out. Each pair gets one: its smallest. */
+static size_t gather(struct block_log *log, const struct clearance_chain *chain)
 {
 	size_t count = 0;
 
-	for (; *next < log->clearance_count && log->clearances[*next].block <= block; ++*next) {
-		const struct pair_clearance *least = &log->clearances[*next].least;
-
-		if (count && log->out[count - 1].pair == least->pair) {
-			if (least->clearance < log->out[count - 1].clearance)
-				log->out[count - 1] = *least;
-			continue;
-		}
-		log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
-		log->out[count++] = *least;
-	}
+	for (size_t i = chain->first; i; i = log->clearances[i - 1].next)
+		count = put_in(log, count, &log->clearances[i - 1].least);
 	return count;
 }
 
 void block_log_measured(struct block_log *log, long last, const struct check_sink *sink)
 {
-	size_t next = 0;
-
-	if (log->clearance_count)
-		qsort(log->clearances, log->clearance_count, sizeof(*log->clearances), by_block);
+	if (!log->block_count)
+		return;
+	chain_clearances(log);
 	for (size_t i = 0; i < log->block_count && log->blocks[i].block <= last; i++) {
 		const struct block_record *block = &log->blocks[i];
-		size_t count = gather(log, block->block, &next);
+		size_t count = gather(log, &log->chains[i]);
 		struct check_block out = {
 			.file = block->file, .line = block->line, .number = block->block + 1,
 			.seconds = block->seconds, .steps = block->steps, .interpret = block->interpret,

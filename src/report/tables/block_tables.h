@@ -10,11 +10,17 @@
 #include "report/output.h"
 #include "scene/scene.h"
 
+/* A text, and how it is written as a field of a table, its comma included. */
+struct table_field {
+	struct strbuf text, field;
+};
+
 /* All zero is none. */
 struct block_tables {
 	struct output clearance, timing;
 	struct strbuf row, place, cap_text;	/* of the present row, block and cap */
 	double cap;	/* mm */
+	struct table_field program, file;	/* of the last block */
 	struct strbuf *names;	/* owned: of each pair of the scene, the fields with its bodies' names; NULL: none yet */
 	size_t name_count;
 };
