@@ -309,11 +309,10 @@ bool pair_check_has_clearance(const struct pair_check *check)
 	return check->steps == STEP_ANY;
 }
 
-/* mm: the largest clearance that is of interest in a chunk. */
-static double most_in_chunk(const double *most, const struct batch *batch, size_t chunk)
+/* mm: the largest clearance that is of interest in so many steps from `from` on. */
+static double most_of(const double *most, const struct batch *batch, size_t from, size_t steps)
 {
-	const size_t from = chunk * CHUNK_STEPS;
-	const size_t to = from + CHUNK_STEPS < batch->step_count ? from + CHUNK_STEPS : batch->step_count;
+	const size_t to = from + steps < batch->step_count ? from + steps : batch->step_count;
 	double largest = 0;
 
 	for (size_t i = from; i < to; i++)
@@ -321,10 +320,20 @@ static double most_in_chunk(const double *most, const struct batch *batch, size_
 	return largest;
 }
 
-static bool chunk_clears(struct block_clearance *block, const struct batch_chunk *chunk, double most, double proved)
+/* Has every step of the chunk that begins with step i what is of interest? `proved` mm of all steps so far. */
+static bool chunk_clears(struct block_clearance *block, const struct batch *batch, const double *most, size_t i,
+			 double proved)
 {
-	return proved >= most ||
-	       block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS, most);
+	const double largest = most_of(most, batch, i, CHUNK_STEPS);
+
+	return proved >= largest ||
+	       block_clearance_clears(block, &batch->chunks[i / CHUNK_STEPS], largest, CHUNK_STEPS, true);
+}
+
+static bool piece_clears(struct block_clearance *block, const struct batch *batch, const double *most, size_t i)
+{
+	return block_clearance_clears(block, &batch->pieces[i / PIECE_STEPS], most_of(most, batch, i, PIECE_STEPS),
+				      PIECE_STEPS, false);
 }
 
 static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
@@ -380,7 +389,7 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 	const long before = looked_at(check, sweep);
 	const double proved = proved_so_far(check, options);
 	struct block_clearance *block = &check->methods->block;
-	bool clears = false;
+	bool chunk_is_clear = false, clears = false;
 
 	check->clearance_count = 0;
 	for (size_t i = 0; i < batch->step_count && pair_check_has_clearance(check); i++) {
@@ -392,11 +401,13 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		}
 		if (i % CHUNK_STEPS == 0)
-			clears = chunk_clears(block, chunk, most_in_chunk(plan->most, batch, i / CHUNK_STEPS), proved);
-		if (i % CHUNK_STEPS == 0 && clears && options->least_clearances) {
+			chunk_is_clear = chunk_clears(block, batch, plan->most, i, proved);
+		if (i % CHUNK_STEPS == 0 && chunk_is_clear && options->least_clearances) {
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
+		if (i % PIECE_STEPS == 0)
+			clears = chunk_is_clear || piece_clears(block, batch, plan->most, i);
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);

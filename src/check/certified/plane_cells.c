@@ -6,6 +6,7 @@
 
 #include "base/ablation.h"
 #include "base/mem.h"
+#include "base/minmax.h"
 
 /*
  * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells
@@ -166,29 +167,47 @@ bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *mot
 	return true;
 }
 
-static double cell_rest(const struct plane_cell *cell, const struct chain *chain, const struct plane_motion *motion)
+/* What the cell's planes leave; of what is more than `most` any. */
+static double cell_rest(struct plane_cell *cell, const struct chain *chain, const struct plane_motion *motion,
+			double most)
 {
-	double most = -INFINITY;
+	double best = -INFINITY;
 
-	for (int i = 0; i < cell->count; i++)
-		most = fmax(most, travelling_plane_rest(&cell->kept[i].plane, chain, motion));
-	return most;
+	for (int i = 0; i < cell->count && best < most; i++) {
+		const int k = (cell->newest + i) % cell->count;
+		const double rest = travelling_plane_rest(&cell->kept[k].plane, chain, motion);
+
+		if (!(rest < most))
+			cell->newest = k;
+		best = larger(best, rest);
+	}
+	return best;
 }
 
-double plane_cells_rest(const struct plane_cells *cells, const struct plane_motion *motion)
+double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most)
 {
 	const struct chain *chain = cells->bodies->chain;
 	double whole, least = INFINITY;
+	size_t nearest = 0;
 
 	if (!cells->cell_count)
 		return -INFINITY;
-	whole = cell_rest(&cells->cells[0], chain, motion);
-	if (!cells->cells[0].divided)
+	whole = cell_rest(&cells->cells[0], chain, motion, most);
+	if (whole > most || !cells->cells[0].divided)
 		return whole;
-	for (size_t i = 1; i < cells->cell_count && least > whole; i++)
-		if (!cells->cells[i].divided)
-			least = fmin(least, cell_rest(&cells->cells[i], chain, motion));
-	return fmax(whole, least);
+	for (size_t i = 1; i < cells->cell_count && least > whole; i++) {
+		double rest;
+
+		if (cells->cells[i].divided)
+			continue;
+		rest = cell_rest(&cells->cells[i], chain, motion, smaller(least, most));
+		if (rest < least) {
+			least = rest;
+			nearest = i;
+		}
+	}
+	move_to_front(cells, nearest);
+	return larger(whole, least);
 }
 
 /* ------------------------------------------------------------------ search */

@@ -39,8 +39,11 @@ void plane_cells_join(struct plane_cells *cells);
 /* Do kept planes leave gaps of more than `needed` mm throughout the motion? */
 bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed);
 
-/* mm: kept planes leave gaps of more than this throughout the motion; -INFINITY: they leave none. */
-double plane_cells_rest(const struct plane_cells *cells, const struct plane_motion *motion);
+/*
+ * mm: kept planes leave gaps of more than this throughout the motion; -INFINITY: they leave none. Of more
+ * than `most` any may be given.
+ */
+double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most);
 
 /* As plane_cells_cover; measures new planes at q in the cells where no kept plane does. */
 bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,

@@ -3,6 +3,8 @@
 #include <math.h>
 
 #include "base/ablation.h"
+#include "base/minmax.h"
+#include "base/same_double.h"
 #include "check/certified/clearance_query.h"
 #include "check/step.h"
 #include "scene/near_pair.h"
@@ -28,10 +30,13 @@
 #define QUERIES_MAX 60
 
 /*
- * How often a step is halved until planes last for a part of it. Measured: with 4 an eighth to a 16th of the sweeps are left that are
- * needed without; then most of those are left where planes do not help at all.
+ * How often a step is halved until planes last for a part of it. Measured: with 4 an eighth to a 16th of the sweeps are
+ * left that are needed without, with 5 half of those again; then most are left where planes do not help at all.
  */
-#define HALVINGS 4
+#define HALVINGS 5
+
+/* Where the distances at the ends of a part of a step have at least this ratio, planes are measured in its middle. */
+#define ALIKE 0.8
 
 /* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
@@ -72,36 +77,49 @@ static double enough(const struct block_clearance *block, double distance)
 	return fmax(SHARP_ENOUGH * distance, distance > SHARP_BEYOND * block->bound ? block->bound : 0);
 }
 
-/* Do travelling planes keep the bodies more than `needed` mm apart? New ones are measured at q if that may pay. */
-static bool planes_cover(struct block_clearance *block, const struct plane_motion *motion, const axis_values *q,
-			 double needed, bool chunk)
+/* Do kept planes keep the bodies more than `needed` mm apart? */
+static bool kept_planes_cover(struct block_clearance *block, const struct plane_motion *motion, double needed)
+{
+	return WITH_PLANES && plane_cells_cover(&block->planes, motion, needed);
+}
+
+/* Do planes that are measured at q keep them so far apart? */
+static bool new_planes_cover(struct block_clearance *block, const struct plane_motion *motion, const axis_values *q,
+			     double needed)
 {
 	long before = block->planes.visits;
-	bool held;
+	bool held = plane_cells_search(&block->planes, q, motion, needed);
 
-	if (!WITH_PLANES)
-		return false;
-	held = plane_cells_cover(&block->planes, motion, needed);
-	if (held || !(chunk ? plane_account_allows_chunk(&block->account) : plane_account_allows(&block->account)))
-		return held;
-	held = plane_cells_search(&block->planes, q, motion, needed);
 	plane_account_add_search(&block->account, block->planes.visits - before);
-	if (chunk)
-		plane_account_add_chunk(&block->account, held);
 	return held;
 }
 
-bool block_clearance_clears(struct block_clearance *block, const axis_values *low, const axis_values *high,
-			    const struct position_errors *errors, size_t steps, double most)
+/* The same for a chunk, if that may pay. */
+static bool new_planes_cover_chunk(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
-	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
-	const axis_values middle = plane_motion_middle(&motion);
+	const axis_values middle = plane_motion_middle(motion);
+	bool held;
+
+	if (!WITH_PLANES || !plane_account_allows_chunk(&block->account))
+		return false;
+	held = new_planes_cover(block, motion, &middle, needed);
+	plane_account_add_chunk(&block->account, held);
+	return held;
+}
+
+bool block_clearance_clears(struct block_clearance *block, const struct batch_chunk *box, double most, size_t steps,
+			    bool thorough)
+{
+	const struct plane_motion motion = {.q0 = box->low, .q1 = box->high, .chord_error = box->errors.chord};
+	double needed;
 
 	if (block->maybe_inside)
 		return false;
-	if (motion_budget_rest(&block->budget, low, high, errors) > most)
+	if (motion_budget_rest(&block->budget, &box->low, &box->high, &box->errors) > most)
 		return true;
-	if (!planes_cover(block, &motion, &middle, most + plane_motion_path(&motion, &block->bodies, errors), true))
+	needed = most + plane_motion_path(&motion, &block->bodies, &box->errors);
+	if (!kept_planes_cover(block, &motion, needed) &&
+	    !(thorough && new_planes_cover_chunk(block, &motion, needed)))
 		return false;
 	plane_account_add_saved(&block->account, steps);
 	return true;
@@ -156,54 +174,132 @@ static void look_at(struct block_clearance *block, struct sweep *sweep, struct m
 	measured->seen = fmin(measured->seen, near_pair_improve(&block->bodies, q, useful, &sweep->visits));
 }
 
+/* mm: what kept planes prove of the motion; they are not asked for more than what is wanted of them. */
+static double kept_for(struct block_clearance *block, const struct measured_step *measured,
+		       const struct plane_motion *motion)
+{
+	if (!WITH_PLANES)
+		return -INFINITY;
+	return plane_cells_rest(&block->planes, motion, wanted_of(block, measured) + measured->path) - measured->path;
+}
+
+/* Does a search for planes at q pay, and prove what is wanted of them in this part of the step? */
+static bool new_planes_prove(struct block_clearance *block, const struct measured_step *measured,
+			     const struct plane_motion *part, const axis_values *q)
+{
+	const double needed = wanted_of(block, measured) + measured->path;
+
+	/* Of kept planes what they prove is known already, and that other triangles are nearer, too. */
+	return WITH_PLANES && plane_account_allows(&block->account) && new_planes_cover(block, part, q, needed);
+}
+
+static bool is_at(const struct chain *chain, const axis_values *a, const axis_values *b)
+{
+	for (size_t i = 0; i < chain->count; i++)
+		if (!same_double(a->v[chain->joints[i].slot], b->v[chain->joints[i].slot]))
+			return false;
+	return true;
+}
+
+/* mm: how far apart the triangles that were close before are at q: the bodies are no farther apart. */
+static double distance_at(struct block_clearance *block, struct measured_step *measured, const axis_values *q)
+{
+	const struct coherence *coherence = &block->coherence;
+	struct seen_distance *seen = block->seen;
+
+	for (int i = 0; i < SEEN_KEPT; i++) {
+		if (seen[i].known && seen[i].triangles[0] == coherence->near_a &&
+		    seen[i].triangles[1] == coherence->near_b && is_at(block->bodies.chain, &seen[i].q, q)) {
+			measured->seen = smaller(measured->seen, seen[i].distance);
+			return seen[i].distance;
+		}
+	}
+	block->oldest_seen = (block->oldest_seen + 1) % SEEN_KEPT;
+	seen[block->oldest_seen] = (struct seen_distance){
+		.known = true,
+		.q = *q,
+		.triangles = {coherence->near_a, coherence->near_b},
+		.distance = near_pair_distance(&block->bodies, q),
+	};
+	measured->seen = smaller(measured->seen, seen[block->oldest_seen].distance);
+	return seen[block->oldest_seen].distance;
+}
+
 /*
- * Do travelling planes prove nearly all that there can be for this part of the step? What there can be becomes less
- * as nearer triangles are found: those that were nearest before have moved apart as a rule.
+ * Looks where the triangles that were close before are nearest to each other at the ends of the part, or in its middle
+ * if the ends are alike. Stops as soon as what planes prove (`kept`) is all that is wanted of them. Returns the place.
+ */
+static axis_values look_around(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
+			       const struct plane_motion *part, double kept)
+{
+	const double at1 = distance_at(block, measured, &part->q1);
+	axis_values nearest = part->q1;
+	double at0;
+
+	if (kept > wanted_of(block, measured))
+		return nearest;
+	at0 = distance_at(block, measured, &part->q0);
+	if (kept > wanted_of(block, measured))
+		return nearest;
+	if (part->straight && smaller(at0, at1) > ALIKE * larger(at0, at1))
+		nearest = plane_motion_middle(part);
+	else if (at0 < at1)
+		nearest = part->q0;
+	look_at(block, sweep, measured, &nearest, kept);
+	return nearest;
+}
+
+/*
+ * Do travelling planes prove nearly all that there can be for this part of the step, of which they prove `kept` as it
+ * is? What there can be becomes less as nearer triangles are found: those that were nearest before have moved apart as
+ * a rule.
  */
 static bool planes_prove(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
-			 const struct plane_motion *part, int halvings)
+			 const struct plane_motion *part, double kept, int halvings)
 {
-	const axis_values middle = plane_motion_middle(part);
-	const double kept = plane_cells_rest(&block->planes, part) - measured->path;
+	axis_values middle, nearest;
 
 	if (kept > wanted_of(block, measured))
 		return true;
-	look_at(block, sweep, measured, part->straight ? &middle : &part->q1, kept);
+	nearest = look_around(block, sweep, measured, part, kept);
 	if (kept > wanted_of(block, measured))
 		return true;
 	if (!(wanted_of(block, measured) > 0))
 		return false;
-	if (planes_cover(block, part, &middle, wanted_of(block, measured) + measured->path, false))
+	if (new_planes_prove(block, measured, part, &nearest))
 		return true;
 	if (!part->straight || !halvings)
 		return false;
+	middle = plane_motion_middle(part);
 	for (int half = 0; half < 2; half++) {
 		struct plane_motion shorter = *part;
 
 		*(half ? &shorter.q0 : &shorter.q1) = middle;
-		if (!planes_prove(block, sweep, measured, &shorter, halvings - 1))
+		if (!planes_prove(block, sweep, measured, &shorter, kept_for(block, measured, &shorter), halvings - 1))
 			return false;
 	}
 	return true;
 }
 
-/* Do travelling planes prove as much for the step as the block has, or nearly all that there is? They give the bound. */
+/* Do travelling planes prove as much for the step as the block has, or nearly all there is? They give the bound. */
 static bool by_planes(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured)
 {
 	const struct motion_step *step = measured->step;
 	const struct plane_motion motion = {.straight = !step_is_box(step), .q0 = step->span.q0, .q1 = step->span.q1,
 					    .chord_error = measured->errors.chord};
-	double wanted;
+	double kept, wanted;
 
 	measured->path = plane_motion_path(&motion, &block->bodies, &measured->errors);
-	measured->seen = fmin(near_pair_distance(&block->bodies, &step->span.q0),
-			      near_pair_distance(&block->bodies, &step->span.q1));
-	if (!WITH_PLANES || !planes_prove(block, sweep, measured, &motion, HALVINGS))
+	if (block->is_near)
+		distance_at(block, measured, &motion.q1);
+	kept = kept_for(block, measured, &motion);
+	block->is_near = !(kept > block->bound);
+	if (!planes_prove(block, sweep, measured, &motion, kept, WITH_PLANES ? HALVINGS : 0))
 		return false;
 	wanted = wanted_of(block, measured);
 	if (block->accuracy == CLEARANCE_SHARP)
-		wanted = fmax(wanted, plane_cells_rest(&block->planes, &motion) - measured->path);
-	block->bound = fmin(block->bound, wanted);
+		wanted = larger(wanted, kept > wanted ? kept : kept_for(block, measured, &motion));
+	block->bound = smaller(block->bound, wanted);
 	plane_account_add_saved(&block->account, 1);
 	return true;
 }

@@ -3,7 +3,9 @@
 #define FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
+#include "check/batch.h"
 #include "check/certified/motion_budget.h"
 #include "check/certified/plane_account.h"
 #include "check/certified/plane_cells.h"
@@ -24,6 +26,16 @@ enum clearance_accuracy {
  */
 double block_clearance_promised(enum clearance_accuracy accuracy, double distance);
 
+enum { SEEN_KEPT = 3 };
+
+/* How far apart two triangles are at a position. */
+struct seen_distance {
+	bool known;
+	axis_values q;
+	uint32_t triangles[2];	/* of A, B */
+	double distance;	/* mm */
+};
+
 /* Only the block under way is remembered. */
 struct block_clearance {
 	struct body_pair bodies;
@@ -32,6 +44,9 @@ struct block_clearance {
 	struct plane_cells planes;
 	struct plane_account account;	/* of searches for planes */
 	double found;	/* mm: where the budget begins, two triangles were this close */
+	struct seen_distance seen[SEEN_KEPT];	/* the last ones, as the next step begins where one ends */
+	int oldest_seen;
+	bool is_near;	/* the last step had less than what was of interest */
 	enum clearance_accuracy accuracy;	/* of the step under way */
 	double bound;	/* mm: proven for the block so far: more than this, or at least `most`; 0: nothing */
 	bool maybe_inside;	/* the surfaces have met; since then one body may be inside the other */
@@ -45,9 +60,12 @@ void block_clearance_release(struct block_clearance *block);
 /* A new block begins, in which a larger clearance than `most` (mm, above 0) is of no interest. */
 void block_clearance_start(struct block_clearance *block, double most);
 
-/* Is the pair farther apart than `most` (mm) at all positions between low and high, which so many steps have? */
-bool block_clearance_clears(struct block_clearance *block, const axis_values *low, const axis_values *high,
-			    const struct position_errors *errors, size_t steps, double most);
+/*
+ * Is the pair farther apart than `most` (mm) at all positions in the box of so many steps? thorough: new planes are
+ * searched if that may pay.
+ */
+bool block_clearance_clears(struct block_clearance *block, const struct batch_chunk *box, double most, size_t steps,
+			    bool thorough);
 
 /* mm: roughly how far apart the bodies are at q: not less than they are. */
 double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q);
