@@ -5,6 +5,8 @@ static const struct program {
 	const char *text, *moves;
 } programs[] = {
 	/* "Polar coordinates": G111 from the zero, G110 from the tool, G112 from the last pole. */
+	{"F6 R1=2 G[8]=R1 G[6]=1\nG[1]=1 X1 Y1\nG[8]=6\nG[1]=2 X1\nG[8]=1 G[14]=1 X5\n",
+	 "rapid 11 21 0 0 0\nfeed 2 21 0 0 0\nfeed 5 21 0 0 0\n"},
 	{"F6 G500 G17\nG111 X10 Y10\nG0 RP=20 AP=30 Z5\nAP=90\nG1 AP=IC(90)\nRP=10\n",
 	 "rapid 27.3205081 20 5 0 0\nrapid 10 30 5 0 0\nfeed -10 10 5 0 0\nfeed 0 10 5 0 0\n"},
 	{"F6 G500 G17\nRP=5 AP=0\nX1 Y2\nG110 X1 Y1\nRP=1 AP=180\nG112 AP=90 RP=2\nRP=1 AP=0\n",
@@ -129,6 +131,8 @@ static const struct refused_words bad[] = {
 	{"F6 G500 G0 Z10\nMCALL ROWS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_ROWS_SPF\nHOLES1(0,0,0,1,1,2)\nM17\n",
 	 "HOLES1 in the subprogram ROWS, which MCALL calls, is not supported"},
 	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},
+	{"G[8]=101\n", "the number of a G-code in its group must be a whole number from 1 to 100, not 101"},
+	{"G[10]=1\n", "G[10]=1 is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the usual codes"},
 	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same while the program runs, "
 	 "<variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine's <controller> says it"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},

@@ -410,6 +410,32 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	}
 }
 
+/*
+ * G[8]=2: the second code of group 8. 840D sl, "Fundamentals", list of the G functions by groups; those whose numbers
+ * are continuous and without a gap.
+ */
+static bool read_group(struct reading *r, int column)
+{
+	static const struct {
+		int group, first, count, code;	/* numbers from `first` on are the codes from `code` on */
+	} rows[] = {{1, 1, 4, 0},   {6, 1, 3, 17},   {7, 1, 3, 40},   {8, 1, 1, 500},  {8, 2, 4, 54},
+		    {8, 6, 95, 505}, {13, 1, 2, 70}, {13, 3, 1, 700}, {13, 4, 1, 710}, {14, 1, 2, 90}};
+	int group, number;
+
+	if (!sinumerik_name_need(r->lexer, '[', "G") ||
+	    !sinumerik_expr_whole(r->interp, r->lexer, "the number of a group of G-codes", 1, 64, &group) ||
+	    !sinumerik_name_need(r->lexer, ']', "the group") || !sinumerik_name_need(r->lexer, '=', "G[]") ||
+	    !sinumerik_expr_whole(r->interp, r->lexer, "the number of a G-code in its group", 1, 100, &number))
+		return false;
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+		if (rows[i].group == group && number >= rows[i].first && number < rows[i].first + rows[i].count)
+			return read_g(r, rows[i].code + number - rows[i].first, column);
+	}
+	return fault(r->lexer->at, column, "G[%d]=%d is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the "
+					   "usual codes",
+		     group, number);
+}
+
 static bool read_named(struct reading *r)
 {
 	const int column = lexer_column(r->lexer);
@@ -419,6 +445,8 @@ static bool read_named(struct reading *r)
 
 	if (!sinumerik_name_read(r->lexer, name))
 		return fault(r->lexer->at, column, "a name of more than %d bytes", SINUMERIK_NAME);
+	if (name[0] == 'G' && name[1] == '\0' && lexer_peek(r->lexer) == '[')
+		return read_group(r, column);
 	if (assigns(r->lexer) && sinumerik_assign_is_own(r->interp, name))
 		return sinumerik_assign(r->interp, r->lexer, name, column);
 	if (assigns(r->lexer) && !read_assigned(r, name, column, &done))

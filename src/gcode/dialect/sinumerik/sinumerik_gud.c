@@ -155,15 +155,19 @@ double sinumerik_gud_r(const struct interp *interp, int number)
 
 /* -------------------------------------------------------------- what is missing */
 
-/* What stands behind '=' tells a text. */
+/* What stands behind '=', '==' and '<>' tells a text, and so does '<<'. */
 static const char *type_of(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position;
 
-	text += strcspn(text, "=;");
-	text += *text == '=';
+	text += *text == '[' ? strcspn(text, "];") : 0;
+	text += *text == ']';
 	text += strspn(text, " \t");
-	return *text == '"' || (text[0] == '<' && text[1] == '<') ? "STRING" : "";
+	if (text[0] == '<' && text[1] == '<')
+		return "STRING";
+	if (*text == '=' || (text[0] == '<' && text[1] == '>'))
+		text += strspn(text, "=<> \t");
+	return *text == '"' ? "STRING" : "";
 }
 
 /* The dimensions of the array whose indices come next; 0: none come. */
@@ -196,7 +200,7 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 		     "%s is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
 		     "maker's or a user's (GUD), <variable name=\"%s\" type=\"%s\"%s%s/> in the machine's <controller> "
 		     "makes it",
-		     name, name, reads ? "" : type_of(lexer), sizes[dimensions],
+		     name, name, type_of(lexer), sizes[dimensions],
 		     reads && dimensions == 0 ? " value=\"\"" : "");
 }
 
