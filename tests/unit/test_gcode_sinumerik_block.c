@@ -22,6 +22,9 @@ static const struct program programs[] = {
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 4 0 0 0 0\n"},
 	{"%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nG500 G0 X1\n",
 	 "rapid 1 0 0 0 0\n"},
+	{"\n ; a comment\n%\nG500 G0 X1\n%\nX2\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"%_N_NOTHING_MPF\n%_N_OTHER_MPF\nX2\n", ""},
 	{"%\nG500 G0 X1\n%\nX2\n",
 	 "rapid 1 0 0 0 0\n"},
 	{"F6 G500 X1 ; a comment (1) \"2\"\nMSG(\"a; b\"<<R1) MSG()\n"

@@ -9,7 +9,20 @@
 /* Lines that are looked at: heads are shorter, and a program's first path stands in them, too. */
 #define FAMILY_LINES 300
 
-enum match { MATCH_START, MATCH_ANYWHERE, MATCH_ALL, MATCH_PROGRAM_NUMBER, MATCH_STRAIGHT_LINE, MATCH_O_CALL, MATCH_G };
+enum match {
+	MATCH_START,
+	MATCH_ANYWHERE,
+	MATCH_ALL,
+	MATCH_PROGRAM_NUMBER,
+	MATCH_STRAIGHT_LINE,
+	MATCH_O_CALL,
+	MATCH_G,
+	MATCH_ADDRESS,	/* not as the end of a longer name */
+	MATCH_CALL,	/* the line begins so, with a parenthesis that is no comment */
+	MATCH_FIRST_CALL,	/* no parenthesis stands before it */
+	MATCH_R_PARAMETER,
+	MATCH_PROC
+};
 
 /* Controls that read each other's programs; the dialects that read them, of which there may be none yet. */
 struct family {
@@ -41,6 +54,8 @@ static const struct sign {
 	{&klartext, "BLKFORM", "BLK FORM", MATCH_START, true},
 	{&klartext, "TOOLCALL", "TOOL CALL", MATCH_START, true},
 	{&klartext, "CYCLDEF", "CYCL DEF", MATCH_START, true},
+	{&klartext, "CYCLCALL", "CYCL CALL", MATCH_START, true},
+	{&klartext, "CALLLBL", "CALL LBL", MATCH_START, true},
 	{&klartext, "FMAX", "L ... FMAX", MATCH_STRAIGHT_LINE, true},
 	{&sinumerik, "%_N_", "%_N_", MATCH_START, true},
 	{&sinumerik, ";$PATH", ";$PATH", MATCH_START, true},
@@ -51,16 +66,41 @@ static const struct sign {
 	{&sinumerik, "DEFREAL", "DEF REAL", MATCH_START, true},
 	{&sinumerik, "DEFINT", "DEF INT", MATCH_START, true},
 	{&sinumerik, "SUPA", "SUPA", MATCH_ANYWHERE, true},
+	{&sinumerik, "", "PROC", MATCH_PROC, true},
+	{&sinumerik, "MSG(", "MSG()", MATCH_CALL, true},
+	{&sinumerik, "EXTCALL(", "EXTCALL()", MATCH_CALL, true},
+	{&sinumerik, "EXTCALL\"", "EXTCALL", MATCH_START, true},
+	{&sinumerik, "WORKPIECE(,", "WORKPIECE()", MATCH_CALL, true},
+	{&sinumerik, "STOPRE", "STOPRE", MATCH_ALL, true},
+	{&sinumerik, "GOTOF", "GOTOF", MATCH_ANYWHERE, true},
+	{&sinumerik, "GOTOB", "GOTOB", MATCH_ANYWHERE, true},
+	{&sinumerik, "T=\"", "T=\"NAME\"", MATCH_ADDRESS, true},
+	{&sinumerik, "=IC(", "=IC()", MATCH_FIRST_CALL, true},
+	{&sinumerik, "=AC(", "=AC()", MATCH_FIRST_CALL, true},
+	{&sinumerik, "=DC(", "=DC()", MATCH_FIRST_CALL, true},
+	{&sinumerik, "CR=", "CR=", MATCH_ADDRESS, true},
+	{&sinumerik, "TURN=", "TURN=", MATCH_ADDRESS, true},
+	{&sinumerik, "$P_", "$P_", MATCH_ANYWHERE, true},
+	{&sinumerik, "$AA_", "$AA_", MATCH_ANYWHERE, true},
+	{&sinumerik, "$TC_", "$TC_", MATCH_ANYWHERE, true},
+	{&sinumerik, "", "R parameters", MATCH_R_PARAMETER, true},
 	{&okuma, ".MIN%", "$NAME.MIN%", MATCH_ANYWHERE, true},
 	{&okuma, "CALLO", "CALL O", MATCH_START, true},
 	{&linuxcnc, "", "an O-word", MATCH_O_CALL, false},
 	{&linuxcnc, "#<", "#<name>", MATCH_ANYWHERE, false},
+	{&fanuc, "G43.4", "G43.4", MATCH_G, false},
+	{&fanuc, "G5P10000", "G5 P10000", MATCH_G, false},
+	{&fanuc, "G05P10000", "G5 P10000", MATCH_G, false},
 	{&fanuc, "G5.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
 	{&fanuc, "G05.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
 	{&haas, "G154", "G154", MATCH_G, false},
 	{&haas, "G187", "G187", MATCH_G, false},
 	{&haas, "G234", "G234", MATCH_G, false},
 	{&haas, "G254", "G254", MATCH_G, false},
+	{&iso, "G68.2", "G68.2", MATCH_G, false},
+	{&iso, "G53.1", "G53.1", MATCH_G, false},
+	{&iso, "G54.1P", "G54.1 P", MATCH_ANYWHERE, false},
+	{&iso, "G65P", "G65 P", MATCH_ANYWHERE, false},
 	{&iso, "", "the program number O or :", MATCH_PROGRAM_NUMBER, false},
 };
 
@@ -79,6 +119,67 @@ static bool has_code(const char *block, const char *code)
 			return true;
 	}
 	return false;
+}
+
+/* In upper case without blanks; parentheses stay. */
+static void unspace(const char *line, char out[LINE_SHAPE_MAX])
+{
+	size_t length = 0;
+
+	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
+		if (!isspace((unsigned char)*line))
+			out[length++] = (char)toupper((unsigned char)*line);
+	}
+	out[length] = '\0';
+}
+
+/* The text with a parenthesis, which may begin the line (behind its number) or stand behind other words. */
+static bool has_call(const char *line, const char *text, bool begins)
+{
+	char words[LINE_SHAPE_MAX];
+	const char *start = words, *found;
+
+	unspace(line, words);
+	start += *start == '/';
+	start += *start == 'N' ? 1 + strspn(start + 1, "0123456789") : 0;
+	if (begins)
+		return starts_with(start, text);
+	found = strstr(start, text);
+	return found && start + strcspn(start, "(") > found;
+}
+
+/* The address with no letter before it: "CR=5" is none of "MYCR=5". */
+static bool has_address(const char *block, const char *address)
+{
+	for (const char *at = strstr(block, address); at; at = strstr(at + 1, address)) {
+		if (at == block || isdigit((unsigned char)at[-1]) || strchr(".)]", at[-1]))
+			return true;
+	}
+	return false;
+}
+
+/* "R1=5" or "R[1]=5" begins the block. */
+static bool assigns_r(const char *block)
+{
+	size_t digits = *block == 'R' ? strspn(block + 1, "0123456789") : 0;
+
+	return digits > 0 && digits < 4 && block[1 + digits] == '=';
+}
+
+/* "PROC NAME", "PROC NAME(REAL A) SAVE": a text before a program that begins so goes on with other words. */
+static bool is_proc(const char *line)
+{
+	const char *at = line + strspn(line, " \t");
+	size_t name;
+
+	if (strncmp(at, "PROC", 4) != 0 || (at[4] != ' ' && at[4] != '\t'))
+		return false;
+	at += 4 + strspn(at + 4, " \t");
+	name = isalpha((unsigned char)*at) || *at == '_' ? strcspn(at, " \t(;\r\n") : 0;
+	at += name;
+	at += strspn(at, " \t\r\n");
+	return name > 0 && (*at == '\0' || *at == '(' || *at == ';' || starts_with(at, "SAVE") ||
+			    starts_with(at, "DISPLOF") || starts_with(at, "SBLOF"));
 }
 
 /* "o<name> call", "o100 if [...]" */
@@ -116,6 +217,15 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 		return is_o_word(block);
 	case MATCH_G:
 		return has_code(words, sign->text);
+	case MATCH_ADDRESS:
+		return has_address(words, sign->text);
+	case MATCH_CALL:
+	case MATCH_FIRST_CALL:
+		return has_call(line, sign->text, sign->match == MATCH_CALL);
+	case MATCH_R_PARAMETER:
+		return assigns_r(words);
+	case MATCH_PROC:
+		return is_proc(line);
 	case MATCH_PROGRAM_NUMBER:
 		return line_shape_is_program_number(block);
 	}

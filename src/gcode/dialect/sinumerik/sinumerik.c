@@ -153,12 +153,14 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 	return sinumerik_block_read(interp, lexer, &block) && sinumerik_run(interp, lexer, &block);
 }
 
-/* "%", "%_N_NAME_MPF": before the first block it is the head of the program. */
+/* "%", "%_N_NAME_MPF": before the first block it is the head of the program; blank lines and comments may precede it. */
 static bool take_percent(struct interp *interp)
 {
 	const char *rest = line_start(&interp->at) + 1;
+	const bool head = !sinumerik_of(interp)->headed || sinumerik_of(interp)->entering;
 
-	if (!interp->begun || sinumerik_of(interp)->entering)
+	sinumerik_of(interp)->headed = true;
+	if (head)
 		return true;
 	/*
 	 * Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file.
@@ -206,6 +208,7 @@ static bool read_line(struct interp *interp, bool *done)
 		if (!head.number[0] && !head.label[0])
 			return true;
 	}
+	sinumerik_of(interp)->headed = true;
 	if (head.skipped && interp->config->read.block_delete)
 		return true;
 	if (sinumerik_of(interp)->entering && !is_proc(at.text + head.rest) && !sinumerik_proc_none(interp))

@@ -248,6 +248,7 @@ struct sinumerik {
 	bool left_open;	/* a milling cycle has left the tool somewhere over its region */
 	struct parallel_box open;	/* then: where, about the position; cutter_comp.loose is what it reaches */
 	bool begun;	/* the first line has been read */
+	bool headed;	/* its head or its first block has been read */
 	struct strbuf line;	/* the text of the line in hand while the file is searched */
 };
 
