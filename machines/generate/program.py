@@ -51,7 +51,7 @@ class Program:
         self.move(1, rate, **words)
 
     def start(self):
-        self.add('G21 G17 G40 G49 G80 G90 G94')
+        self.add('G21 G17 G40 G49 G61 G80 G90 G94')
         self.retract()
 
     def retract(self):
