@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/spelling.h"
 #include "cli/command_line.h"
 #include "cli/command_table.h"
 #include "cli/explain.h"
@@ -78,6 +79,19 @@ static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 	return status;
 }
 
+/* A word that is no file and nearly the name of a command was probably meant to be one. */
+static void note_command(const char *word, struct diag *diag)
+{
+	struct spelling nearest;
+
+	spelling_init(&nearest, word);
+	for (const struct command *command = command_table; command->name; command++)
+		spelling_offer(&nearest, command->name);
+	if (nearest.best && access(word, F_OK) != 0)
+		diag_note(diag, (struct srcloc){0}, "'%s' is no file and no command; did you mean 'fivecheck %s'?", word,
+			  nearest.best);
+}
+
 int main(int argc, char **argv)
 {
 	const struct command *command = argc > 1 ? command_table_find(argv[1]) : NULL;
@@ -90,5 +104,7 @@ int main(int argc, char **argv)
 	signal(SIGABRT, on_abort);
 	json_init();
 	stderr_ui_init(&ui);
+	if (!command && argc > 1)
+		note_command(argv[1], &ui.diag);
 	return (int)(command ? command->run(command_table, argc - 1, argv + 1, &ui) : run_check(argc, argv, &ui));
 }

@@ -8,6 +8,7 @@
 #include "gcode/dialect/family.h"
 
 #define NAME_ROW(id, ...) #id,
+#define NAME_IT "name the dialect: --dialect=NAME"
 
 const char *const dialect_choice_names[] = {DIALECTS(NAME_ROW) "auto", NULL};
 
@@ -22,26 +23,27 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 
 	if (guess->against.line)
 		diag_error(diag, (struct srcloc){program, guess->against.line, 0},
-			   "--dialect=auto: this looks like %s (%s), but line %ld like %s (%s); name the dialect",
+			   "--dialect=auto: this looks like %s (%s), but line %ld like %s (%s); " NAME_IT,
 			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,
 			   guess->sign.sign);
 	else if (guess->sign.line)
 		diag_error(diag, loc,
-			   "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; name it",
+			   "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; " NAME_IT,
 			   guess->sign.title, guess->sign.sign);
 	else
-		diag_error(diag, loc, "--dialect=auto: nothing in the first lines shows the control; name the dialect");
+		diag_error(diag, loc, "--dialect=auto: nothing in the first lines shows the control; " NAME_IT);
 	return false;
 }
 
 static bool find_one(const char *program, struct diag *diag, struct family_guess *guess)
 {
 	struct reader reader;
+	int fault;
 	FILE *in;
 
 	if (!strcmp(program, "-")) {
 		diag_error(diag, (struct srcloc){0},
-			   "--dialect=auto cannot look ahead in standard input; name the dialect");
+			   "--dialect=auto cannot look ahead in standard input; " NAME_IT);
 		return false;
 	}
 	in = fopen(program, "rb");
@@ -50,10 +52,14 @@ static bool find_one(const char *program, struct diag *diag, struct family_guess
 		return false;
 	}
 	reader_init(&reader, in);
+	errno = 0;
 	*guess = family_guess(&reader);
+	fault = ferror(in) ? errno : 0;
 	reader_release(&reader);
 	fclose(in);
-	return guess->row >= 0 || refuse(program, guess, diag);
+	if (fault)
+		diag_error(diag, (struct srcloc){program, 0, 0}, "cannot read the program: %s", strerror(fault));
+	return !fault && (guess->row >= 0 || refuse(program, guess, diag));
 }
 
 bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag, int *row)

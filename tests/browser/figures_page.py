@@ -13,7 +13,7 @@ from page_bench import VERDICTS, Bench
 FIRST_VERDICT = """await new Promise((done) => {
     new MutationObserver(() => document.querySelector('.program[data-verdict]') && done(performance.now()))
         .observe(document.querySelector('#results'), {attributes: true, childList: true, subtree: true});
-    [...document.querySelectorAll('#examples button')].find((button) => button.textContent === 'ac-trunnion').click();
+    document.querySelector('[data-example=ac-trunnion]').click();
     until('example-open', 1).then(() => document.querySelector('#check').click());
 })"""
 

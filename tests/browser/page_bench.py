@@ -34,7 +34,7 @@ class Site:
         self.thread.join()
 
 
-EVENTS = ["fivecheck-ready", "example-open", "files-shown", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
+EVENTS = ["fivecheck-ready", "example-open", "files-shown", "checked", "machine-written", "setup-written", "report-shown", "machine-open", "posed", "edited",
           "sampled", "wall-checked"]
 # Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
 WATCH = """
@@ -64,7 +64,7 @@ class Bench:
         return page
 
     def example(self, page, name, count=1):
-        page.run(f"[...document.querySelectorAll('#examples button')].find((b) => b.textContent === {json.dumps(name)}).click()")
+        page.run(f"document.querySelector('[data-example={name}]').click()")
         page.run(f"await until('example-open', {count})")
 
     def check(self, page, count=1):

@@ -94,3 +94,8 @@ bad m.xml a.nc --record -
 bad m.xml - --record r.json
 bad m.xml a.nc --record a.nc
 bad -o /dev/null part.nc m.xml
+
+# A slip in the name of a command is no machine file.
+for word in m.xml inti scna; do
+	"$FIVECHECK" $word a.nc 2>&1 | grep 'did you mean'
+done

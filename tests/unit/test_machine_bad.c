@@ -4,7 +4,8 @@
 
 static const struct xml_case bad[] = {
     /* the file as XML */
-    {"", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
+    {"", "m.xml: error: the file is empty: there is no element in it\n"},
+    {"\n \n", "m.xml: error: the file is empty: there is no element in it\n"},
     {"solid cube\n", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
     {"<!-- -->", "m.xml:1: error: this is not well-formed XML: Start tag expected, '<' not found\n"},
     {"<machine version='1'>\n<base>\n</machine>",

@@ -103,7 +103,11 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 		scan.at += 3;
 	while (scan.at < scan.end && strchr(" \t\r\n", *scan.at))
 		step(&scan);
-	if (scan.at == scan.end || *scan.at != '<') {
+	if (scan.at == scan.end) {
+		xml_error_at(xml, 0, "the file is empty: there is no element in it");
+		return false;
+	}
+	if (*scan.at != '<') {
 		xml_error_at(xml, scan.line, "this is not XML: it does not start with '<'");
 		return false;
 	}

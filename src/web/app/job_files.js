@@ -42,6 +42,14 @@ export function withLibraries(files) {
 	return files.map((file) => (file.role === 'program' || file.role === 'other') && named.has(nameOf(file.path)) ? {...file, role: /** @type {Role} */ ('library')} : file);
 }
 
+/** What a person has to look at first stands first. @type {Role[]} */
+const ORDER = ['machine', 'setup', 'program', 'waivers', 'library', 'other', 'mesh'];
+
+/** @param {JobFile[]} files */
+export function inOrder(files) {
+	return [...files].sort((a, b) => ORDER.indexOf(a.role) - ORDER.indexOf(b.role));
+}
+
 /** @param {string} path */
 export function nameOf(path) {
 	return path.slice(path.lastIndexOf('/') + 1);
@@ -50,6 +58,13 @@ export function nameOf(path) {
 /** @param {string} path */
 function folderOf(path) {
 	return path.slice(0, path.lastIndexOf('/') + 1);
+}
+
+/** The files that a machine or setup names: their paths as it writes them. @param {JobFile} file */
+function namedIn({role, text}) {
+	if (role !== 'machine' && role !== 'setup')
+		return [];
+	return [...text.replace(/<!--[^]*?-->/g, '').matchAll(/\s(?:mesh|href)=(["'])([^"']+)\1/g)].map(([, , path]) => path);
 }
 
 /**
@@ -61,13 +76,17 @@ export function withMeshes(files) {
 	/** @type {Map<string, Blob>} */
 	const all = new Map(files.map(({path, blob}) => [path, blob]));
 	for (const file of files) {
-		if (file.role !== 'machine' && file.role !== 'setup')
-			continue;
-		for (const [, , mesh] of file.text.matchAll(/\s(?:mesh|href)=(["'])([^"']+)\1/g)) {
-			const path = folderOf(file.path) + mesh, found = files.find((other) => nameOf(other.path) === nameOf(mesh));
+		for (const named of namedIn(file)) {
+			const path = folderOf(file.path) + named, found = files.find((other) => nameOf(other.path) === nameOf(named));
 			if (!all.has(path) && found)
 				all.set(path, found.blob);
 		}
 	}
 	return [...all];
+}
+
+/** The names of files that machine and setup name and that are not here. @param {JobFile[]} files */
+export function missingFiles(files) {
+	const names = new Set(files.map(({path}) => nameOf(path)));
+	return [...new Set(files.flatMap(namedIn))].filter((path) => !names.has(nameOf(path)));
 }

@@ -1,14 +1,20 @@
 // @ts-check
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
-import {jobFile, nameOf, withLibraries, withMeshes} from './job_files.js';
+import {readNumber, watchNumbers} from './fields.js';
+import {inOrder, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
+import {SetupForm} from './setup_form.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
 const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
 const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
+
+/** What each example shows. */
+const EXAMPLES = /** @type {Record<string, string>} */ ({'ac-trunnion': 'an impeller on a table that tilts and turns',
+	'b-head-c-table': 'a turbine blade, a head that tilts', 'cb-head': 'a structural part, a head that tilts and turns'});
 
 class Page {
 	constructor() {
@@ -20,7 +26,12 @@ class Page {
 		this.reports = new Map();
 		/** @type {Map<string, number>} bytes that the check of a program took */
 		this.memory = new Map();
-		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, (xml) => this.useMachine(xml));
+		/** @param {[string, Blob][]} found */
+		const add = (found) => void this.add(found);
+		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, add, (xml) => this.useFile('machine.xml', xml));
+		this.setup = new SetupForm(/** @type {HTMLFormElement} */ (byId('setup-form')), add, (xml) => this.useFile('setup.xml', xml));
+		watchNumbers(byId('options'));
+		this.openForms();
 		byId('check').addEventListener('click', () => this.check());
 		byId('cancel').addEventListener('click', () => this.client.cancel());
 		byId('empty').addEventListener('click', () => this.setFiles([]));
@@ -33,7 +44,17 @@ class Page {
 			});
 		}
 		this.takeDrops();
+		this.showButtons();
 		this.offerExamples();
+	}
+
+	/** A link to a form opens it. */
+	openForms() {
+		document.addEventListener('click', ({target}) => {
+			const id = target instanceof HTMLAnchorElement ? target.hash.slice(1) : '', form = id && byId(id).closest('section')?.querySelector('details');
+			if (form)
+				form.open = true;
+		});
 	}
 
 	takeDrops() {
@@ -54,7 +75,7 @@ class Page {
 	async offerExamples() {
 		const examples = await (await fetch('examples/index.json')).json();
 		for (const [name, paths] of Object.entries(examples)) {
-			const button = element('button', {type: 'button'}, name);
+			const button = element('button', {type: 'button', dataset: {example: name}}, name, element('small', {}, EXAMPLES[name] ?? ''));
 			button.addEventListener('click', () => this.openExample(paths));
 			byId('examples').append(button);
 		}
@@ -76,18 +97,20 @@ class Page {
 		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && file.role !== once && !(setup && file.role === 'setup')), ...files]);
 	}
 
-	/** @param {string} xml */
-	async useMachine(xml) {
-		await this.add([['machine.xml', new Blob([xml], {type: 'application/xml'})]]);
+	/** A file that a form wrote. @param {string} name @param {string} xml */
+	async useFile(name, xml) {
+		await this.add([[name, new Blob([xml], {type: 'application/xml'})]]);
 		byId('files').scrollIntoView();
 	}
 
 	/** @param {JobFile[]} files */
 	setFiles(files) {
-		this.files = withLibraries(files);
+		this.files = inOrder(withLibraries(files));
+		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text));
 		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
 			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
 		byId('empty').hidden = files.length === 0;
+		this.showLacks();
 		this.showButtons();
 		document.dispatchEvent(new Event('files-shown'));
 	}
@@ -104,18 +127,30 @@ class Page {
 		return this.files.filter((file) => file.role === role);
 	}
 
+	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. */
+	showLacks() {
+		const missing = missingFiles(this.files), lacks = [];
+		if (missing.length)
+			lacks.push(element('span', {className: 'lack'}, `Not here yet: ${missing.join(', ')}. Drop them, too.`));
+		if (this.of('machine').length && !this.of('setup').length && !this.of('machine').some(({text}) => /<setup[\s>]/.test(text)))
+			lacks.push(element('span', {className: 'lack'}, 'Without a setup no tool, fixture or part is checked, and a program finds no length of a tool. ',
+				element('a', {href: '#setup-title'}, 'Write a setup'), '.'));
+		byId('job').replaceChildren(...lacks);
+	}
+
 	showButtons() {
 		const machines = this.of('machine').length, programs = this.of('program').length, others = this.of('other').map(({path}) => path);
 		const why = machines === 0 ? `A machine file is missing.${others.length ? ` There is no <machine> in ${others.join(', ')}.` : ''}`
-			: machines > 1 ? 'There is more than one machine file.' : programs === 0 ? 'A program is missing.' : '';
-		byId('why-not').textContent = this.files.length ? why : '';
+			: machines > 1 ? 'There is more than one machine file: remove all but one.' : programs === 0 ? 'A program is missing: drop the NC program, too.' : '';
+		byId('why-not').textContent = this.files.length ? why : 'Open an example, or your own files, first.';
 		/** @type {HTMLButtonElement} */ (byId('check')).disabled = why !== '' || this.running > 0;
 		byId('cancel').hidden = this.running === 0;
 	}
 
 	optionsOf() {
 		const data = new FormData(/** @type {HTMLFormElement} */ (byId('options')));
-		return [`--clearance=${data.get('clearance') || 0}`, `--method=${data.get('method')}`, ...(data.get('all') ? ['--all'] : [])];
+		const typed = String(data.get('clearance')), clearance = readNumber(typed).number || typed.trim() || 0;
+		return [`--clearance=${clearance}`, `--method=${data.get('method')}`, ...(data.get('all') ? ['--all'] : [])];
 	}
 
 	/** Every program in a worker of its own. */
