@@ -49,14 +49,18 @@ class Tools:
         with open(figures) as text:
             return Spent(text.read(), run.stdout, run.stderr)
 
-    def check(self, scene, options=(), programs=None, expect=(0, 1), fivecheck=None):
-        """One run of fivecheck on a scene."""
-        spent = self.run([fivecheck or self.fivecheck] + list(options) + scene.operands() +
+    def check(self, scene, options=(), programs=None, expect=(0, 1), fivecheck=None, before=()):
+        """One run of fivecheck on a scene; `before`: a command that runs the one behind it."""
+        spent = self.run(list(before) + [fivecheck or self.fivecheck] + list(options) + scene.operands() +
                          (programs or [scene.program]))
         if spent.status not in expect:
             raise SystemExit('bench: %s: fivecheck ended with status %d: %s%s' %
                              (scene.name, spent.status, spent.err, spent.out[:2000]))
         return spent
+
+    def check_twice(self, scene, options=(), programs=None):
+        """Two runs at once: what they take shows how much this machine has left for a second thread."""
+        return self.check(scene, options, programs, before=['sh', '-c', '"$@" & "$@"; wait $!', 'sh'])
 
 
 def say(text):
