@@ -8,28 +8,29 @@
 #include "base/arena.h"
 #include "base/mem.h"
 #include "check/path_copies.h"
+#include "check/step_packing.h"
 
-/* Parts of the queue: one is written while another is read. Measured: more gain nothing. */
-enum { PARTS = 2 };
+/*
+ * Parts of the queue: one is written while others wait to be read. Who has to wait, waits until half of them are ready:
+ * to sleep and to be woken costs about as much as reading ten blocks.
+ */
+enum { PARTS = 4 };
 
-/* A part is handed over once it holds so many entries or bytes of text: smaller parts cost more locking. */
-#define PART_ENTRIES 2048
-#define PART_TEXT 1000000
+/* Bytes: a part is handed over once its entries and texts are so large. All parts fit into a processor's own cache. */
+#define PART_BYTES 200000
 
-enum entry_kind { ENTRY_EVENT, ENTRY_DIAG, ENTRY_OPENED };
+enum entry_kind { ENTRY_EVENT, ENTRY_STEP, ENTRY_DIAG, ENTRY_OPENED };
 
+/* Followed by what the entry is about, as bytes. */
 struct entry {
 	enum entry_kind kind;
-	union {
-		struct motion_event event;
-		struct diag_entry diag;
-		const char *path;
-	} of;
+	enum motion_event_kind event;	/* EVENT: its kind */
+	size_t size;	/* bytes, with this head */
 };
 
 struct part {
-	struct entry *entries;
-	size_t count, capacity;
+	unsigned char *bytes;	/* entries, one behind the other */
+	size_t size, capacity;
 	struct path_copies paths;
 	struct arena texts;
 	size_t text_size;	/* bytes */
@@ -37,6 +38,7 @@ struct part {
 
 struct event_queue {
 	struct part parts[PARTS];	/* `taken` to `given` are the receiver's, the others the reader's */
+	struct step_packing packs, unpacks;	/* the reader's and the receiver's */
 	atomic_bool stopped;	/* by the receiver */
 	pthread_mutex_t lock;	/* for what follows */
 	pthread_cond_t changed;
@@ -56,7 +58,7 @@ struct event_queue *event_queue_new(void)
 void event_queue_free(struct event_queue *queue)
 {
 	for (int i = 0; i < PARTS; i++) {
-		free(queue->parts[i].entries);
+		free(queue->parts[i].bytes);
 		path_copies_release(&queue->parts[i].paths);
 		arena_release(&queue->parts[i].texts);
 	}
@@ -73,11 +75,17 @@ static struct part *open_part(struct event_queue *queue)
 	return &queue->parts[queue->given % PARTS];
 }
 
-static struct entry *add(struct part *part, enum entry_kind kind)
+/* Room for an entry about so many bytes, aligned for any of them. */
+static struct entry *add(struct part *part, enum entry_kind kind, size_t size)
 {
-	part->entries = mem_grow(part->entries, &part->capacity, part->count + 1, sizeof(*part->entries));
-	part->entries[part->count].kind = kind;
-	return &part->entries[part->count++];
+	const size_t all = sizeof(struct entry) + (size + sizeof(double) - 1) / sizeof(double) * sizeof(double);
+	struct entry *entry;
+
+	part->bytes = mem_grow(part->bytes, &part->capacity, part->size + all, 1);
+	entry = (void *)(part->bytes + part->size);
+	*entry = (struct entry){.kind = kind, .size = all};
+	part->size += all;
+	return entry;
 }
 
 static const char *keep_text(struct part *part, const char *text)
@@ -103,23 +111,60 @@ static void hand_over(struct event_queue *queue)
 {
 	pthread_mutex_lock(&queue->lock);
 	queue->given++;
-	pthread_cond_signal(&queue->changed);
-	while (queue->given - queue->taken == PARTS && !queue->stopped)
-		pthread_cond_wait(&queue->changed, &queue->lock);
+	if (queue->given - queue->taken >= PARTS / 2)
+		pthread_cond_signal(&queue->changed);
+	if (queue->given - queue->taken == PARTS)
+		while (queue->given - queue->taken > PARTS / 2 && !queue->stopped)
+			pthread_cond_wait(&queue->changed, &queue->lock);
 	pthread_mutex_unlock(&queue->lock);
+}
+
+/* Bytes of what an event of this kind says. */
+static size_t size_of(enum motion_event_kind kind)
+{
+	static const size_t sizes[] = {
+		[MOTION_STEP] = sizeof(struct motion_step), [MOTION_LIMIT] = sizeof(struct motion_limit),
+		[MOTION_TOOL] = sizeof(struct motion_tool), [MOTION_MODES] = sizeof(struct motion_modes),
+		[MOTION_SPINDLE_STOP] = sizeof(struct motion_spindle_stop),
+		[MOTION_BLOCK] = sizeof(struct motion_block)};
+
+	return sizes[kind];
+}
+
+static void add_step(struct event_queue *queue, struct part *part, const struct motion_event *event)
+{
+	struct entry *entry = add(part, ENTRY_STEP, sizeof(event->summary) + step_packing_most());
+	struct motion_summary *summary = (void *)(entry + 1);
+	const size_t size =
+	    sizeof(*entry) + sizeof(*summary) +
+	    step_packing_pack(&queue->packs, &event->of.step, &part->paths, summary + 1);
+
+	*summary = event->summary;
+	part->size -= entry->size - size;
+	entry->size = size;
+}
+
+static void add_event(struct part *part, const struct motion_event *event)
+{
+	struct entry *entry = add(part, ENTRY_EVENT, sizeof(event->summary) + size_of(event->kind));
+	struct motion_summary *summary = (void *)(entry + 1);
+
+	entry->event = event->kind;
+	*summary = event->summary;
+	memcpy(summary + 1, &event->of, size_of(event->kind));
+	if (event->kind == MOTION_BLOCK)
+		keep_block(part, (void *)(summary + 1));
 }
 
 bool event_queue_add(struct event_queue *queue, const struct motion_event *event)
 {
 	struct part *part = open_part(queue);
-	struct motion_event *copy = &add(part, ENTRY_EVENT)->of.event;
 
-	*copy = *event;
 	if (event->kind == MOTION_STEP)
-		copy->of.step.span.path = path_copies_add(&part->paths, &event->of.step.span);
-	else if (event->kind == MOTION_BLOCK)
-		keep_block(part, &copy->of.block);
-	if (part->count >= PART_ENTRIES || part->text_size >= PART_TEXT)
+		add_step(queue, part, event);
+	else
+		add_event(part, event);
+	if (part->size + part->text_size >= PART_BYTES)
 		hand_over(queue);
 	return !queue->stopped;
 }
@@ -127,7 +172,7 @@ bool event_queue_add(struct event_queue *queue, const struct motion_event *event
 void event_queue_add_diag(struct event_queue *queue, const struct diag_entry *entry)
 {
 	struct part *part = open_part(queue);
-	struct diag_entry *copy = &add(part, ENTRY_DIAG)->of.diag;
+	struct diag_entry *copy = (void *)(add(part, ENTRY_DIAG, sizeof(*copy)) + 1);
 
 	*copy = *entry;
 	/* Diagnostics are few, and not all of their names are kept elsewhere. */
@@ -139,8 +184,9 @@ void event_queue_add_diag(struct event_queue *queue, const struct diag_entry *en
 void event_queue_add_opened(struct event_queue *queue, const char *path)
 {
 	struct part *part = open_part(queue);
+	const char *copy = keep_text(part, path);
 
-	add(part, ENTRY_OPENED)->of.path = keep_text(part, path);
+	memcpy(add(part, ENTRY_OPENED, sizeof(copy)) + 1, &copy, sizeof(copy));
 }
 
 void event_queue_end(struct event_queue *queue)
@@ -161,8 +207,9 @@ static struct part *wait_for_part(struct event_queue *queue)
 	struct part *part;
 
 	pthread_mutex_lock(&queue->lock);
-	while (queue->taken == queue->given && !queue->ended)
-		pthread_cond_wait(&queue->changed, &queue->lock);
+	if (queue->taken == queue->given)
+		while (queue->given - queue->taken < PARTS / 2 && !queue->ended)
+			pthread_cond_wait(&queue->changed, &queue->lock);
 	part = queue->taken < queue->given ? &queue->parts[queue->taken % PARTS] : NULL;
 	pthread_mutex_unlock(&queue->lock);
 	return part;
@@ -170,28 +217,47 @@ static struct part *wait_for_part(struct event_queue *queue)
 
 static void give_back(struct event_queue *queue, struct part *part, bool goes_on)
 {
-	part->count = part->text_size = 0;
+	part->size = part->text_size = 0;
 	path_copies_clear(&part->paths);
 	arena_clear(&part->texts);
 	pthread_mutex_lock(&queue->lock);
 	queue->taken++;
 	if (!goes_on)
 		queue->stopped = true;
-	pthread_cond_signal(&queue->changed);
+	if (queue->given - queue->taken <= PARTS / 2 || queue->stopped)
+		pthread_cond_signal(&queue->changed);
 	pthread_mutex_unlock(&queue->lock);
 }
 
-/* False: the sink stopped. */
-static bool tell(const struct event_receiver *receiver, const struct entry *entry)
+static bool tell_event(struct event_queue *queue, const struct event_receiver *receiver, const struct entry *entry)
 {
+	const struct motion_summary *summary = (const void *)(entry + 1);
+	struct motion_event event;
+
+	event.kind = entry->kind == ENTRY_STEP ? MOTION_STEP : entry->event;
+	event.summary = *summary;
+	if (entry->kind == ENTRY_STEP)
+		step_packing_unpack(&queue->unpacks, summary + 1, &event.of.step);
+	else
+		memcpy(&event.of, summary + 1, size_of(event.kind));
+	return receiver->sink->event(receiver->sink->context, &event);
+}
+
+/* False: the sink stopped. */
+static bool tell(struct event_queue *queue, const struct event_receiver *receiver, const struct entry *entry)
+{
+	const char *path;
+
 	switch (entry->kind) {
 	case ENTRY_EVENT:
-		return receiver->sink->event(receiver->sink->context, &entry->of.event);
+	case ENTRY_STEP:
+		return tell_event(queue, receiver, entry);
 	case ENTRY_DIAG:
-		diag_pass(receiver->diag, &entry->of.diag);
+		diag_pass(receiver->diag, (const void *)(entry + 1));
 		break;
 	case ENTRY_OPENED:
-		receiver->opened->call(receiver->opened->context, entry->of.path);
+		memcpy(&path, entry + 1, sizeof(path));
+		receiver->opened->call(receiver->opened->context, path);
 		break;
 	}
 	return true;
@@ -203,8 +269,12 @@ bool event_queue_receive(struct event_queue *queue, const struct event_receiver 
 	bool goes_on = true;
 
 	while (goes_on && (part = wait_for_part(queue))) {
-		for (size_t i = 0; i < part->count && goes_on; i++)
-			goes_on = tell(receiver, &part->entries[i]);
+		for (size_t at = 0; at < part->size && goes_on;) {
+			const struct entry *entry = (const void *)(part->bytes + at);
+
+			at += entry->size;
+			goes_on = tell(queue, receiver, entry);
+		}
 		give_back(queue, part, goes_on);
 	}
 	return goes_on;
