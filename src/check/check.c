@@ -215,11 +215,20 @@ static bool run_program(struct checker *c, FILE *in)
 	const struct motion_sink sink = {c, on_event};
 	/* The time to read a block cannot be measured while another thread reads ahead. */
 	bool ahead = c->options->threads > 1 && !c->options->times, complete;
+	struct shared_loop loop;
 
 	options.read.all_faults = c->options->method == CHECK_NOTHING && c->options->all;
-	complete = (ahead ? read_ahead_run : motion_run)(c->scene->machine, c->scene->setup, &options, in, c->file,
-							      &sink, &c->log.diags.diag, &c->summary);
-
+	if (ahead) {
+		shared_loop_init(&loop);
+		c->scheduler.loop = &loop;
+		complete = read_ahead_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink,
+					  &c->log.diags.diag, &c->summary, &loop);
+		c->scheduler.loop = NULL;
+		shared_loop_release(&loop);
+	} else {
+		complete = motion_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink,
+				      &c->log.diags.diag, &c->summary);
+	}
 	if (!c->stopped)
 		c->stats->motion = c->summary;
 	return complete || c->stopped;

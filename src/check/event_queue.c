@@ -1,6 +1,5 @@
 #include "check/event_queue.h"
 
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,18 +39,16 @@ struct event_queue {
 	struct part parts[PARTS];	/* `taken` to `given` are the receiver's, the others the reader's */
 	struct step_packing packs, unpacks;	/* the reader's and the receiver's */
 	atomic_bool stopped;	/* by the receiver */
-	pthread_mutex_t lock;	/* for what follows */
-	pthread_cond_t changed;
+	struct shared_loop *loop;	/* its lock is for what follows */
 	size_t given, taken;	/* parts in all */
-	bool ended;
+	bool ended, done;	/* by the reader, and by the receiver */
 };
 
-struct event_queue *event_queue_new(void)
+struct event_queue *event_queue_new(struct shared_loop *loop)
 {
 	struct event_queue *queue = mem_zalloc(1, sizeof(*queue));
 
-	pthread_mutex_init(&queue->lock, NULL);
-	pthread_cond_init(&queue->changed, NULL);
+	queue->loop = loop;
 	return queue;
 }
 
@@ -62,8 +59,6 @@ void event_queue_free(struct event_queue *queue)
 		path_copies_release(&queue->parts[i].paths);
 		arena_release(&queue->parts[i].texts);
 	}
-	pthread_cond_destroy(&queue->changed);
-	pthread_mutex_destroy(&queue->lock);
 	free(queue);
 }
 
@@ -106,17 +101,24 @@ static void keep_block(struct part *part, struct motion_block *block)
 		block->callers = arena_copy(&part->texts, block->callers, size);
 }
 
+/* Waits until the receiver has changed something; meanwhile carries out a round of its loop, if there is one. */
+static void help_or_wait(struct event_queue *queue)
+{
+	if (!shared_loop_help(queue->loop))
+		pthread_cond_wait(&queue->loop->changed, &queue->loop->lock);
+}
+
 /* Gives the open part to the receiver and waits for an empty one. */
 static void hand_over(struct event_queue *queue)
 {
-	pthread_mutex_lock(&queue->lock);
+	pthread_mutex_lock(&queue->loop->lock);
 	queue->given++;
 	if (queue->given - queue->taken >= PARTS / 2)
-		pthread_cond_signal(&queue->changed);
+		pthread_cond_signal(&queue->loop->changed);
 	if (queue->given - queue->taken == PARTS)
 		while (queue->given - queue->taken > PARTS / 2 && !queue->stopped)
-			pthread_cond_wait(&queue->changed, &queue->lock);
-	pthread_mutex_unlock(&queue->lock);
+			help_or_wait(queue);
+	pthread_mutex_unlock(&queue->loop->lock);
 }
 
 /* Bytes of what an event of this kind says. */
@@ -193,10 +195,12 @@ void event_queue_end(struct event_queue *queue)
 {
 	if (!queue->stopped)
 		hand_over(queue);
-	pthread_mutex_lock(&queue->lock);
+	pthread_mutex_lock(&queue->loop->lock);
 	queue->ended = true;
-	pthread_cond_signal(&queue->changed);
-	pthread_mutex_unlock(&queue->lock);
+	pthread_cond_signal(&queue->loop->changed);
+	while (!queue->done)
+		help_or_wait(queue);
+	pthread_mutex_unlock(&queue->loop->lock);
 }
 
 /* --------------------------------------------------------------- receiver */
@@ -206,12 +210,12 @@ static struct part *wait_for_part(struct event_queue *queue)
 {
 	struct part *part;
 
-	pthread_mutex_lock(&queue->lock);
+	pthread_mutex_lock(&queue->loop->lock);
 	if (queue->taken == queue->given)
 		while (queue->given - queue->taken < PARTS / 2 && !queue->ended)
-			pthread_cond_wait(&queue->changed, &queue->lock);
+			pthread_cond_wait(&queue->loop->changed, &queue->loop->lock);
 	part = queue->taken < queue->given ? &queue->parts[queue->taken % PARTS] : NULL;
-	pthread_mutex_unlock(&queue->lock);
+	pthread_mutex_unlock(&queue->loop->lock);
 	return part;
 }
 
@@ -220,13 +224,13 @@ static void give_back(struct event_queue *queue, struct part *part, bool goes_on
 	part->size = part->text_size = 0;
 	path_copies_clear(&part->paths);
 	arena_clear(&part->texts);
-	pthread_mutex_lock(&queue->lock);
+	pthread_mutex_lock(&queue->loop->lock);
 	queue->taken++;
 	if (!goes_on)
 		queue->stopped = true;
 	if (queue->given - queue->taken <= PARTS / 2 || queue->stopped)
-		pthread_cond_signal(&queue->changed);
-	pthread_mutex_unlock(&queue->lock);
+		pthread_cond_signal(&queue->loop->changed);
+	pthread_mutex_unlock(&queue->loop->lock);
 }
 
 static bool tell_event(struct event_queue *queue, const struct event_receiver *receiver, const struct entry *entry)
@@ -277,5 +281,9 @@ bool event_queue_receive(struct event_queue *queue, const struct event_receiver 
 		}
 		give_back(queue, part, goes_on);
 	}
+	pthread_mutex_lock(&queue->loop->lock);
+	queue->done = true;
+	pthread_cond_signal(&queue->loop->changed);
+	pthread_mutex_unlock(&queue->loop->lock);
 	return goes_on;
 }

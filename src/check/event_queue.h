@@ -6,12 +6,17 @@
 
 #include "base/callbacks.h"
 #include "base/diag.h"
+#include "check/shared_loop.h"
 #include "motion/events.h"
 
 /* Holds motion events, diagnostics and names of opened files in the order in which they came, as copies. */
 struct event_queue;
 
-struct event_queue *event_queue_new(void);
+/*
+ * While the reading thread waits it helps with the loop that the checking thread runs. The queue borrows the loop, and
+ * uses its lock.
+ */
+struct event_queue *event_queue_new(struct shared_loop *loop);
 void event_queue_free(struct event_queue *queue);
 
 /* For the reading thread. It waits while the queue is full. False: the receiver has stopped and takes nothing more. */
@@ -21,7 +26,7 @@ bool event_queue_add(struct event_queue *queue, const struct motion_event *event
 void event_queue_add_diag(struct event_queue *queue, const struct diag_entry *entry);
 void event_queue_add_opened(struct event_queue *queue, const char *path);
 
-/* Nothing more will come. */
+/* Nothing more will come. Returns when the receiver is done, and helps it meanwhile. */
 void event_queue_end(struct event_queue *queue);
 
 /* Receives the contents of the queue. All pointers are borrowed. */

@@ -35,9 +35,9 @@ static void on_opened(void *context, const char *path)
 
 bool read_ahead_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		    FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
-		    struct motion_summary *summary)
+		    struct motion_summary *summary, struct shared_loop *loop)
 {
-	struct event_queue *queue = event_queue_new();
+	struct event_queue *queue = event_queue_new(loop);
 	struct read_ahead ahead = {.queue = queue, .receiver = {sink, diag, options->read.opened}};
 	const struct motion_sink to_queue = {queue, on_event};
 	const struct file_opened opened_to_queue = {queue, on_opened};

@@ -188,6 +188,15 @@ static void do_task(void *context, int worker, size_t i)
 	work->scheduler->sweeps[worker] = sweep;
 }
 
+/* Carries out the tasks on up to so many threads. */
+static void do_tasks(struct scheduler *scheduler, int threads, struct work *work)
+{
+	if (!scheduler->loop)
+		parallel_for(scheduler->task_count, threads, do_task, work);
+	else
+		shared_loop_run(scheduler->loop, scheduler->task_count, threads > 1 ? threads - 1 : 1, do_task, work);
+}
+
 /* ---------------------------------------------------------------- results */
 
 static void add_results(struct scheduler *scheduler, const struct pair_check *check)
@@ -244,7 +253,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options};
 
 	plan(scheduler, batch, tool, options);
-	parallel_for(scheduler->task_count, scheduler->work > HEAVY ? scheduler->threads : 1, do_task, &work);
+	do_tasks(scheduler, scheduler->work > HEAVY ? scheduler->threads : 1, &work);
 	gather(scheduler);
 	return is_complete(scheduler);
 }
@@ -397,7 +406,7 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 		for (size_t i = from; i < to; i++)
 			add_task(scheduler, scheduler->order[i].check, NULL, 0, batch->step_count);
 		measure.effort = scheduler->spare_effort / (long)(to - from);
-		parallel_for(scheduler->task_count, scheduler->threads, do_task, &work);
+		do_tasks(scheduler, scheduler->threads, &work);
 		for (size_t i = 0; i < scheduler->task_count; i++)
 			scheduler->spare_effort -= scheduler->tasks[i].visits;
 		for (size_t i = from; i < to && options->least_clearances; i++)

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "check/pair_check.h"
+#include "check/shared_loop.h"
 #include "check/stats.h"
 
 struct nearness;
@@ -26,6 +27,7 @@ struct scheduler {
 	size_t count;
 	struct sweep *sweeps;	/* one a thread */
 	int threads;
+	struct shared_loop *loop;	/* one of the threads helps when it has nothing else to do; NULL: all are ours */
 	long *visits;	/* node pairs that each check looked at in the last batch */
 	long work;	/* the sum of them */
 	struct task *tasks;	/* of this batch */

@@ -187,6 +187,19 @@ typedef bool run_fn(const struct machine *machine, const struct setup *setup, co
 		    FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
 		    struct motion_summary *summary);
 
+static bool run_ahead(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
+		      FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
+		      struct motion_summary *summary)
+{
+	struct shared_loop loop;
+	bool ok;
+
+	shared_loop_init(&loop);
+	ok = read_ahead_run(machine, setup, options, in, name, sink, diag, summary, &loop);
+	shared_loop_release(&loop);
+	return ok;
+}
+
 static bool run(run_fn *how, struct log *log, const char *program, size_t stop_at, struct motion_summary *summary)
 {
 	struct machine machine = rig_three_axes();
@@ -234,7 +247,7 @@ START_TEST(all_is_heard_as_it_was_said)
 		struct log want, got;
 		bool ok = run(motion_run, &want, program, 0, &summaries[0]);
 
-		ck_assert(run(read_ahead_run, &got, program, 0, &summaries[1]) == ok);
+		ck_assert(run(run_ahead, &got, program, 0, &summaries[1]) == ok);
 		compare(&want, &got, n);
 		mix_summary(&want, &summaries[0]);
 		mix_summary(&got, &summaries[1]);
@@ -260,7 +273,7 @@ START_TEST(a_listener_may_stop)
 		run(motion_run, &all, program, 0, &summaries[0]);
 		stop_at = 1 + (size_t)random_in(&random, 0, (double)(all.count - (size_t)all.diags));
 		run(motion_run, &want, program, stop_at, &summaries[0]);
-		ck_assert(!run(read_ahead_run, &got, program, stop_at, &summaries[1]));
+		ck_assert(!run(run_ahead, &got, program, stop_at, &summaries[1]));
 		compare(&want, &got, n);
 		release(&all);
 		release(&want);
