@@ -70,6 +70,7 @@ static void on_step(struct checker *c, const struct motion_step *step)
 		c->skipped = false;
 		batch_add(&c->batch, step, c->block, c->number);
 	}
+	cutter_approach_step(&c->approach, step);
 	c->last = (struct place){step->file, step->line};
 	c->steps++;
 	c->number++;
@@ -238,6 +239,7 @@ static void release(struct checker *c)
 {
 	scheduler_release(&c->scheduler);
 	stock_check_release(&c->stock);
+	cutter_approach_release(&c->approach);
 	batch_release(&c->batch);
 	block_log_release(&c->log);
 	file_names_release(&c->names);
@@ -277,11 +279,14 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	c.last_block = LONG_MAX;
 	start_block(&c);
+	cutter_approach_init(&c.approach, options->method == CHECK_NOTHING ? NULL : scene, name);
 	if (options->method == CHECK_NOTHING ||
 	    (scheduler_init(&c.scheduler, scene, options, &c.asked, measuring_of(options, proven), diag) &&
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
+		if (complete && !c.stopped && !c.failed)
+			stats->far_cutters = cutter_approach_result(&c.approach);
 		/* After a first finding nothing more was logged. */
 		if (options->remainder && complete && !c.stopped && !checker_has_enough(&c))
 			stock_check_remainder(&c.stock, c.number, options->remainder);

@@ -9,6 +9,7 @@
 #include "base/file_names.h"
 #include "check/batch.h"
 #include "check/block_log.h"
+#include "check/cutter_approach.h"
 #include "check/options.h"
 #include "check/scheduler.h"
 #include "check/sink.h"
@@ -34,6 +35,7 @@ struct checker {
 	struct scheduler scheduler;
 	struct batch batch;
 	struct stock_check stock;
+	struct cutter_approach approach;
 	struct sweep sweep;	/* for poses at which the axes stand still */
 	struct cancel asked;	/* sweeps ask it again and again whether to stop */
 	atomic_flag telling;	/* a thread is reporting progress */

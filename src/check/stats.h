@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "check/cutter_approach.h"
 #include "motion/events.h"
 
 struct check_stats {
@@ -13,6 +14,7 @@ struct check_stats {
 	size_t pairs_required, pairs_excused, pairs_skipped;	/* checked; adjacent; rigid, out of reach, waived */
 	size_t pairs_unknown;	/* their surfaces are apart, but one body may have been inside the other */
 	size_t first_unknown;	/* the first of those pairs, as an index of scene->pairs */
+	struct far_cutters far_cutters;	/* all 0 unless the program was checked to its end */
 	long budgets;	/* steps of pairs proved by a motion budget alone */
 	long planes;	/* the same by travelling planes */
 	long queries;	/* distance queries */

@@ -23,6 +23,7 @@ const char *const topic_names[TOPIC_COUNT + 1] = {
 	[TOPIC_CAUTIONS + CAUTION_SURFACES] = "open-mesh",
 	[TOPIC_CAUTIONS + CAUTION_MESH_CUTTER] = "mesh-cutter",
 	[TOPIC_CAUTIONS + CAUTION_NO_PATH_TOLERANCE] = "no-path-tolerance",
+	[TOPIC_CAUTIONS + CAUTION_FAR_CUTTER] = "far-cutter",
 	[TOPIC_CAUTIONS + CAUTION_ACCEPTED] = "accepted-findings",
 	[TOPIC_CAUTIONS + CAUTION_SHARD] = "shard",
 	[TOPIC_CAUTIONS + CAUTION_WARNINGS] = "warnings",
@@ -76,8 +77,8 @@ const struct topic topics[TOPIC_COUNT] = {
 	{"Caution", "The verdict holds under a condition.",
 	 "What must be known beside the verdict: what was not checked, was taken for granted, or is doubtful.",
 	 "Read each one before the program runs. The cautions have names of their own: sampled, no-pairs, no-setup, "
-	 "excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, accepted-findings, shard, "
-	 "warnings and model-doubt."},
+	 "excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, far-cutter, "
+	 "accepted-findings, shard, warnings and model-doubt."},
     [TOPIC_CLEAR] =
 	{NULL, "Every pair of bodies is proved apart.",
 	 "At every instant of every block every required pair of bodies keeps more than its clearance, and every axis "
@@ -134,6 +135,14 @@ const struct topic topics[TOPIC_COUNT] = {
 	 "G64 and its relatives blend corners. Without a tolerance only the programmed path was checked.",
 	 "Give the tolerance in the program (G64 P) or in the machine file (<controller path_tolerance>), or use "
 	 "exact stops."},
+    [TOPIC_CAUTIONS + CAUTION_FAR_CUTTER] =
+	{NULL, "A cutter feeds, but never comes near the part.",
+	 "Over the whole program the cutter, while it turns and feeds, stays farther from the convex hull of the part "
+	 "than 5 mm and its radius, or farther than 1 mm from part and blank where the setup has a <stock>. Often a "
+	 "work offset, a tool's length or the place of the part is wrong, and what is proved is about another place "
+	 "than the one where the tool will cut. It is not said if the program was not checked to its end.",
+	 "Look at the line that is named, where the cutter is nearest, and check the work offset in force, H, the "
+	 "tool's length and the part's location. If all is right, checked=\"reason\" on <tool> or <part> ends it."},
     [TOPIC_CAUTIONS + CAUTION_ACCEPTED] =
 	{NULL, "What comes behind an accepted finding in its block is not checked.",
 	 "After a finding that --waivers or --fail-on accepts, the same bodies or axis are not checked in the rest of "

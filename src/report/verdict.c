@@ -236,6 +236,29 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* The program was read to its end, and a tool feeds and turns but never comes near the part. */
+static bool caution_far_cutter(struct strbuf *out, const struct verdict *v)
+{
+	const struct far_cutters *far = &v->stats->far_cutters;
+
+	if (!far->far)
+		return false;
+	if (far->far == far->fed && far->fed > 1)
+		strbuf_addf(out, "no cutter comes near the part at feed: tool %d comes nearest,", far->tool);
+	else
+		strbuf_addf(out, "tool %d never comes near the part at feed: it stays", far->tool);
+	strbuf_addf(out, " %.4g mm away from ", far->distance);
+	format_units_add_plain(out, v->scene->bodies[far->body].body->name);
+	strbuf_addf(out, " (line %ld%s)", far->line, far->in_subprogram ? " of a subprogram" : "");
+	if (far->far < far->fed && far->far > 1) {
+		strbuf_addf(out, ", and so do ");
+		format_units_add_count(out, (size_t)far->far - 1, "other tool");
+	}
+	strbuf_addf(out, "; check the work offset, the tool's length and H, and where the part stands, or give the "
+			 "tool checked=\"reason\"");
+	return true;
+}
+
 /* Only the first finding of a block and pair is reported; later ones of that pair would be hidden by accepting it. */
 static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 {
@@ -292,6 +315,7 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 		[CAUTION_SURFACES] = caution_unknown,
 		[CAUTION_MESH_CUTTER] = caution_mesh_cutter,
 		[CAUTION_NO_PATH_TOLERANCE] = caution_blend,
+		[CAUTION_FAR_CUTTER] = caution_far_cutter,
 		[CAUTION_ACCEPTED] = caution_accepted,
 		[CAUTION_SHARD] = caution_shard,
 		[CAUTION_WARNINGS] = caution_warnings,
