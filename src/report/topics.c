@@ -28,6 +28,12 @@ const char *const topic_names[TOPIC_COUNT + 1] = {
 	[TOPIC_CAUTIONS + CAUTION_SHARD] = "shard",
 	[TOPIC_CAUTIONS + CAUTION_WARNINGS] = "warnings",
 	[TOPIC_CAUTIONS + CAUTION_DOUBT] = "model-doubt",
+	[TOPIC_PAIRS + PAIR_CHECKED] = "checked",
+	[TOPIC_PAIRS + PAIR_RIGID] = "rigid",
+	[TOPIC_PAIRS + PAIR_ADJACENT] = "adjacent",
+	[TOPIC_PAIRS + PAIR_OUT_OF_REACH] = "out of reach",
+	[TOPIC_PAIRS + PAIR_WAIVED] = "waived",
+	[TOPIC_PAIRS + PAIR_CUTTING] = "cutting",
 };
 
 const struct topic topics[TOPIC_COUNT] = {
@@ -164,6 +170,34 @@ const struct topic topics[TOPIC_COUNT] = {
 	 "about another machine than yours.",
 	 "Check the value that the caution names, at the machine where possible. If it is right, checked=\"reason\" "
 	 "on its element ends the doubt. fivecheck-machine(5) lists all doubts."},
+    [TOPIC_PAIRS + PAIR_CHECKED] =
+	{NULL, "The two bodies are kept apart in every block, or a finding says where not.",
+	 "They can meet within the travel of the axes, or the machine file asks for the check. Where a clearance is "
+	 "required, they keep more than that.",
+	 "The reason behind the status says why the pair is checked."},
+    [TOPIC_PAIRS + PAIR_RIGID] =
+	{NULL, "No axis stands between the two bodies.",
+	 "They never move against each other, so that no program can make them meet.",
+	 "If they do move on the machine, put one of them into the <axis> that carries it."},
+    [TOPIC_PAIRS + PAIR_ADJACENT] =
+	{NULL, "The two bodies are neighbours that are drawn close together.",
+	 "One axis connects them, as a slide and its guide, and they touch by design. They are excused, not proved "
+	 "apart.",
+	 "<pair check=\"always\"/> in the machine file has them checked."},
+    [TOPIC_PAIRS + PAIR_OUT_OF_REACH] =
+	{NULL, "The two bodies are proved apart over the whole travel of the axes.",
+	 "No position within the limits of the axes between them lets them meet, so that no block has to be looked at.",
+	 "The proof takes limit_min and limit_max of the machine file: they must be those of the machine."},
+    [TOPIC_PAIRS + PAIR_WAIVED] =
+	{NULL, "The machine file leaves the pair out.",
+	 "<pair check=\"never\"/> names the two bodies or their links. Nothing is known about this pair.",
+	 "Look at the reason that stands behind the status, and whether it still holds."},
+    [TOPIC_PAIRS + PAIR_CUTTING] =
+	{NULL, "A cutter and the part or the stock, which it is meant to cut.",
+	 "Contact of the two is no finding while the cutter turns and feeds. At rapid, or while the spindle stands, "
+	 "it is a rapid-contact.",
+	 "The attribute gouge of <part> bounds how deep the cutter may go; <pair check=\"always\"/> forbids any "
+	 "contact."},
 };
 
 enum { COLUMNS = 80 };
@@ -192,6 +226,8 @@ static const char *sort_of(int topic)
 {
 	if (topic < FINDING_KINDS)
 		return "a kind of finding";
+	if (topic >= TOPIC_PAIRS)
+		return "a status of --list-pairs";
 	return topic == TOPIC_CAUTION || topic >= TOPIC_CAUTIONS ? "stands beside a verdict" : "a verdict";
 }
 

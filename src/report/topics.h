@@ -1,5 +1,5 @@
 /*
- * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions. One table for --explain, for
+ * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions, statuses of pairs. One table for --explain, for
  * SARIF's rules and, held against it by a test, for the manual page.
  */
 #ifndef FIVECHECK_REPORT_TOPICS_H
@@ -10,8 +10,12 @@
 #include "base/strbuf.h"
 #include "check/finding.h"
 #include "report/verdict.h"
+#include "scene/scene.h"
 
-/* The kinds of findings come first, in the order of enum finding_kind; the cautions in that of enum caution. */
+/*
+ * The kinds of findings come first, in the order of enum finding_kind; the cautions in that of enum caution, the
+ * statuses in that of enum pair_status.
+ */
 enum {
 	TOPIC_INCOMPLETE = FINDING_KINDS,
 	TOPIC_CAUTION,
@@ -20,7 +24,8 @@ enum {
 	TOPIC_FOUND,
 	TOPIC_ACCEPTED,
 	TOPIC_CAUTIONS,
-	TOPIC_COUNT = TOPIC_CAUTIONS + CAUTION_COUNT
+	TOPIC_PAIRS = TOPIC_CAUTIONS + CAUTION_COUNT,
+	TOPIC_COUNT = TOPIC_PAIRS + PAIR_CUTTING + 1
 };
 
 /* Complete sentences. The first says what it is in one line. */

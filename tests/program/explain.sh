@@ -1,5 +1,5 @@
 # --explain, SARIF's rules and the manual page say the same of every word.
-names=$("$FIVECHECK" --explain nothing 2>&1 | sed 's/.* is none of //; s/,//g')
+names=$("$FIVECHECK" --explain xxxx 2>&1 | sed 's/.* is none of //' | tr ',' '\n' | sed 's/^ //')
 fivecheck --explain clearance
 status fivecheck --explain colision
 status fivecheck --explain COLLISION
@@ -14,9 +14,9 @@ said() {
 	"$FIVECHECK" --explain "$1" | tail -n +3 | tr -s '\n' ' ' | sed 's/ $//'
 }
 sed -n '/^\.Ss Words of the reports/,/^\.El/p' "$(dirname "$LIB")/../../man/fivecheck.1" |
-	awk '/^\.It Cm / { if (line) print line; line = $3 ":"; next } line && !/^\./ { line = line " " $0 } END { print line }' |
+	awk '/^\.It Cm / { if (line) print line; line = substr($0, 8) ":"; next } line && !/^\./ { line = line " " $0 } END { print line }' |
 	sort >manual
-for name in $names; do
+echo "$names" | while read -r name; do
 	echo "$name: $(said "$name")"
 done | sort >program
 diff manual program
