@@ -48,7 +48,8 @@ export class App {
 	show(parent) {
 		parent.append(this.element);
 		if (this.state.model.findings.length) this.state.showFinding(0);
-		else this.state.seek(0);
+		// A check that ended at an error shows where it ended.
+		else this.state.seek(this.state.model.errors.length ? this.state.model.path.duration : 0);
 		this.stage.lookAtFocus(true);
 		this.state.watch((what) => {
 			// Another finding: the camera goes there.

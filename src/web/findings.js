@@ -103,10 +103,21 @@ export class FindingsView {
 		/** @type {HTMLElement[]} */
 		this.cards = [];
 		this.element = h('section.findings', {'aria-label': 'Findings'});
+		this.element.append(...this.errors());
 		this.add(0, FIRST_CARDS);
 		if (!this.model.findings.length) this.element.append(this.nothing());
 		state.watch((what) => {
 			if (what !== 'playing') this.mark();
+		});
+	}
+
+	/** What kept the check from its end, each error with its line. */
+	errors() {
+		const {errors, sources} = this.model;
+		return errors.slice(0, FIRST_CARDS).map(({file, line, text}) => {
+			const name = file ?? '', read = line && sources.some((source) => source.name === name);
+			return h('article.card.doubt.error', {}, h('b', {}, line ? `Error in line ${grouped(line)}` : 'Error'), h('p', {}, read || !name ? text : `${name}: ${text}`),
+				read ? h('div.actions', {}, h('button', {onclick: () => this.state.readLine(name, line)}, 'Show')) : null);
 		});
 	}
 

@@ -10,14 +10,15 @@ import {grouped, h} from './elements.js';
 export function headline(model) {
 	const first = model.findings.find((finding) => !finding.accepted) || model.findings[0];
 	if (first && model.verdict !== 'clear') return `${kindName(first)}: ${findingTitle(first)} in line ${grouped(first.line)}`;
+	const [error] = model.errors;
+	if (model.verdict === 'incomplete' && error?.line) return `Incomplete: an error in line ${grouped(error.line)}`;
 	return {clear: 'Clear: the machine does not hit itself', passed: 'Passed', incomplete: 'Incomplete: this program is not proved'}[model.verdict] || model.verdict;
 }
 
 /** @param {Model} model @param {() => void} showHelp */
 export function headerView(model, showHelp) {
 	const kind = model.verdict === 'clear' ? 'good' : model.failing ? 'bad' : 'doubt';
-	const more = model.errors.map(({file, line, text}) => `${file ?? ''}${line ? `:${line}` : ''}: ${text}`);
-	const remarks = [...more, ...model.cautions];
+	const remarks = model.cautions;
 	return h(`header.${kind}`, {},
 		h('div.verdict', {}, h('h1', {}, headline(model)), h('p', {}, model.sentence.startsWith(model.program) ? model.sentence : `${model.program}: ${model.sentence}`)),
 		remarks.length ? h('details.cautions', {}, h('summary', {}, `${remarks.length} ${remarks.length === 1 ? 'remark' : 'remarks'}`), h('ul', {}, ...remarks.map((text) => h('li', {}, text)))) : null,

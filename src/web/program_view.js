@@ -29,6 +29,8 @@ export class ProgramView {
 		this.first = 0;
 		/** Findings of a line. @type {Map<number, number>} */
 		this.found = new Map();
+		/** Lines with an error. @type {Set<number | null>} */
+		this.faulty = new Set();
 		this.listen();
 		this.open(0);
 	}
@@ -79,6 +81,7 @@ export class ProgramView {
 		this.model.findings.forEach((finding, i) => {
 			if (finding.file === this.source()?.name && !this.found.has(finding.line)) this.found.set(finding.line, i);
 		});
+		this.faulty = new Set(this.model.errors.filter(({file: name, line}) => name === this.source()?.name && line).map(({line}) => line));
 		this.space.style.height = `${Math.min(TALLEST, this.lines() * ROW)}px`;
 		this.tellMissing();
 	}
@@ -172,7 +175,7 @@ export class ProgramView {
 		const finding = this.found.get(line);
 		const {read} = this.state;
 		const calls = read.line === line && read.file === this.file;
-		const kind = `${calls ? '.read' : ''}${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${text === null ? '.absent' : ''}`;
+		const kind = `${calls ? '.read' : ''}${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${this.faulty.has(line) ? '.faulty' : ''}${text === null ? '.absent' : ''}`;
 		return h(`div.row${kind}`, {role: 'option', 'data-line': line, 'aria-selected': String(here)},
 			h('span.number', {}, grouped(line)), h('span.text', {}, text === null ? '\u00b7\u00b7\u00b7' : text));
 	}

@@ -82,6 +82,28 @@ def other_examples(bench):
 
 
 @test
+def program_error(bench):
+    """An error of the program has a card that leads to its line; the report opens where the check ended."""
+    machine, setup, program = fixtures.boxes(bench.work)
+    path = os.path.join(bench.work, "error.html")
+    faulty = os.path.join(os.path.dirname(program), "faulty.nc")
+    with open(program, encoding="utf-8") as file, open(faulty, "w", encoding="utf-8") as other:
+        lines = file.read().splitlines()
+        other.write("\n".join([*lines[:5], "G0 Z190", *["(a remark)"] * 60, "G777 X1", *lines[6:]]) + "\n")
+    done = fixtures.run(bench.fivecheck, machine, f"--setup={setup}", faulty, f"--report={path}")
+    same("exit status", done.returncode, 2)
+    page = bench.open(path)
+    same("headline", page.run("document.querySelector('.app h1').textContent"), "Incomplete: an error in line 67")
+    same("the last block that was checked", page.run(HERE), 6)
+    true("the error in words", "G777" in page.run("document.querySelector('.card.error').textContent"))
+    page.run("document.querySelector('.card.error button').click()")
+    page.frames()
+    same("the line of the error", page.run("document.querySelector('.row.faulty')?.dataset.line"), "67")
+    same("weak text", page.run(WEAK_TEXT), [])
+    bench.done(page, "program-error")
+
+
+@test
 def sensitivity(bench):
     """The card says how many mm are needed: the block is 40 high, the tool passes 10 above its foot. Else it says how to ask."""
     machine, setup, program = fixtures.boxes(bench.work)

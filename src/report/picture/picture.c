@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/math/math_functions.h"
 #include "base/mem.h"
@@ -14,8 +15,10 @@
 
 enum { WIDTH = 960, HEIGHT = 640, RING = 34, LINE = 2 };
 
-/* Pixels at the lower edge for the title. */
-enum { TITLE = 40 };
+/* Pixels at the lower edge for the title; the size of its letters, as it is and at least. */
+enum { TITLE = 40, FONT_SIZE = 17, FONT_SIZE_MIN = 9 };
+/* How wide the letters of a sentence are on average, in their size. */
+#define LETTER_WIDTH 0.52
 
 /* ------------------------------------------------------------------- SVG */
 
@@ -40,6 +43,14 @@ static void add_label(struct strbuf *out, const struct stage *stage, int body, e
 		    y - 13, (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3)), y + 1);
 	html_text_add(out, stage->scene->bodies[body].body->name);
 	strbuf_addf(out, "</text>\n");
+}
+
+/* The size of letters with which the title fits between the edges. */
+static double title_size(const char *title)
+{
+	const double size = (WIDTH - 28) / (LETTER_WIDTH * (double)(strlen(title) + 1));
+
+	return fmin(FONT_SIZE, fmax(size, FONT_SIZE_MIN));
 }
 
 void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine)
@@ -75,13 +86,16 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 		add_ring(out, at.x, at.y);
 	if (inset.width)
 		add_ring(out, inset.x + 0.5 * inset.width, inset.y + 0.5 * inset.height);
-	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"17\" fill=\"#16202b\">\n");
+	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"%d\" fill=\"#16202b\">\n", FONT_SIZE);
 	if (stage->a >= 0 && stage->b >= 0) {
 		add_label(out, stage, stage->a, stage_class_a(stage), 0);
 		add_label(out, stage, stage->b, stage_class_b(stage), 1);
 	}
 	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
-			 "<text x=\"14\" y=\"%d\">", HEIGHT - TITLE, WIDTH, TITLE, HEIGHT - 14);
+			 "<text x=\"14\" y=\"%d\"", HEIGHT - TITLE, WIDTH, TITLE, HEIGHT - 14);
+	if (title_size(title) < FONT_SIZE)
+		strbuf_addf(out, " font-size=\"%.3g\"", title_size(title));
+	strbuf_addf(out, ">");
 	html_text_add(out, title);
 	strbuf_addf(out, "</text></g>\n</svg>\n");
 	raster_release(&raster);
