@@ -183,6 +183,24 @@ def numbers(bench):
 
 
 @test
+def strange_files(bench):
+    """Pictures and drawings are no programs; what to do with a drawing is said. A block that is quoted stands in columns."""
+    page = bench.open()
+    page.run("await fivecheckPage.add(['photo.jpg', 'table.STEP', 'report.html', 'part.nc', 'O1000'].map((name) => [name, new Blob(['G1 X\\n'])]))")
+    same("roles", page.run("Object.fromEntries(fivecheckPage.files.map(({path, role}) => [path, role]))"),
+         {"photo.jpg": "other", "table.STEP": "other", "report.html": "other", "part.nc": "program", "O1000": "program"})
+    true("what to do", "export table.STEP as STL" in page.run("document.querySelector('#job').textContent"))
+    bench.example(page, "cb-head")
+    page.run("await fivecheckPage.add([['fault.nc', new Blob(['G21 G90 G61\\nG1 Y-10 X\\nM2\\n'])]])")
+    bench.check(page)
+    card = "document.querySelector('[data-path=\"fault.nc\"]')"
+    same("the caret stands below its place", page.run(f"[...{card}.querySelectorAll('.quoted')].map((e) => [e.textContent.search(/\\S/), getComputedStyle(e).whiteSpaceCollapse || getComputedStyle(e).whiteSpace])"),
+         [[4, "preserve"], [4 + len("G1 Y-10 "), "preserve"]])
+    same("errors in their colour", page.run(f"{card}.querySelectorAll('.message.error').length"), 1)
+    bench.done(page, "page-fault")
+
+
+@test
 def own_machine(bench):
     """Nothing but STL files and a program: the two forms lead to a verdict, and the page says what is missing on the way."""
     page = bench.open()

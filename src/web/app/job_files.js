@@ -17,12 +17,20 @@ async function headOf(blob) {
 	return new TextDecoder(mark === 0xfffe ? 'utf-16le' : mark === 0xfeff ? 'utf-16be' : 'utf-8').decode(bytes);
 }
 
+/** Files that are surely no programs. */
+const FOREIGN = /\.(jpe?g|png|gif|svg|pdf|zip|gz|html?|md|docx?|xlsx?|odt|ods)$/i;
+
+/** A drawing of a CAD system, which is no mesh. @param {string} path */
+export function isDrawing(path) {
+	return /\.(step|stp|iges|igs|sldprt|sldasm|ipt|iam|prt|catpart|x_t|dxf|dwg|f3d|3mf|glb|gltf)$/i.test(path);
+}
+
 /** @param {string} path @param {string} text @returns {Role} */
 function roleOf(path, text) {
 	if (/\.(stl|obj|ply)$/i.test(path))
 		return 'mesh';
 	const root = /** @type {Role | undefined} */ (text.match(/<(machine|setup|waivers)[\s>]/)?.[1]);
-	return root ?? (/\.xml$/i.test(path) ? 'other' : 'program');
+	return root ?? (/\.xml$/i.test(path) || isDrawing(path) || FOREIGN.test(path) ? 'other' : 'program');
 }
 
 /**

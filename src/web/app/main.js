@@ -2,7 +2,7 @@
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
 import {readNumber, watchNumbers} from './fields.js';
-import {inOrder, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
+import {inOrder, isDrawing, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 import {SetupForm} from './setup_form.js';
@@ -129,7 +129,9 @@ class Page {
 
 	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. */
 	showLacks() {
-		const missing = missingFiles(this.files), lacks = [];
+		const missing = missingFiles(this.files), lacks = [], drawings = this.files.filter(({path}) => isDrawing(path));
+		if (drawings.length)
+			lacks.push(element('span', {className: 'lack'}, `Bodies are read from STL, OBJ and PLY files: export ${drawings.map(({path}) => path).join(', ')} as STL from the CAD system.`));
 		if (missing.length)
 			lacks.push(element('span', {className: 'lack'}, `Not here yet: ${missing.join(', ')}. Drop them, too.`));
 		if (this.of('machine').length && !this.of('setup').length && !this.of('machine').some(({text}) => /<setup[\s>]/.test(text)))
@@ -226,10 +228,11 @@ class ProgramResult {
 			this.verdict.textContent = 'Found: see below.';
 	}
 
-	/** @param {string} message */
+	/** A line of the checker's messages: a quoted block and its caret stand in columns. @param {string} message */
 	onMessage(message) {
+		const kind = /^\s/.test(message) ? ' quoted' : /(^|: )error: /.test(message) ? ' error' : '';
 		if (message)
-			this.findings.append(element('li', {className: 'message'}, message));
+			this.findings.append(element('li', {className: `message${kind}`}, message));
 	}
 
 	/**
