@@ -17,6 +17,7 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 		.a = a,
 		.b = b,
 		.place_a = *place_a,
+		.to_a = xform_inverse(place_a),
 		.place_b = *place_b,
 		.chain = chain,
 		.ball_a = ball_around(a, place_a),
@@ -28,9 +29,9 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 
 static xform mesh_pose(const struct body_pair *pair, const xform *pose)
 {
-	xform to_a = xform_inverse(&pair->place_a), of_b = xform_mul(pose, &pair->place_b);
+	const xform of_b = xform_mul(pose, &pair->place_b);
 
-	return xform_mul(&to_a, &of_b);
+	return xform_mul(&pair->to_a, &of_b);
 }
 
 xform body_pair_pose(const struct body_pair *pair, const axis_values *q)

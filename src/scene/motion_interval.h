@@ -21,6 +21,7 @@ struct coherence;
 struct body_pair {
 	const struct bvh *a, *b;
 	xform place_a, place_b;	/* mesh -> machine coordinates at the zero pose */
+	xform to_a;	/* the inverse of place_a */
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double rounding;	/* mm: both meshes' together */
