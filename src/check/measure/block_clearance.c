@@ -38,6 +38,12 @@
 /* Where the distances at the ends of a part of a step have at least this ratio, planes are measured in its middle. */
 #define ALIKE 0.8
 
+/*
+ * After so many chunks the cells of planes are joined again: they were divided where planes of larger parts did not
+ * do. Measured: with 4 or 64 it takes a twentieth longer on a program that needs many cells here and there.
+ */
+enum { JOIN_CHUNKS = 16 };
+
 /* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
@@ -115,6 +121,8 @@ bool block_clearance_clears(struct block_clearance *block, const struct batch_ch
 
 	if (block->maybe_inside)
 		return false;
+	if (thorough && ++block->chunks % JOIN_CHUNKS == 0)
+		plane_cells_join(&block->planes);
 	if (motion_budget_rest(&block->budget, &box->low, &box->high, &box->errors) > most)
 		return true;
 	needed = most + plane_motion_path(&motion, &block->bodies, &box->errors);

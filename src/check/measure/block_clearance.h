@@ -43,6 +43,7 @@ struct block_clearance {
 	struct motion_budget budget;
 	struct plane_cells planes;
 	struct plane_account account;	/* of searches for planes */
+	int chunks;	/* that block_clearance_clears was asked for */
 	double found;	/* mm: where the budget begins, two triangles were this close */
 	struct seen_distance seen[SEEN_KEPT];	/* the last ones, as the next step begins where one ends */
 	int oldest_seen;
