@@ -56,6 +56,8 @@ struct search {
 	const struct bvh *bvh;
 	vec3 point;
 	double best;	/* the square of the distance of the nearest triangle so far */
+	double enough;	/* the square of a distance that ends the search once a triangle is so near */
+	bool done;
 	uint32_t triangle;
 	long visits;	/* boxes looked at */
 };
@@ -67,6 +69,7 @@ static void try_triangle(struct search *search, uint32_t triangle)
 	if (!(distance < search->best))
 		return;
 	search->best = distance;
+	search->done = distance <= search->enough;
 	search->triangle = triangle;
 }
 
@@ -86,7 +89,7 @@ static void try_node(struct search *search, const struct bvh_node *node)
 			if (least[lane] < least[nearest])
 				nearest = lane;
 		}
-		if (!(least[nearest] < search->best))
+		if (!(least[nearest] < search->best) || search->done)
 			break;
 		least[nearest] = INFINITY;
 		for (uint32_t i = 0; i < node->count[nearest]; i++)
@@ -98,17 +101,22 @@ static void try_node(struct search *search, const struct bvh_node *node)
 
 double mesh_point_distance(const struct bvh *bvh, vec3 point)
 {
-	struct search search = {.bvh = bvh, .point = point, .best = INFINITY};
+	struct search search = {.bvh = bvh, .point = point, .best = INFINITY, .enough = -1};
 
 	try_node(&search, &bvh->nodes[0]);
 	return sqrt(search.best);
 }
 
-bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, struct nearest_triangle *nearest,
-			   long *visits)
+double triangle_point_distance(const mesh_triangle *triangle, vec3 point)
+{
+	return sqrt(triangle_distance2(point, triangle, INFINITY));
+}
+
+bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, double enough,
+			   struct nearest_triangle *nearest, long *visits)
 {
 	const double limit = within * within;
-	struct search search = {.bvh = bvh, .point = point, .best = limit};
+	struct search search = {.bvh = bvh, .point = point, .best = limit, .enough = enough * enough};
 
 	try_node(&search, &bvh->nodes[0]);
 	*visits += search.visits;

@@ -18,10 +18,13 @@ struct nearest_triangle {
 };
 
 /*
- * The triangle that is nearest to the point. False: none is nearer than `within` mm. Adds the boxes that it looks at to
- * *visits.
+ * The triangle that is nearest to the point, or any that is within `enough` mm of it. False: none is nearer than
+ * `within` mm. Adds the boxes that it looks at to *visits.
  */
-bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, struct nearest_triangle *nearest,
-			   long *visits);
+bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, double enough,
+			   struct nearest_triangle *nearest, long *visits);
+
+/* mm, to within rounding. */
+double triangle_point_distance(const mesh_triangle *triangle, vec3 point);
 
 #endif

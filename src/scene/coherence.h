@@ -18,6 +18,14 @@ struct coherence_axis {
 	int frame;
 };
 
+/* Where two triangles were nearest to each other when they were last measured (near_pair.h). */
+struct near_points {
+	bool known;
+	uint32_t a, b;	/* the triangles of the trees */
+	vec3 on_a, on_b;	/* each in its own mesh coordinates */
+	bool a_replaced;	/* the last nearer triangle that was found is a's */
+};
+
 /*
  * The axes that separated the bodies last, newest first, and two triangles that were close. They change how fast an
  * answer comes, but never the answer. All zero is empty.
@@ -27,6 +35,7 @@ struct coherence {
 	int axis_count;
 	int idle, idleness;	/* subtrees to skip now; subtrees to skip after the next failure */
 	uint32_t near_a, near_b;	/* triangles of the trees */
+	struct near_points points;
 	double near;	/* mm: two triangles were this close when the distance was last asked for */
 };
 

@@ -2,6 +2,7 @@
 
 #include <stdbool.h>
 
+#include "base/minmax.h"
 #include "geom/moved_tri.h"
 #include "geom/point_distance.h"
 #include "scene/coherence.h"
@@ -12,20 +13,64 @@ enum { ROUNDS = 4 };
 /* A round that brings less than this share of the distance is the last one. */
 #define ROUND_SHARE 0.01
 
-/* Two triangles, and where they are nearest to each other, in a's mesh coordinates. */
+/* Points that have moved by less than this share of the distance since they were measured are as good as new. */
+#define MOVED_SHARE 0.25
+
+/* Two triangles that are this close, and a point of each, in a's mesh coordinates. */
 struct near_pair {
 	double distance;	/* mm */
 	vec3 on_a, on_b;
+	bool measured;	/* the points are nearest to each other; else each is as near to the other triangle at least */
 };
 
 static struct near_pair measure(const struct body_pair *pair, const xform *pose)
 {
 	const struct coherence *coherence = pair->coherence;
 	tri a = tri_of(&pair->a->mesh, coherence->near_a), b = tri_of(&pair->b->mesh, coherence->near_b);
-	struct near_pair near;
+	struct near_pair near = {.measured = true};
 
 	b = tri_transform(&b, pose);
 	near.distance = tri_distance(&a, &b, &near.on_a, &near.on_b);
+	return near;
+}
+
+/* A point of a, in b's mesh coordinates. */
+static vec3 in_b(const xform *pose, vec3 point)
+{
+	return mat3_apply_transposed(&pose->rotation, vec3_sub(point, pose->translation));
+}
+
+static void remember(const struct body_pair *pair, const xform *pose, const struct near_pair *near)
+{
+	struct near_points *points = &pair->coherence->points;
+
+	points->known = true;
+	points->a = pair->coherence->near_a;
+	points->b = pair->coherence->near_b;
+	points->on_a = near->on_a;
+	points->on_b = in_b(pose, near->on_b);
+}
+
+/*
+ * How close the triangles are from the points where they were nearest when they were measured: at a small part of the
+ * cost, and nearly as exact as long as they have not turned far.
+ */
+static struct near_pair recall(const struct body_pair *pair, const xform *pose)
+{
+	const struct coherence *coherence = pair->coherence;
+	const struct near_points *points = &coherence->points;
+	struct near_pair near = {.measured = false};
+
+	if (!points->known || points->a != coherence->near_a || points->b != coherence->near_b) {
+		near = measure(pair, pose);
+		remember(pair, pose, &near);
+		return near;
+	}
+	near.on_a = points->on_a;
+	near.on_b = xform_apply(pose, points->on_b);
+	near.distance =
+	    smaller(triangle_point_distance(&pair->a->mesh.triangles[coherence->near_a], near.on_b),
+		    triangle_point_distance(&pair->b->mesh.triangles[coherence->near_b], in_b(pose, near.on_a)));
 	return near;
 }
 
@@ -33,33 +78,57 @@ double near_pair_distance(const struct body_pair *pair, const axis_values *q)
 {
 	const xform pose = body_pair_pose(pair, q);
 
-	return measure(pair, &pose).distance;
+	return recall(pair, &pose).distance;
 }
 
-/* Replaces one of the triangles by the one that is nearest to the other's nearest point. False: none is nearer. */
-static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, struct near_pair *near, long *visits)
+/* Replaces one of the triangles by one that is nearer to the other's point. False: none is. */
+static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, struct near_pair *near, double enough,
+		    long *visits)
 {
 	const struct bvh *bvh = of_a ? pair->a : pair->b;
-	const vec3 point = of_a ? near->on_b : mat3_apply_transposed(&pose->rotation, vec3_sub(near->on_a, pose->translation));
+	const vec3 point = of_a ? near->on_b : in_b(pose, near->on_a);
 	struct nearest_triangle nearest;
 
-	if (!mesh_nearest_triangle(bvh, point, (1 - ROUND_SHARE) * near->distance, &nearest, visits))
+	if (!mesh_nearest_triangle(bvh, point, (1 - ROUND_SHARE) * near->distance, enough, &nearest, visits))
 		return false;
 	*(of_a ? &pair->coherence->near_a : &pair->coherence->near_b) = nearest.triangle;
+	pair->coherence->points.a_replaced = of_a;
 	*near = measure(pair, pose);
 	return true;
+}
+
+/* The same of either. The one that was replaced last is tried first: as a rule it is the one that moves sideways. */
+static bool replace_either(const struct body_pair *pair, const xform *pose, struct near_pair *near, double enough,
+			   long *visits)
+{
+	const bool first = pair->coherence->points.a_replaced;
+	const bool nearer = replace(pair, pose, first, near, enough, visits);
+
+	return (near->distance > enough && replace(pair, pose, !first, near, enough, visits)) || nearer;
+}
+
+/* Measures the points anew. False: they are nearly where they were, or were new. */
+static bool renew_points(const struct body_pair *pair, const xform *pose, struct near_pair *near)
+{
+	const struct near_pair before = *near;
+	double moved2;
+
+	if (before.measured)
+		return false;
+	*near = measure(pair, pose);
+	moved2 = larger(vec3_norm2(vec3_sub(near->on_a, before.on_a)), vec3_norm2(vec3_sub(near->on_b, before.on_b)));
+	return moved2 > MOVED_SHARE * MOVED_SHARE * near->distance * near->distance;
 }
 
 double near_pair_improve(const struct body_pair *pair, const axis_values *q, double enough, long *visits)
 {
 	const xform pose = body_pair_pose(pair, q);
-	struct near_pair near = measure(pair, &pose);
+	struct near_pair near = recall(pair, &pose);
 
-	for (int round = 0; round < ROUNDS && near.distance > enough; round++) {
-		bool nearer = replace(pair, &pose, false, &near, visits);
-
-		if (!(near.distance > enough) || (!replace(pair, &pose, true, &near, visits) && !nearer))
+	for (int round = 0; round < ROUNDS && near.distance > enough; round++)
+		if (!replace_either(pair, &pose, &near, enough, visits) && !renew_points(pair, &pose, &near))
 			break;
-	}
+	if (near.measured)
+		remember(pair, &pose, &near);
 	return near.distance;
 }

@@ -4,12 +4,15 @@
 
 #include "scene/motion_interval.h"
 
-/* mm: the two triangles that the pair remembers (struct coherence) are this close at the axis positions q. */
+/*
+ * mm: the two triangles that the pair remembers (struct coherence) are this close at the axis positions q, or nearer if
+ * they have turned since they were measured.
+ */
 double near_pair_distance(const struct body_pair *pair, const axis_values *q);
 
 /*
  * The same after a search for nearer triangles, which are remembered: the one that is nearest to the point where the
- * other is nearest to the first, on either side in turn. The search ends where two are within `enough` mm, or where it
+ * other was nearest to the first, on either side in turn. The search ends where two are within `enough` mm, or where it
  * finds none nearer. Then others may still be nearer, but between convex surfaces the nearest are found at little cost.
  * Adds the boxes that it looks at to *visits.
  */

@@ -30,12 +30,19 @@ START_TEST(nearest_to_a_point)
 
 		for (size_t i = 0; i < bvh->mesh.count; i++)
 			least = fmin(least, to_triangle(bvh, i, point));
-		if (mesh_nearest_triangle(bvh, point, within, &nearest, &visits)) {
+		if (mesh_nearest_triangle(bvh, point, within, 0, &nearest, &visits)) {
+			struct nearest_triangle any;
+			const double enough = random_size(&random, 1, 3) * least;
+
 			found++;
 			require(fabs(nearest.distance - least) < 1e-9, "case %ld: %.12g mm, not %.12g", n,
 				nearest.distance, least);
 			require(fabs(to_triangle(bvh, nearest.triangle, point) - least) < 1e-9,
 				"case %ld: another triangle", n);
+			require(mesh_nearest_triangle(bvh, point, within, enough, &any, &visits) &&
+					any.distance <= fmax(enough, least) + 1e-9 &&
+					fabs(to_triangle(bvh, any.triangle, point) - any.distance) < 1e-9,
+				"case %ld: %.12g mm, %g are enough", n, any.distance, enough);
 		} else {
 			require(least > within - 1e-9, "case %ld: %g mm are within %g", n, least, within);
 		}
