@@ -139,6 +139,19 @@ static const struct klartext_program regions[] = {
 	 "rapid X 5..95 Y 5..95 Z 102..200\n"
 	 "feed X 5..95 Y 5..95 Z 85..102\n"
 	 "rapid X 5..95 Y 5..95 Z 102..150\n"},
+	/* Pilot holes lie where the mill of Q13 plunges, whatever the drill: up to the contour itself. */
+	{START CONTOURS "CYCL DEF 21 PILOT DRILLING Q10=-5 Q11=150 Q13=2\nL M99\nM30\n"
+	 "LBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+90 Y+70\nLBL 0\n",
+	 "tool 1\n"
+	 "rapid X 0..90 Y 0..70 Z 102..200\n"
+	 "feed X 0..90 Y 0..70 Z 85..102\n"
+	 "rapid X 0..90 Y 0..70 Z 102..150\n"},
+	{START CONTOURS "CYCL DEF 23 FLOOR FINISHING Q11=150 Q12=500\nL M99\nM30\n"
+	 "LBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+90 Y+70\nLBL 0\n",
+	 "tool 1\n"
+	 "rapid X 5..85 Y 5..65 Z 102..200\n"
+	 "feed X 5..85 Y 5..65 Z 85..102\n"
+	 "rapid X 5..85 Y 5..65 Z 102..150\n"},
 	{START CONTOURS "CYCL DEF 24 SIDE Q9=1 Q10=-5 Q11=150 Q12=500 Q14=-1\nCYCL CALL M8\nM30\n"
 	 "LBL 1\nCC X+0 Y+0\nLP PR+20 PA+180 RR\nCP PA+0 DR+\nCP IPA+180 DR+\nLBL 0\n"
 	 "LBL 2\nL X+0 Y+0\nCR X+10 R+5 DR+\nLBL 0\n",

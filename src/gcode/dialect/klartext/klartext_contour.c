@@ -309,7 +309,10 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	const struct klartext_call_of data = {
 	    .interp = interp, .cycle = &klartext_of(interp)->contour_data, .column = call->column};
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
-	const double radius = tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->delta_radius)) : 0;
+	/* Cycle 21 drills where the mill of Q13 plunges, which may be smaller than the drill. */
+	const bool mills = call->cycle->number != 21;
+	const double radius =
+	    tool && mills ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->delta_radius)) : 0;
 	const double more =
 	    fmax(0, -klartext_parameter_length_or(&data, 3, 0)) + fmax(0, -klartext_parameter_length_or(call, 14, 0));
 	struct klartext_region region = {.centre = klartext_frame_point(interp)};
@@ -317,7 +320,7 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 
 	if (!check(call, &data) || !check_outside(call, &data, radius) || !find_heights(&data, &region) ||
 	    !find_outline(call, &outline) ||
-	    !klartext_parameter_feed(call, call->cycle->number == 21 ? 11 : 12, &region.feed))
+	    !klartext_parameter_feed(call, mills ? 12 : 11, &region.feed))
 		return false;
 	if (region.nothing)
 		return true;
