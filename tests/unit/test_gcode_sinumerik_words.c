@@ -7,6 +7,11 @@ static const struct program {
 	/* "Polar coordinates": G111 from the zero, G110 from the tool, G112 from the last pole. */
 	{"F6 R1=2 G[8]=R1 G[6]=1\nG[1]=1 X1 Y1\nG[8]=6\nG[1]=2 X1\nG[8]=1 G[14]=1 X5\n",
 	 "rapid 11 21 0 0 0\nfeed 2 21 0 0 0\nfeed 5 21 0 0 0\n"},
+	/* "Contour definition": 10 tan 30, in G18 from Z, backward under G91. */
+	{"F6 G500 G17 G0 X10 Y5\nG1 X20 ANG=30\nY5 ANG=-90 RND=1\nX0 ANG=180\n",
+	 "rapid 10 5 0 0 0\nfeed 20 10.7735027 0 0 0\nfeed 20 6 0 0 0\n"
+	 "arc 19 5 0 0 0 centre 19 6 0 normal 0 0 1 sweep -90\nfeed 0 5 0 0 0\n"},
+	{"F6 G500 G18 G0 X10 Z5\nG91 G1 X10 ANG=45\n", "rapid 10 0 5 0 0\nfeed 20 0 15 0 0\n"},
 	{"F6 G500 G17\nG111 X10 Y10\nG0 RP=20 AP=30 Z5\nAP=90\nG1 AP=IC(90)\nRP=10\n",
 	 "rapid 27.3205081 20 5 0 0\nrapid 10 30 5 0 0\nfeed -10 10 5 0 0\nfeed 0 10 5 0 0\n"},
 	{"F6 G500 G17\nRP=5 AP=0\nX1 Y2\nG110 X1 Y1\nRP=1 AP=180\nG112 AP=90 RP=2\nRP=1 AP=0\n",
@@ -131,6 +136,23 @@ static const struct refused_words bad[] = {
 	{"F6 G500 G0 Z10\nMCALL ROWS\nHOLES1(0,0,0,10,5,2)\nM30\n%_N_ROWS_SPF\nHOLES1(0,0,0,1,1,2)\nM17\n",
 	 "HOLES1 in the subprogram ROWS, which MCALL calls, is not supported"},
 	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},
+	{"G500 G0 X1 Y1\nG1 F9 ANG=30\n",
+	 "ANG= is supported beside one coordinate of the plane, X or Y; where two blocks determine each other, write the "
+	 "point where they meet"},
+	{"G500 G0 X1 Y1\nG1 F9 X2 Y3 ANG=30\n",
+	 "ANG= is supported beside one coordinate of the plane, X or Y; where two blocks determine each other, write the "
+	 "point where they meet"},
+	{"G500 G0 X1 Y1\nG1 F9 X0 ANG=30\n", "a line at 30 degrees does not lead to this coordinate"},
+	{"G500 G0 X1 Y1\nG1 F9 X2 ANG=90\n", "a line at 90 degrees does not lead to this coordinate"},
+	{"G500 G0 X1 Y1\nTRANS X5\nG1 F9 X9 ANG=10\n",
+	 "ANG= after a change of frames, offsets or the tool: where the line begins depends on settings of the control; "
+	 "write a whole position first"},
+	{"G500 G0 X1 Y1\nG2 F9 X2 ANG=90 CR=5\n",
+	 "ANG= belongs to a straight line (G0, G1) in the program's coordinates"},
+	{"G500 G0 X1 Y1\nSUPA X2 ANG=90\n",
+	 "ANG= belongs to a straight line (G0, G1) in the program's coordinates"},
+	{"DL=1\n", "DL: sum offset of the tool is not supported yet, only DL=0"},
+	{"FZ=0.1\n", "FZ: feed per tooth (F can say it) is not supported yet"},
 	{"G[8]=101\n", "the number of a G-code in its group must be a whole number from 1 to 100, not 101"},
 	{"G[10]=1\n", "G[10]=1 is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the usual codes"},
 	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same while the program runs, "

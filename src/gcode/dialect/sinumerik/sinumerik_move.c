@@ -22,6 +22,9 @@
 #define CIRCLE_BITS (1U << SINUMERIK_CR | 1U << SINUMERIK_AR | 1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | \
 		     1U << SINUMERIK_J1 | 1U << SINUMERIK_K1)
 
+/* They stand for coordinates of the plane. */
+#define PLANE_BITS (SINUMERIK_POLAR_BITS | SINUMERIK_LINE_BIT)
+
 /* ------------------------------------------------------------------- lines */
 
 /* What the functions of the other dialects read of a block. */
@@ -293,6 +296,11 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 					     "this word belongs to a circle (G2, G3, CIP)");
 		}
 	}
+	if ((block->addresses & SINUMERIK_LINE_BIT) &&
+	    ((interp->state.motion != G0 && interp->state.motion != G1) ||
+	     block->code[SINUMERIK_SUPPRESSION] != CODE_NONE))
+		return fault(&interp->at, block->address_column[SINUMERIK_ANG],
+			     "ANG= belongs to a straight line (G0, G1) in the program's coordinates");
 	for (const char *letter = "IJK"; *letter && !circle && !is_thread(interp->state.motion); letter++) {
 		if (sinumerik_block_has(block, *letter))
 			return fault(&interp->at, block->column[*letter - 'A'], "%c belongs to a circle (G2, G3)",
@@ -318,7 +326,7 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	const uint32_t axes = block->letters & AXIS_BITS;
 	slot_values target;
 
-	if ((axes & (axes - 1)) || (block->addresses & (SINUMERIK_DIRECTION_BITS | SINUMERIK_POLAR_BITS)) ||
+	if ((axes & (axes - 1)) || (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) ||
 	    (block->letters & CENTRE_BITS))
 		return fault(&interp->at, column,
 			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a "
@@ -354,13 +362,14 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 		return run_position(interp, block);
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP ||
 		 state->motion == SINUMERIK_CT;
-	axes = (block->letters & AXIS_BITS) || (block->addresses & (SINUMERIK_DIRECTION_BITS | SINUMERIK_POLAR_BITS)) ||
+	axes = (block->letters & AXIS_BITS) ||
+	       (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;
 	if (!axes)
 		return true;
-	if (!sinumerik_target_check(interp, block, machine, circle || (block->addresses & SINUMERIK_POLAR_BITS)))
+	if (!sinumerik_target_check(interp, block, machine, circle || (block->addresses & PLANE_BITS)))
 		return false;
 	*moved = !machine;
 	show_block(interp, block, shown_motion(state->motion));

@@ -1,10 +1,15 @@
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 
+#include <math.h>
+
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
+
+/* Lines nearer to the other axis than this, as a slope, do not determine its coordinate. */
+#define LEAST_SLOPE 1e-9
 
 static char letter_a(const struct interp *interp)
 {
@@ -79,6 +84,46 @@ bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *b
 	target->v[a] = end.a;
 	target->v[b] = end.b;
 	sinumerik->shifted[a] = sinumerik->shifted[b] = false;
+	return true;
+}
+
+bool sinumerik_polar_is_shifted(const struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	return sinumerik->shifted[comp_slot_a(interp)] || sinumerik->shifted[comp_slot_b(interp)];
+}
+
+bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_block *block, bool shifted,
+			       slot_values *target)
+{
+	const enum axis_slot a = comp_slot_a(interp), b = comp_slot_b(interp);
+	const bool by_a = sinumerik_block_has(block, letter_a(interp));
+	const bool by_b = sinumerik_block_has(block, letter_b(interp));
+	const double angle = block->address_value[SINUMERIK_ANG];
+	const double direction[2] = {math_cos_degrees(angle), math_sin_degrees(angle)};
+	const int column = block->address_column[SINUMERIK_ANG];
+	const double known = direction[by_a ? 0 : 1], sought = direction[by_a ? 1 : 0];
+	const slot_values *place = sinumerik_frame_place(interp);
+	double way;
+
+	if (by_a == by_b || (block->addresses & SINUMERIK_POLAR_BITS))
+		return fault(&interp->at, column,
+			     "ANG= is supported beside one coordinate of the plane, %c or %c; where two blocks determine "
+			     "each other, write the point where they meet",
+			     letter_a(interp), letter_b(interp));
+	if (block->address_way[SINUMERIK_ANG] != SINUMERIK_WAY_MODAL)
+		return fault(&interp->at, column, "ANG= is an angle from the first axis of the plane");
+	if (!sinumerik_open_place_check(interp, column, "a line by ANG="))
+		return false;
+	if (shifted)
+		return fault(&interp->at, column,
+			     "ANG= after a change of frames, offsets or the tool: where the line begins depends on "
+			     "settings of the control; write a whole position first");
+	way = target->v[by_a ? a : b] - place->v[by_a ? a : b];
+	if (!(known * way > 0) || fabs(known) < LEAST_SLOPE)
+		return fault(&interp->at, column, "a line at %.9g degrees does not lead to this coordinate", angle);
+	target->v[by_a ? b : a] = place->v[by_a ? b : a] + way * sought / known;
 	return true;
 }
 

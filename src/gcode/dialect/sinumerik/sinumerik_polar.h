@@ -1,10 +1,11 @@
-/* sinumerik_polar.h - polar coordinates: poles (G110, G111, G112), and ends by RP= and AP=. */
+/* sinumerik_polar.h - polar coordinates: poles (G110, G111, G112), ends by RP= and AP=, and lines by ANG=. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_POLAR_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_POLAR_H
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 #define SINUMERIK_POLAR_BITS (1U << SINUMERIK_AP | 1U << SINUMERIK_RP)
+#define SINUMERIK_LINE_BIT (1U << SINUMERIK_ANG)
 
 /* 840D sl, "Polar coordinates". What can fail reports why before it returns false. */
 
@@ -16,5 +17,16 @@ struct plane_point sinumerik_polar_pole(const struct interp *interp);
 
 /* Puts the end by RP= and AP= into the plane's coordinates of the target. */
 bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
+
+/*
+ * Puts the coordinate that ANG= stands for into the target, which has the plane's other coordinate: "Contour
+ * definition", one straight line. ANG counts from the first axis of the plane. `shifted`: offsets have changed since the
+ * axes of the plane were programmed.
+ */
+bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_block *block, bool shifted,
+			       slot_values *target);
+
+/* Have offsets changed since the axes of the plane were programmed? */
+bool sinumerik_polar_is_shifted(const struct interp *interp);
 
 #endif

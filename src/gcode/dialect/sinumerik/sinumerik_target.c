@@ -333,12 +333,17 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 
 bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
 {
+	const bool line = block->addresses & SINUMERIK_LINE_BIT;
+	const bool shifted = line && sinumerik_polar_is_shifted(interp);
+
 	*target = *sinumerik_frame_place(interp);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
 		    !find_coordinate(interp, block, slot, &target->v[slot]))
 			return false;
 	}
+	if (line && !sinumerik_polar_find_line(interp, block, shifted, target))
+		return false;
 	return !(block->addresses & SINUMERIK_POLAR_BITS) || sinumerik_polar_find(interp, block, target);
 }
 

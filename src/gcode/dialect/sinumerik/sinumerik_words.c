@@ -33,7 +33,9 @@
 	REFUSED_ROW(ROW, "OEMIPO2", "interpolation of the machine's maker") \
 	ADDRESS_ROW(ROW, "AP", AP, "polar coordinates: angle") \
 	ADDRESS_ROW(ROW, "RP", RP, "polar coordinates: radius") \
-	REFUSED_ROW(ROW, "ANG", "contour by an angle") \
+	ADDRESS_ROW(ROW, "ANG", ANG, "angle of a straight line, beside one coordinate of the plane") \
+	REFUSED_ROW(ROW, "ANG1", "two lines by their angles (their coordinates can say it)") \
+	REFUSED_ROW(ROW, "ANG2", "two lines by their angles (their coordinates can say it)") \
 	ADDRESS_ROW(ROW, "CHF", CHF, "chamfer by its length") \
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
 	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
@@ -242,6 +244,10 @@
 	REFUSED_ROW(ROW, "ISOCALL", "call of a program in ISO mode")
 
 #define MORE_WORDS(ROW) \
+	ZERO_ROW(ROW, "DL", "sum offset of the tool") \
+	REFUSED_ROW(ROW, "FZ", "feed per tooth (F can say it)") \
+	PLAIN_ROW(ROW, "SF", IGNORED_VALUE, "angle at which a thread starts") \
+	PLAIN_ROW(ROW, "IPOBRKA", IGNORED_VALUE, "when an axis begins to brake") \
 	ZERO_ROW(ROW, "TOFFL", "online change of the tool's length or radius") \
 	ZERO_ROW(ROW, "TOFFR", "online change of the tool's length or radius") \
 	ZERO_ROW(ROW, "TOFFLR", "online change of the tool's length or radius") \
@@ -407,6 +413,14 @@
 	REFUSED_ROW(ROW, "CTABDEF", "coupling of axes") \
 	REFUSED_ROW(ROW, "OS", "oscillation") \
 	REFUSED_ROW(ROW, "OSCILL", "oscillation") \
+	REFUSED_ROW(ROW, "OSP1", "oscillation") \
+	REFUSED_ROW(ROW, "OSP2", "oscillation") \
+	REFUSED_ROW(ROW, "OST1", "oscillation") \
+	REFUSED_ROW(ROW, "OST2", "oscillation") \
+	REFUSED_ROW(ROW, "OSB", "oscillation") \
+	REFUSED_ROW(ROW, "OSE", "oscillation") \
+	REFUSED_ROW(ROW, "OSNSC", "oscillation") \
+	REFUSED_ROW(ROW, "OSCTRL", "oscillation") \
 	REFUSED_ROW(ROW, "MOV", "motion of an axis by itself") \
 	REFUSED_ROW(ROW, "MOVT", "motion of an axis by itself") \
 	REFUSED_ROW(ROW, "POSM", "motion of an axis by itself") \
