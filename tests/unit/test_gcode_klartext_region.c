@@ -216,6 +216,11 @@ static const struct klartext_program moves[] = {
 static const struct {
 	const char *blocks, *same;
 } equal[] = {
+	/* An older cycle, which CYCL CALL may follow at once. */
+	{START "L Z+2 FMAX\nCYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 2\nCYCL DEF 1.2 DEPTH -10\nCYCL DEF 1.3 PECKG 5\n"
+	 "CYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F100\nCYCL CALL\nL X+30 FMAX\nCYCL CALL M8\n",
+	 START "L Z+2 FMAX\nCYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 2\nCYCL DEF 1.2 DEPTH -10\nCYCL DEF 1.3 PECKG 5\n"
+	 "CYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F100\nL M99\nL X+30 FMAX M99\n"},
 	/* CONTOUR DEF names the contours, too. */
 	{START "CONTOUR DEF P1 = LBL 1 I2 = LBL 2\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\nM99\n"
 	 "M30\nLBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+20 Y+20 RL\nL X+30 Y+30\nLBL 0\n",

@@ -461,7 +461,8 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 	numbered = skip_number(&lexer);
 	if (klartext_ends(&lexer) || klartext_define_goes_on(&lexer, numbered))
 		return true;
-	if ((klartext_take(&lexer, "CYCL") || klartext_take(&lexer, "CYCLE")) && !definition->by_q)
+	if ((klartext_take(&lexer, "CYCL") || klartext_take(&lexer, "CYCLE")) && !definition->by_q &&
+	    !klartext_take(&lexer, "CALL"))
 		return true;
 	return klartext_define_end(interp);
 }
