@@ -282,13 +282,122 @@ START_TEST(noise)
 }
 END_TEST
 
+static void add_random_words(struct strbuf *line, struct random *random)
+{
+	static const char *const numbers[] = {"1", "2.5", "-3.25", "+4", "0", "-0", "3", "03", "1.1", "", ".", "1 2", " 5",
+					      "-.5", "9007199254740993", "7 ", "2\t"};
+	static const char letters[] = "XXXYYYZZZAABCGGGGUVWIJKRFFPQNxgM";
+
+	for (uint64_t k = random_bits(random) % 7; k > 0; k--) {
+		const char letter = letters[random_bits(random) % (sizeof(letters) - 1)];
+		const size_t number = random_bits(random) % (sizeof(numbers) / sizeof(*numbers));
+
+		/* Most lines are to be read without a fault. */
+		strbuf_addf(line, "%c%s%s", letter, numbers[random_bits(random) % 8 ? number % 9 : number],
+			    random_bits(random) % 2 ? " " : "");
+	}
+}
+
+/* The moves and messages of a program whose last line is this one. */
+static void run_last_line(struct gcode_case *c, int dialect, const char *line)
+{
+	struct strbuf program = {0};
+
+	case_init(c);
+	c->show_feed = true;
+	c->config.dialect = dialect_of_row(dialect);
+	strbuf_addf(&program, "G21 G90 G17 G94 G1 X0 Y0 Z0 F100\n%s\n", line);
+	case_run(c, program.text);
+	strbuf_release(&program);
+}
+
+/* Whatever the words: a comment behind them, which leads past the quick way of reading, changes nothing. */
+START_TEST(plain_and_general_blocks_agree)
+{
+	struct random random = random_case(3, 0);
+	int good = 0;
+
+	for (int i = 0; i < 30000; i++) {
+		struct gcode_case quick, slow;
+		struct strbuf line = {0};
+
+		if (random_bits(&random) % 3 == 0)
+			strbuf_addf(&line, "N%d ", i);
+		if (random_bits(&random) % 2)
+			strbuf_addf(&line, "G%d ", (int)(random_bits(&random) % 4));
+		add_random_words(&line, &random);
+		run_last_line(&quick, i % 3, strbuf_text(&line));
+		strbuf_addf(&line, "()");
+		run_last_line(&slow, i % 3, strbuf_text(&line));
+		require(!strcmp(strbuf_text(&quick.moves), strbuf_text(&slow.moves)), "%s", line.text);
+		/* Below its first line, the message shows the text. */
+		require(!strncmp(strbuf_text(&quick.messages), strbuf_text(&slow.messages),
+				 strcspn(strbuf_text(&quick.messages), "\n")),
+			"%s", line.text);
+		require(quick.diag.errors == slow.diag.errors && quick.diag.warnings == slow.diag.warnings, "%s",
+			line.text);
+		good += quick.diag.errors == 0;
+		case_release(&quick);
+		case_release(&slow);
+		strbuf_release(&line);
+	}
+	ck_assert_int_ge(good, 3000);
+}
+END_TEST
+
+/* The line ends of a long file with one CR or NUL where it may not be: every line before it is read, and it is seen. */
+START_TEST(odd_bytes_far_behind)
+{
+	for (int i = 0; i < 300; i++) {
+		struct random random = random_case(4, i);
+		const char odd = i % 3 ? '\r' : '\0';
+		struct strbuf bytes = {0};
+		struct reader reader;
+		size_t lines = 0, faulty, column;
+		enum reader_status status;
+		const char *text;
+		FILE *in;
+
+		while (bytes.length < 20000) {
+			for (uint64_t k = random_bits(&random) % 60; k > 0; k--)
+				strbuf_add(&bytes, "x", 1);
+			strbuf_add(&bytes, "x\n", 2);
+		}
+		faulty = 100 + random_bits(&random) % (bytes.length - 100);
+		while (bytes.text[faulty] == '\n' || bytes.text[faulty - 1] == '\n' || bytes.text[faulty + 1] == '\n')
+			faulty--;
+		bytes.text[faulty] = odd;
+		for (column = 0; bytes.text[faulty - 1 - column] != '\n'; column++)
+			continue;
+		for (size_t k = 0; k < faulty; k++)
+			lines += bytes.text[k] == '\n';
+		in = fmemopen(bytes.text, bytes.length, "r");
+		reader_init(&reader, in);
+		for (size_t k = 0; k < lines; k++)
+			require(reader_next(&reader, &text) == READER_LINE, "file %d, line %zu", i, k);
+		/* Back to the beginning, and over the same lines once more. */
+		require(reader_seek(&reader, 0, 1), "file %d", i);
+		for (size_t k = 0; k < lines; k++)
+			require(reader_next(&reader, &text) == READER_LINE && text[0] == 'x', "file %d, line %zu", i, k);
+		status = reader_next(&reader, &text);
+		require(status == (odd ? READER_MIXED_ENDS : READER_NUL_BYTE), "file %d: %d", i, (int)status);
+		require(strlen(text) == column, "file %d", i);
+		reader_release(&reader);
+		fclose(in);
+		strbuf_release(&bytes);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {
 	    numbers_are_correctly_rounded,
 	    numbers_beyond_the_mantissa,
 	    number_forms, quick_and_slow_numbers_agree,
+	    plain_and_general_blocks_agree,
 	    line_ends,
+	    odd_bytes_far_behind,
 	    faulty_files,
 	    long_lines,
 	    read_error,

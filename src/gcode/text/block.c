@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "gcode/text/lexer.h"
 
 /* LinuxCNC's limit, "Number of M codes in a block". */
@@ -53,6 +54,14 @@ static int as_executed(int number)
 	return number;
 }
 
+/* The row of a G-code, in tenths; NULL: the dialect has none. Programs repeat their codes. */
+static const struct code *find_g(struct block *block, const struct dialect *dialect, int number)
+{
+	if (!block->recent || block->recent->number != number)
+		block->recent = code_find(dialect->g_codes, number);
+	return block->recent;
+}
+
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
 		  const struct dialect *dialect)
 {
@@ -68,10 +77,7 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	/* LinuxCNC takes what is within 0.0001 of a code for it. */
 	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		number = (int)nearest;
-		/* Programs repeat their codes. */
-		code = block->recent && block->recent->number == number ? block->recent
-									: code_find(dialect->g_codes, number);
-		block->recent = code;
+		code = find_g(block, dialect, number);
 	}
 	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
@@ -240,17 +246,14 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 {
 	block->words++;
 	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
-	block->plain = block->plain && !word->vacant && !word->comma;
 	if (word->vacant)
 		return true;
 	if (word->comma)
 		return add_corner(block, at, word);
 	switch (word->letter) {
 	case 'G':
-		block->plain = block->plain && word->value <= 3;
 		return add_g(block, at, word, config->dialect) || config->read.all_faults;
 	case 'M':
-		block->plain = false;
 		return add_m(block, at, word, config) || config->read.all_faults;
 	case 'N':
 		return fault(at, word->column, "N stands at the start of a block only");
@@ -325,6 +328,72 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 	return true;
 }
 
+/* ------------------------------------------------------------ plain blocks */
+
+/* The slot of an axis letter, from 1; 0: it is none. */
+static const unsigned char axis_of_letter[26] = {
+    ['X' - 'A'] = SLOT_X + 1, ['Y' - 'A'] = SLOT_Y + 1, ['Z' - 'A'] = SLOT_Z + 1,
+    ['A' - 'A'] = SLOT_A + 1, ['B' - 'A'] = SLOT_B + 1, ['C' - 'A'] = SLOT_C + 1,
+    ['U' - 'A'] = SLOT_U + 1, ['V' - 'A'] = SLOT_V + 1, ['W' - 'A'] = SLOT_W + 1};
+
+/* G0 to G3, if it is the block's first G-code and the dialect has it. */
+static bool take_plain_motion(struct block *block, double value, int column, const struct dialect *dialect)
+{
+	const int whole = value >= 0 && value <= 3 ? (int)value : -1;
+	const struct code *code;
+
+	if (!same_double(value, whole) || block->g[G_MOTION] != CODE_NONE)
+		return false;
+	code = find_g(block, dialect, 10 * whole);
+	if (!code || code->group != G_MOTION || code->state == CODE_REFUSED)
+		return false;
+	block->g[G_MOTION] = code->number;
+	block->g_column[G_MOTION] = column;
+	return true;
+}
+
+/*
+ * Nearly all lines of long programs are plain blocks, which are read in one pass: nothing but N, at the beginning; G0
+ * to G3; and words of axes that the machine has, of arcs, and F. Each stands once at most, as a capital letter and a
+ * number without blanks between. False: the line is no plain block, or it is empty; what the block holds is of no use.
+ */
+static bool read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config)
+{
+	uint32_t open = AXIS_BITS | ARC_BITS | letter_bit('F');
+	const char *at = line_start(line), *end;
+	double value;
+	bool point;
+
+	block_clear(block);
+	if (*at == 'N') {
+		end = number_read_usual(at + 1, &value, &point);
+		if (!end || point || value < 0)
+			return false;
+		block->words++;
+		at = end;
+	}
+	for (; *at >= 'A' && *at <= 'Z'; at = end) {
+		const int index = *at - 'A', axis = axis_of_letter[index], column = (int)(at - line->text) + 1;
+		const uint32_t bit = letter_bit(*at);
+
+		end = number_read_usual(at + 1, &value, &point);
+		if (!end || (axis && !config->has_axis[axis - 1]))
+			return false;
+		block->words++;
+		if (open & bit) {
+			open &= ~bit;
+			block->letters |= bit;
+			block->points |= point ? bit : 0;
+			block->value[index] = value;
+			block->column[index] = column;
+		} else if (*at != 'G' || !take_plain_motion(block, value, column, config->dialect)) {
+			return false;
+		}
+	}
+	block->plain = *at == '\0' && block->words > 0;
+	return block->plain;
+}
+
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		const struct block_rules *rules, void *context, struct block_cautions *cautions)
 {
@@ -333,13 +402,14 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	struct word word;
 	bool skipped = false;
 
+	if (read_plain(block, at, config))
+		return true;
 	block_clear(block);
 	lexer_init(&lexer, at, rules->lexer, context);
 	if (!read_start(block, &lexer, config, rules, &skipped))
 		return false;
 	if (skipped)
 		return true;
-	block->plain = true;
 	while ((result = lexer_next(&lexer, &word)) == LEXER_WORD) {
 		if (!add_word(block, at, &word, config, cautions))
 			return false;
@@ -347,8 +417,5 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	if (result == LEXER_FAULT)
 		return false;
 	block->words += lexer.assignments;
-	block->plain = block->plain && !(block->letters & ~(AXIS_BITS | ARC_BITS | letter_bit('F')));
-	if (!check_axis_words(block, at, config))
-		return false;
-	return true;
+	return check_axis_words(block, at, config);
 }

@@ -32,8 +32,7 @@ struct block {
 	int m_count;
 	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q, and more where nothing moves */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
-	/* block_read has found no codes but G0 to G3, and no words but those of axes, arcs and the feed */
-	bool plain;
+	bool plain;	/* no codes but G0 to G3, and no words but those of axes, arcs and the feed: block.c has the rule */
 	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */
 };
 

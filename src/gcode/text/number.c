@@ -67,28 +67,31 @@ static const char *take_digits(const char *at, uint64_t *mantissa)
 	return at;
 }
 
+/* So many digits are at most 10^15 with a power of ten of at most 10^15, which are exact. */
+#define USUAL_DIGITS_MAX 15
+
 const char *number_read_usual(const char *text, double *value, bool *point)
 {
-	const char *first = text + (*text == '-' || *text == '+'), *dot, *end;
+	/* A quotient of two exact doubles is correctly rounded: Clinger, as above. */
+	static const double signed_power[2][USUAL_DIGITS_MAX + 1] = {
+	    {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15},
+	    {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14, -1e15}};
+	const bool negative = *text == '-';
+	const char *first = text + (negative || *text == '+'), *dot, *end;
 	uint64_t mantissa = 0;
-	size_t digits;
-	double size;
+	size_t fraction = 0;
 
 	dot = end = take_digits(first, &mantissa);
-	if (*dot == '.')
+	if (*dot == '.') {
 		end = take_digits(dot + 1, &mantissa);
-	digits = (size_t)(end - first) - (end != dot);
-	if (digits == 0 || digits > MANTISSA_DIGITS_MAX ||
-	    !exact_value(mantissa, end == dot ? 0 : (int)(end - dot) - 1, &size))
-		return NULL;
-	if (is_blank(*end)) {
-		end = skip_blanks(end);
-		if (is_digit(*end))
-			return NULL;
+		fraction = (size_t)(end - dot) - 1;
 	}
-	if (*end == '.')
+	if ((size_t)(dot - first) + fraction - 1 >= USUAL_DIGITS_MAX)
 		return NULL;
-	*value = *text == '-' ? -size : size;
+	end = skip_blanks(end);
+	if (is_digit(*end) || *end == '.')
+		return NULL;
+	*value = (double)(int64_t)mantissa / signed_power[negative][fraction];
 	*point = *dot == '.';
 	return end;
 }

@@ -11,6 +11,9 @@
 /* Bytes behind the line in hand that stay in the buffer: shorter loops need not read the file again. */
 #define FILE_KEEP (CHUNK / 2)
 
+/* Bytes behind a line that are searched at once for what must not be in a line. */
+#define AHEAD 4096
+
 #define END_OF_TEXT 0x1A
 
 /* DC1 to DC4, with which controls and tape units switch reader and punch on and off (Fanuc, "Reader/Puncher"). */
@@ -49,6 +52,7 @@ static bool refill(struct reader *reader)
 	if (reader->capacity - reader->end < CHUNK && reader->begin > reader->keep)
 		drop = reader->begin - reader->keep;
 	memmove(reader->buffer, reader->buffer + drop, reader->end - drop);
+	reader->clear -= reader->clear < drop ? reader->clear : drop;
 	reader->begin -= drop;
 	reader->end -= drop;
 	reader->origin += (long long)drop;
@@ -75,16 +79,28 @@ static const char *find_byte(const char *p, const char *end, char byte)
 	return found ? found : end;
 }
 
-/* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
-static size_t find_break(const struct reader *reader, size_t from)
+/* The first CR or NUL in [p, end), or end. */
+static const char *find_odd(const char *p, const char *end)
 {
-	const char *p = reader->buffer + from, *end = reader->buffer + reader->end;
+	return find_byte(p, find_byte(p, end, '\r'), '\0');
+}
+
+/* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
+static size_t find_break(struct reader *reader, size_t from)
+{
+	const char *p = reader->buffer + from, *end = reader->buffer + reader->end, *line_end;
 
 	/* Where lines end with CR, a search for LF would run through the whole buffer at each line. */
 	if (reader->style == LINE_END_LF) {
-		end = find_byte(p, end, '\n');
-		end = find_byte(p, end, '\r');
-		return (size_t)(find_byte(p, end, '\0') - reader->buffer);
+		line_end = find_byte(p, end, '\n');
+		if (line_end <= reader->buffer + reader->clear)
+			return (size_t)(line_end - reader->buffer);
+		p = find_odd(p, line_end);
+		/* A line without them is likely to be followed by others. */
+		if (p == line_end)
+			reader->clear = (size_t)(find_odd(p, end - line_end > AHEAD ? line_end + AHEAD : end) -
+						 reader->buffer);
+		return (size_t)(p - reader->buffer);
 	}
 	while (p < end && *p != '\n' && *p != '\r' && *p != '\0')
 		p++;
@@ -215,6 +231,7 @@ long long reader_position(const struct reader *reader)
 
 bool reader_seek(struct reader *reader, long long position, long line)
 {
+	reader->clear = 0;
 	if (position >= reader->origin && position <= reader->origin + (long long)reader->end) {
 		reader->begin = (size_t)(position - reader->origin);
 		reader->line = line - 1;

@@ -29,6 +29,7 @@ struct reader {
 	char *buffer;	/* owned */
 	size_t capacity, keep;	/* bytes of the buffer, and of the lines handed out that stay in it */
 	size_t begin, end;	/* bytes that were read and not handed out yet */
+	size_t clear;	/* no byte of [begin, clear) is a CR or a NUL; at or before begin: nothing is known */
 	size_t cut;	/* where the NUL of the last line stands, and the byte that it replaced */
 	char cut_byte;
 	bool at_end;

@@ -339,7 +339,7 @@ static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 	code = *done ? builder_macro_of_code(interp, value) : NULL;
 	if (code)
 		return macro_b_call_by_code(interp, lexer, column, code, done);
-	*done = *done && fabs(value - round(value)) < 1e-9 &&
+	*done = *done && value > 64 && fabs(value - round(value)) < 1e-9 &&
 		(lround(value) == 65 || (modal && (lround(value) == 66 || lround(value) == 67)));
 	if (!*done) {
 		lexer->position = position;
@@ -379,6 +379,9 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBb", byte);
 	if (!*done)
 		return true;
+	/* G-codes first: they are the most. */
+	if ((byte == 'G' || byte == 'g') && isdigit((unsigned char)lexer->at->text[lexer->position + 1]))
+		return do_g(interp, lexer, done);
 	if (byte == '#')
 		return do_assignments(interp, lexer);
 	if (byte == '[' && macro_b_of(interp)->rules->conditional_m99)

@@ -282,16 +282,17 @@ static bool modal_heeds(const struct interp *interp)
 	return true;
 }
 
-/* The manual does not say what a move of a subprogram does if G66 stands outside of it: that is refused. */
+/*
+ * Of a block that heeds G66. The manual does not say what a move of a subprogram does if G66 stands outside of it: that
+ * is refused.
+ */
 static bool call_modal(struct interp *interp)
 {
 	const struct macro_b *macro = macro_b_of(interp);
 	const struct block *block = &interp->block;
 	struct request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
-	int column = block_motion_column(block);
+	const int column = block_motion_column(block);
 
-	if (!modal_heeds(interp))
-		return true;
 	if (block->m[M_STOP] >= 2)
 		return fault(&interp->at, block->m_column[M_STOP],
 			     "M%d in a block that moves, while G66 is in force; G67 first", block->m[M_STOP]);
@@ -447,7 +448,7 @@ bool macro_b_call_after_block(struct interp *interp)
 
 	if (macro_b_of(interp)->builder.macro)
 		return builder_macro_end(interp);
-	if (!call_modal(interp))
+	if (modal_heeds(interp) && !call_modal(interp))
 		return false;
 	if (interp->block.g[G_NONMODAL] == G150)
 		return call_outline(interp);

@@ -66,6 +66,23 @@ static bool in_loop_or_call(const struct interp *interp)
 	return linuxcnc->flow.control_count > 0 || linuxcnc->params.level > 0 || interp->program.repeated;
 }
 
+/* What an o-word's line, or one of M98 and M99, can begin with. */
+static bool may_begin(char byte)
+{
+	switch (byte) {
+	case 'o':
+	case 'O':
+	case 'm':
+	case 'M':
+	case 'n':
+	case 'N':
+	case '/':
+		return true;
+	default:
+		return false;
+	}
+}
+
 bool control_flow_line(struct interp *interp, bool *done)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
@@ -76,7 +93,7 @@ bool control_flow_line(struct interp *interp, bool *done)
 	if (in_loop_or_call(interp) && !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
 	*done = flow->skip != SKIP_NOTHING;
-	if (*text == '\0' || !strchr("oOmMnN/", *text))
+	if (!may_begin(*text))
 		return true;
 	if ((*text == '/' && interp->config->read.block_delete) || is_computed(interp, text))
 		return true;

@@ -32,11 +32,17 @@ const char *oword_title(const char *name, char *buffer)
 	return buffer;
 }
 
+static bool stands_in_number(char byte)
+{
+	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ' ' || byte == '\t';
+}
+
 /* '/' (this line is not skipped) and N, which may have a fraction. */
 static void skip_start(struct lexer *lexer)
 {
 	char byte = lexer_peek(lexer);
 	size_t position;
+	const char *at;
 
 	if (byte == '/') {
 		lexer_take(lexer);
@@ -51,8 +57,9 @@ static void skip_start(struct lexer *lexer)
 		lexer->position = position;
 		return;
 	}
-	while ((byte = lexer_peek(lexer)) == '.' || (byte >= '0' && byte <= '9'))
-		lexer_take(lexer);
+	for (at = lexer->at->text + lexer->position; stands_in_number(*at); at++)
+		continue;
+	lexer->position = (size_t)(at - lexer->at->text);
 }
 
 /* M98, and M99 where it counts. */
