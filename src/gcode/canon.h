@@ -98,6 +98,26 @@ struct canon_move {
 	struct canon_origin origin;
 };
 
+/*
+ * A move that nothing was said of but its kind. Its end and what the modes say of it are left open, because whoever
+ * sends the move fills them in: a block's cost counts, and a move is large.
+ */
+static inline void canon_move_begin(struct canon_move *move, enum canon_kind kind)
+{
+	move->kind = kind;
+	for (int i = 0; i < 3; i++) {
+		move->spread[i] = move->turn_spread[i] = 0;
+		move->between[i] = false;
+	}
+	move->may_stop = move->after_probe = move->spindle_turns = move->machine_coordinates = false;
+	move->turn = TURN_UNKNOWN;
+	move->spindle_speed = 0;
+	move->arc = (struct canon_arc){0};
+	move->feed = (struct canon_feed){0};
+	move->seconds = 0;
+	move->tool = 0;
+}
+
 /* A block has been carried out. */
 struct canon_block {
 	const char *file;	/* as in canon_move */

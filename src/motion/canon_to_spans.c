@@ -56,11 +56,19 @@ static struct srcloc place(const struct canon_to_spans *converter, const struct 
 	return (struct srcloc){move->file ? move->file : converter->name, move->line, 0};
 }
 
+/* False: it is farther, or no number. */
+static bool is_near(double position)
+{
+	return fabs(position) <= FARTHEST;
+}
+
 static bool is_in_reach(struct canon_to_spans *converter, const struct canon_move *move)
 {
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (fabs(move->end.v[slot]) <= FARTHEST)
-			continue;
+	int slot = 0;
+
+	while (slot < SLOT_COUNT && is_near(move->end.v[slot]))
+		slot++;
+	if (slot < SLOT_COUNT) {
 		diag_error(converter->diag, place(converter, move),
 			   "axis %c is sent to %g, farther than can be computed", AXIS_LETTERS[slot],
 			   slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
@@ -401,7 +409,9 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		add_turn_spread(&run);
 	}
 	if (!is_in_reach(converter, move) ||
-	    !cutter_hand_ask(&converter->hand, move, converter->diag, place(converter, move)) || !set_legs(&run))
+	    (cutter_hand_is_asked(move) &&
+	     !cutter_hand_ask(&converter->hand, converter->diag, place(converter, move))) ||
+	    !set_legs(&run))
 		return false;
 	if (!run.count)
 		return true;

@@ -26,10 +26,8 @@ bool cutter_hand_reversed(const struct cutter_hand *hand, const struct canon_mov
 	       (hand->hand == HAND_LEFT && move->turn == TURN_CLOCKWISE);
 }
 
-bool cutter_hand_ask(struct cutter_hand *hand, const struct canon_move *move, struct diag *diag, struct srcloc at)
+bool cutter_hand_ask(struct cutter_hand *hand, struct diag *diag, struct srcloc at)
 {
-	if (move->kind == CANON_RAPID || !move->spindle_turns || move->turn != TURN_COUNTERCLOCKWISE)
-		return true;
 	if (hand->decides) {
 		diag_error(diag, at,
 			   "the spindle turns counterclockwise (M4), and the hand of T%d is not given: <tool number=\"%d\" "

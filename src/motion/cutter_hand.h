@@ -22,10 +22,16 @@ void cutter_hand_init(struct cutter_hand *hand, const struct setup *setup, int t
 /* Does the spindle turn against the cutter's hand? Then it rubs, and cuts nothing. */
 bool cutter_hand_reversed(const struct cutter_hand *hand, const struct canon_move *move);
 
+/* M3 is taken to be right for a cutter whose hand is not given. With M4 a feed asks for it. */
+static inline bool cutter_hand_is_asked(const struct canon_move *move)
+{
+	return move->spindle_turns && move->turn == TURN_COUNTERCLOCKWISE && move->kind != CANON_RAPID;
+}
+
 /*
- * M3 is taken to be right for a cutter whose hand is not given. With M4 a feed asks for it: with a stock the program is
- * not supported without, reported (false); with a part a warning says once what is taken for granted.
+ * Of a move that asks for the hand: with a stock the program is not supported without, reported (false); with a part a
+ * warning says once what is taken for granted.
  */
-bool cutter_hand_ask(struct cutter_hand *hand, const struct canon_move *move, struct diag *diag, struct srcloc at);
+bool cutter_hand_ask(struct cutter_hand *hand, struct diag *diag, struct srcloc at);
 
 #endif

@@ -118,13 +118,17 @@ static double excess_of(const struct limit_crossing *crossing, const struct span
 
 bool limits_kept(const struct axis_table *axes, const struct leg *legs, size_t leg_count, const axis_values *room)
 {
+	static const axis_values none;
+
+	if (!room)
+		room = &none;
 	for (size_t i = 0; i < leg_count; i++) {
 		const struct span *whole = &legs[i].span;
 
 		for (size_t k = 0; k < axes->count; k++) {
 			const struct axis_row *axis = &axes->rows[k];
 			double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot];
-			double beside = whole->chord_error.v[axis->slot] + (room ? room->v[axis->slot] : 0);
+			double beside = whole->chord_error.v[axis->slot] + room->v[axis->slot];
 
 			if (!(smaller(a, b) - beside >= axis->limit_min && larger(a, b) + beside <= axis->limit_max))
 				return false;

@@ -5,11 +5,14 @@
 #include "base/same_double.h"
 #include "geom/tolerance.h"
 
-/* Removes rounding dust from the slots at and after `first`. */
-static void clean(axis_values *end, const axis_values *start, int first)
+/* The end without the rounding dust that lies between it and the start. */
+static axis_values cleaned(const axis_values *end, const axis_values *start)
 {
-	for (int slot = first; slot < SLOT_COUNT; slot++)
-		end->v[slot] = fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST ? start->v[slot] : end->v[slot];
+	axis_values clean;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		clean.v[slot] = fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST ? start->v[slot] : end->v[slot];
+	return clean;
 }
 
 bool move_path_moves(const struct path *path)
@@ -71,16 +74,19 @@ void move_path_set(struct path *path, const struct move_start *from, const struc
 		path->start = *from->controller;
 	else
 		path->start = tcp_from_machine(from->tcp, from->position);
-	path->end = move->end;
-	/* An arc keeps its X Y Z, which belong to its centre and sweep. */
-	clean(&path->end, &path->start, path->circular ? SLOT_A : SLOT_X);
-	if (path->circular)
+	path->end = cleaned(&move->end, &path->start);
+	if (path->circular) {
 		path->arc = move->arc;
+		/* An arc keeps its X Y Z, which belong to its centre and sweep. */
+		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+			path->end.v[slot] = move->end.v[slot];
+	}
 	if (goes_as_axes(from, move)) {
+		const axis_values end = tcp_to_machine(from->tcp, &path->end);
+
 		*guided = *path;
 		path->start = *from->position;
-		path->end = tcp_to_machine(from->tcp, &path->end);
-		clean(&path->end, &path->start, SLOT_X);
+		path->end = cleaned(&end, &path->start);
 	}
 	path->kind = kind_of(from, move, path);
 	path->tcp = path->kind == PATH_TCP ? from->tcp : NULL;

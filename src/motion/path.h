@@ -25,6 +25,12 @@ struct path {
 	double seconds;
 };
 
+/* Is every axis linear in u, or taken for that? */
+static inline bool path_is_straight(const struct path *path)
+{
+	return path->kind == PATH_STRAIGHT || path->kind == PATH_BOX;
+}
+
 /* Machine axis positions at u; of a box, the straight line's. */
 axis_values path_position(const struct path *path, double u);
 

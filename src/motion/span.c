@@ -2,11 +2,6 @@
 
 #include <math.h>
 
-static bool is_straight(const struct path *path)
-{
-	return path->kind == PATH_STRAIGHT || path->kind == PATH_BOX;
-}
-
 void span_init(struct span *whole, const struct path *path)
 {
 	const axis_values start = path_position(path, 0);
@@ -23,8 +18,8 @@ void span_init_from(struct span *whole, const struct path *path, const axis_valu
 	whole->u0 = 0;
 	whole->u1 = 1;
 	/* Nearly all paths are straight. */
-	whole->q1 = is_straight(path) ? path->end : path_position(path, 1);
-	whole->chord_error = is_straight(path) ? none : path_chord_error(path, 0, 1);
+	whole->q1 = path_is_straight(path) ? path->end : path_position(path, 1);
+	whole->chord_error = path_is_straight(path) ? none : path_chord_error(path, 0, 1);
 }
 
 void span_halve(const struct span *span, struct span *first, struct span *second)
@@ -34,7 +29,7 @@ void span_halve(const struct span *span, struct span *first, struct span *second
 	double middle = 0.5 * (span->u0 + span->u1);
 	axis_values q;
 
-	if (is_straight(path)) {
+	if (path_is_straight(path)) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
 			q.v[slot] = 0.5 * (span->q0.v[slot] + span->q1.v[slot]);
 	} else {
@@ -50,7 +45,7 @@ void span_halve(const struct span *span, struct span *first, struct span *second
 
 bool span_is_flat(const struct span *span, double linear)
 {
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
+	for (int slot = 0; slot < SLOT_COUNT && !path_is_straight(span->path); slot++)
 		if (!slot_is_rotary(slot) && !(span->chord_error.v[slot] <= linear))
 			return false;
 	return true;

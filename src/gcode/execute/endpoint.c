@@ -106,12 +106,25 @@ static void forget_sets(struct interp *interp)
 		interp->state.probe_bounded[slot] = false;
 }
 
+/* Is it known where the word of this value leads the axis? False: reported. */
+static bool is_certain(struct interp *interp, int slot, double value)
+{
+	const struct state *state = &interp->state;
+	const bool moves = !state->incremental || !same_double(value, 0);
+	const int column = block_column(&interp->block, AXIS_LETTERS[slot]);
+
+	if (moves && state->length_doubt != CODE_NONE && tool_length_is_in_doubt(interp, slot, column))
+		return false;
+	return !moves || !state->incremental || state->probe_bounded[slot] ||
+	       probed_axes_is_known(interp, slot, column);
+}
+
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 	const bool polar = !machine && state->polar.on, incremental = state->incremental;
-	const bool in_doubt = !machine && state->length_doubt != CODE_NONE;
+	const bool in_doubt = !machine && (incremental || state->length_doubt != CODE_NONE);
 	const bool leads = !incremental && block->motion >= G0 && block->motion <= G3;
 	uint32_t left = block->letters & AXIS_BITS;
 
@@ -130,20 +143,16 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; left; slot++) {
 		const char letter = AXIS_LETTERS[slot];
-		const double origin = machine ? 0 : state->offset.v[slot];
-		double value;
+		double origin, value;
 
 		if (!(left & letter_bit(letter)))
 			continue;
 		left &= ~letter_bit(letter);
+		origin = machine ? 0 : state->offset.v[slot];
 		if (polar && polar_coordinates_take(interp, slot))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
-		if (in_doubt && (!incremental || !same_double(value, 0)) &&
-		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
-			return false;
-		if (!machine && incremental && !same_double(value, 0) && !state->probe_bounded[slot] &&
-		    !probed_axes_is_known(interp, slot, block_column(block, letter)))
+		if (in_doubt && !is_certain(interp, slot, value))
 			return false;
 		if (incremental)
 			target->v[slot] += value;

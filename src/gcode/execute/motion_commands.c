@@ -30,8 +30,10 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	if (move->turn == TURN_UNKNOWN && state->spindle != SPINDLE_STOPPED)
 		move->turn = state->spindle == SPINDLE_CLOCKWISE ? TURN_CLOCKWISE : TURN_COUNTERCLOCKWISE;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (!(interp->comp.loose[slot] > 0))
+			continue;
 		/* The move that ended the compensation has been everywhere that the axis may be. */
-		move->between[slot] |= interp->comp.loose[slot] > 0 && !(move->spread[slot] > 0);
+		move->between[slot] |= !(move->spread[slot] > 0);
 		move->spread[slot] += interp->comp.loose[slot];
 	}
 	/* The path lies on the surface of the cylinder: to leave it there turns the axis by more, the smaller it is. */
@@ -51,20 +53,58 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 	       fault(&interp->at, 1, "too many blocks under cutter compensation without a move in its plane");
 }
 
-bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
+/* What motion_commands_fill adds to, as the caller of motion_commands_emit has said it. */
+struct said {
+	double spread[3], turn_spread[3], spindle_speed;
+	bool between[3], spindle_turns;
+	enum canon_turn turn;
+};
+
+static struct said said_of(const struct canon_move *move)
 {
-	struct canon_move full;
+	return (struct said){{move->spread[0], move->spread[1], move->spread[2]},
+			     {move->turn_spread[0], move->turn_spread[1], move->turn_spread[2]},
+			     move->spindle_speed,
+			     {move->between[0], move->between[1], move->between[2]},
+			     move->spindle_turns,
+			     move->turn};
+}
+
+static void say_again(struct canon_move *move, const struct said *said)
+{
+	for (int i = 0; i < 3; i++) {
+		move->spread[i] = said->spread[i];
+		move->turn_spread[i] = said->turn_spread[i];
+		move->between[i] = said->between[i];
+	}
+	move->spindle_speed = said->spindle_speed;
+	move->spindle_turns = said->spindle_turns;
+	move->turn = said->turn;
+}
+
+static bool send(struct interp *interp, const struct canon_move *move)
+{
+	if (interp->comp.queue.count > 0)
+		return motion_commands_enqueue(interp, &(struct comp_item){.kind = COMP_PAUSE, .move = *move});
+	return interp->state.polar_interpolation.on ? polar_pieces_tell(interp, move)
+						    : canon_tell_move(interp->sink, move);
+}
+
+bool motion_commands_emit(struct interp *interp, struct canon_move *move)
+{
+	struct said said;
+	bool good;
 
 	if (interp->state.pocket_milling.takes) {
 		pocket_outline_take(&interp->state.pocket_milling, move);
 		return true;
 	}
-	full = *move;
-	motion_commands_fill(interp, &full);
-	if (interp->comp.queue.count > 0)
-		return motion_commands_enqueue(interp, &(struct comp_item){.kind = COMP_PAUSE, .move = full});
-	return interp->state.polar_interpolation.on ? polar_pieces_tell(interp, &full)
-						    : canon_tell_move(interp->sink, &full);
+	/* In place: to copy the move would cost more than all that is filled in. */
+	said = said_of(move);
+	motion_commands_fill(interp, move);
+	good = send(interp, move);
+	say_again(move, &said);
+	return good;
 }
 
 static bool go_to(struct interp *interp, const slot_values *position, struct canon_move *move)

@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* Fills in what the modes and the block say about a move, and numbers it. */
+/* Fills in, and adds to, what the modes and the block say about a move, and numbers it. */
 void motion_commands_fill(struct interp *interp, struct canon_move *move);
 
 /*
@@ -18,9 +18,9 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 /*
  * Completes a move by motion_commands_fill and sends it to the sink, or to the
  * moves that wait. False: the sink wants no more, or too many moves wait, which
- * was reported.
+ * was reported. The same move can be sent again.
  */
-bool motion_commands_emit(struct interp *interp, const struct canon_move *move);
+bool motion_commands_emit(struct interp *interp, struct canon_move *move);
 
 /* To be called where the block stops the spindle, before state.spindle says so. False: as motion_commands_emit. */
 bool motion_commands_spindle_stops(struct interp *interp);

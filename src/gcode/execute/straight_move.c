@@ -96,8 +96,9 @@ bool straight_move_run(struct interp *interp)
 	const struct block *block = &interp->block;
 	const struct dialect_traits *traits = traits_of(interp);
 	bool machine = block->g[G_NONMODAL] == G53, feeds = block->motion != G0;
-	struct canon_move move = {.kind = CANON_RAPID};
+	struct canon_move move;
 
+	canon_move_begin(&move, CANON_RAPID);
 	if (block->g[G_APPROACH] != CODE_NONE)
 		return approach(interp);
 	if (!machine || block->g[G_MOTION] != CODE_NONE)
