@@ -31,6 +31,9 @@ struct batch_chunk {
 	unsigned classes;	/* the classes of its steps, as bits of enum step_class */
 };
 
+/* The sizes of box that a batch has. */
+enum batch_box { BOX_CHUNK, BOX_PIECE };
+
 struct batch {
 	struct batch_step *steps;
 	size_t step_count, step_capacity;
@@ -48,5 +51,19 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 
 /* Fills in chunks and pieces. Call it after the last batch_add, before they are used. */
 void batch_close(struct batch *batch);
+
+/* How many steps a box of the size holds; the last one of a batch may hold less. */
+static inline size_t batch_box_steps(enum batch_box size)
+{
+	return size == BOX_CHUNK ? CHUNK_STEPS : PIECE_STEPS;
+}
+
+/* The box of the size that begins with the step; NULL: none does. */
+static inline const struct batch_chunk *batch_box_from(const struct batch *batch, enum batch_box size, size_t step)
+{
+	const size_t steps = batch_box_steps(size);
+
+	return step % steps ? NULL : &(size == BOX_CHUNK ? batch->chunks : batch->pieces)[step / steps];
+}
 
 #endif

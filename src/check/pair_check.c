@@ -168,25 +168,22 @@ static bool applies(const struct pair_check *check, const struct batch_step *ste
 	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
-/*
- * How many steps from i on are checked at once, as the chunk or piece of so many steps that begins there; 0: check
- * smaller parts.
- */
-static size_t skip_box(struct pair_check *check, const struct batch *batch, size_t i, size_t to, size_t steps,
+/* How many steps from i on are checked at once, as the box of the size that begins there; 0: check smaller parts. */
+static size_t skip_box(struct pair_check *check, const struct batch *batch, size_t i, size_t to, enum batch_box size,
 		       const struct check_options *options)
 {
-	const size_t count = to - i < steps ? to - i : steps;
-	const struct batch_chunk *chunk = &(steps == CHUNK_STEPS ? batch->chunks : batch->pieces)[i / steps];
+	const struct batch_chunk *box = batch_box_from(batch, size, i);
+	const size_t steps = batch_box_steps(size), count = to - i < steps ? to - i : steps;
 
-	if (i % steps)
+	if (!box)
 		return 0;
-	if (!(check->steps & chunk->classes) || (check->past_limits_only && !chunk->beyond)) {
+	if (!(check->steps & box->classes) || (check->past_limits_only && !box->beyond)) {
 		leave_out(check);
 		return count;
 	}
 	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || check->maybe_inside ||
-	    !strategy_advance_box(&check->methods->strategy, &chunk->low, &chunk->high, &chunk->errors,
-				  &batch->steps[i + count - 1].motion.span.q1, count, steps == CHUNK_STEPS))
+	    !strategy_advance_box(&check->methods->strategy, &box->low, &box->high, &box->errors,
+				  &batch->steps[i + count - 1].motion.span.q1, count, size == BOX_CHUNK))
 		return 0;
 	return count;
 }
@@ -207,10 +204,10 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
 {
-	size_t skipped = skip_box(check, batch, i, to, CHUNK_STEPS, options);
+	size_t skipped = skip_box(check, batch, i, to, BOX_CHUNK, options);
 
 	if (!skipped)
-		skipped = skip_box(check, batch, i, to, PIECE_STEPS, options);
+		skipped = skip_box(check, batch, i, to, BOX_PIECE, options);
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
 	    batch->steps[i].block == check->found_block)
 		return skipped;
@@ -320,20 +317,18 @@ static double most_of(const double *most, const struct batch *batch, size_t from
 	return largest;
 }
 
-/* Has every step of the chunk that begins with step i what is of interest? `proved` mm of all steps so far. */
-static bool chunk_clears(struct block_clearance *block, const struct batch *batch, const double *most, size_t i,
-			 double proved)
+/*
+ * Does a box of the size begin with step i, all of whose steps have what is of interest? `proved` mm of all steps so
+ * far.
+ */
+static bool box_clears(struct block_clearance *block, const struct batch *batch, enum batch_box size, size_t i,
+		       const double *most, double proved)
 {
-	const double largest = most_of(most, batch, i, CHUNK_STEPS);
+	const struct batch_chunk *box = batch_box_from(batch, size, i);
+	const size_t steps = batch_box_steps(size);
+	const double largest = box ? most_of(most, batch, i, steps) : 0;
 
-	return proved >= largest ||
-	       block_clearance_clears(block, &batch->chunks[i / CHUNK_STEPS], largest, CHUNK_STEPS, true);
-}
-
-static bool piece_clears(struct block_clearance *block, const struct batch *batch, const double *most, size_t i)
-{
-	return block_clearance_clears(block, &batch->pieces[i / PIECE_STEPS], most_of(most, batch, i, PIECE_STEPS),
-				      PIECE_STEPS, false);
+	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
 
 static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
@@ -401,13 +396,13 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		}
 		if (i % CHUNK_STEPS == 0)
-			chunk_is_clear = chunk_clears(block, batch, plan->most, i, proved);
+			chunk_is_clear = box_clears(block, batch, BOX_CHUNK, i, plan->most, proved);
 		if (i % CHUNK_STEPS == 0 && chunk_is_clear && options->least_clearances) {
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
 		if (i % PIECE_STEPS == 0)
-			clears = chunk_is_clear || piece_clears(block, batch, plan->most, i);
+			clears = chunk_is_clear || box_clears(block, batch, BOX_PIECE, i, plan->most, proved);
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);
