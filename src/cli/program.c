@@ -289,6 +289,14 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 {
 	const struct check_sink sink = {program, on_finding, on_progress, NULL};
 	const struct program_context *context = program->context;
+	const struct sensitivity_study study = {
+		.scene = context->scene,
+		.options = &context->check,
+		.range = context->options->sensitivity,
+		.result = program->outcome->result,
+		.in = in,
+		.name = program->name,
+	};
 	struct diag *diag = &program->output->diag;
 
 	if (!options_want_sensitivity(context->options) || program->outcome->result == CHECK_INCOMPLETE)
@@ -298,9 +306,7 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 			   strerror(errno));
 		return;
 	}
-	program->sensitivity_count = sensitivity_run(context->scene, &context->check, context->options->sensitivity,
-						     program->outcome->result, in, program->name, &sink, diag,
-						     program->sensitivity);
+	program->sensitivity_count = sensitivity_run(&study, &sink, diag, program->sensitivity);
 	if (interrupt_seen())
 		diag_error(diag, (struct srcloc){program->name, 0, 0},
 			   "interrupted before --sensitivity was finished");

@@ -25,12 +25,10 @@
 #define HALVINGS 6
 
 struct search {
-	struct scene *scene;
+	const struct sensitivity_study *study;
 	struct check_options options;
 	const struct check_sink *sink;
-	FILE *in;
 	off_t start;
-	const char *name;
 	struct path_record path;
 	uint64_t digests[SLOT_COUNT];	/* of the recorded run */
 	bool affects[SLOT_COUNT];	/* axes that the change moves */
@@ -52,7 +50,7 @@ static bool on_finding(void *context, const struct finding *finding)
 {
 	struct probe *probe = context;
 	struct sensitivity *answer = probe->search->answer;
-	const struct scene *scene = probe->search->scene;
+	const struct scene *scene = probe->search->study->scene;
 
 	if (!answer)
 		return false;
@@ -96,6 +94,7 @@ static void on_fault(void *context, const struct diag_entry *entry)
  */
 static struct probe run(struct search *search, double amount, double measures)
 {
+	const struct sensitivity_study *study = search->study;
 	const struct sensitivity *answer = search->answer;
 	double change = answer ? answer->sign * amount : 0;
 	struct probe probe = {.search = search};
@@ -116,9 +115,9 @@ static struct probe run(struct search *search, double amount, double measures)
 	search->options.change = &changes;
 	search->options.measure_cap = measures * fmin(search->spread, 1e3) + 2 * STALL * search->options.tolerance;
 	search->runs++;
-	if (fseeko(search->in, search->start, SEEK_SET))
+	if (fseeko(study->in, search->start, SEEK_SET))
 		diag_error(&diag, (struct srcloc){0}, "cannot be read again: %s", strerror(errno));
-	probe.result = check_run(search->scene, &search->options, search->in, search->name, &sink, &diag, &stats,
+	probe.result = check_run(study->scene, &search->options, study->in, study->name, &sink, &diag, &stats,
 				 measures > 0 ? search->proven : NULL);
 	if (diag.errors)
 		probe.result = CHECK_INCOMPLETE;
@@ -157,10 +156,11 @@ static double spread_of(const struct machine *machine)
 /* mm: by the last measurement, every smaller change keeps the pairs apart. */
 static double room(const struct search *search)
 {
+	const struct scene *scene = search->study->scene;
 	double least = INFINITY;
 
-	for (size_t i = 0; i < search->scene->pair_count; i++) {
-		const struct scene_pair *pair = &search->scene->pairs[i];
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
 		bool affected = false;
 
 		for (size_t k = 0; k < pair->chain.count; k++)
@@ -235,7 +235,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	free(probe.why);
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
 	/* With stock nothing is ever proved: then halving alone tells where the verdict changes. */
-	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->scene) >= 0))
+	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->study->scene) >= 0))
 		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
 		turn(search, next);
@@ -327,13 +327,12 @@ static void search_found(struct search *search)
 	turn(search, high);
 }
 
-static void answer_one(struct search *search, enum check_result result, struct sensitivity *answer,
-		       const double *proven)
+static void answer_one(struct search *search, struct sensitivity *answer, const double *proven)
 {
 	search->answer = answer;
 	search->runs = 0;
-	memcpy(search->proven, proven, search->scene->pair_count * sizeof(*proven));
-	if (result == CHECK_CLEAR)
+	memcpy(search->proven, proven, search->study->scene->pair_count * sizeof(*proven));
+	if (search->study->result == CHECK_CLEAR)
 		search_clear(search);
 	else
 		search_found(search);
@@ -351,12 +350,22 @@ static size_t list_answers(const double range[CHANGES], struct sensitivity answe
 	return count;
 }
 
-size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
-		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,
-		       struct diag *diag, struct sensitivity answers[2 * CHANGES])
+/* mm: the largest change of any quantity. */
+static double largest_of(const double range[CHANGES])
 {
-	struct search search = {.scene = scene, .options = *options, .sink = sink, .in = in, .start = ftello(in),
-				.name = name, .spread = spread_of(scene->machine)};
+	double largest = 0;
+
+	for (int quantity = 0; quantity < CHANGES; quantity++)
+		largest = fmax(largest, range[quantity]);
+	return largest;
+}
+
+size_t sensitivity_run(const struct sensitivity_study *study, const struct check_sink *sink, struct diag *diag,
+		       struct sensitivity answers[2 * CHANGES])
+{
+	struct search search = {.study = study, .options = *study->options, .sink = sink, .start = ftello(study->in),
+				.spread = spread_of(study->scene->machine)};
+	const size_t pair_count = study->scene->pair_count;
 	size_t count = 0;
 	struct probe probe;
 	double *proven;
@@ -368,20 +377,19 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 	}
 	search.options.all = search.options.block_clearances = search.options.times = false;
 	search.options.record = &search.path;
-	search.proven = mem_zalloc(scene->pair_count, sizeof(*search.proven));
-	proven = mem_zalloc(scene->pair_count, sizeof(*proven));
-	probe =
-	    run(&search, 0, fmax(fmax(range[CHANGE_X], range[CHANGE_Y]), fmax(range[CHANGE_Z], range[CHANGE_LENGTH])));
-	if (probe.result != result)
-		diag_error(diag, (struct srcloc){0}, "%s could not be checked a second time%s%s", name,
+	search.proven = mem_zalloc(pair_count, sizeof(*search.proven));
+	proven = mem_zalloc(pair_count, sizeof(*proven));
+	probe = run(&search, 0, largest_of(study->range));
+	if (probe.result != study->result)
+		diag_error(diag, (struct srcloc){0}, "%s could not be checked a second time%s%s", study->name,
 			   probe.why ? ": " : "; it may have changed", probe.why ? probe.why : "");
 	free(probe.why);
-	if (probe.result == result) {
-		memcpy(proven, search.proven, scene->pair_count * sizeof(*proven));
+	if (probe.result == study->result) {
+		memcpy(proven, search.proven, pair_count * sizeof(*proven));
 		memcpy(search.digests, search.path.digests, sizeof(search.digests));
-		count = list_answers(range, answers);
+		count = list_answers(study->range, answers);
 		for (size_t i = 0; i < count; i++)
-			answer_one(&search, result, &answers[i], proven);
+			answer_one(&search, &answers[i], proven);
 	}
 	path_record_release(&search.path);
 	free(search.proven);

@@ -34,20 +34,28 @@ struct sensitivity {
 	char *why;	/* of UNKNOWN: the error, or NULL; owned */
 };
 
+/* A program that was checked, and what may be changed in its setup. Borrows everything. */
+struct sensitivity_study {
+	struct scene *scene;
+	const struct check_options *options;	/* `all` and the measurements in them are ignored */
+	const double *range;	/* mm: the largest change of each of CHANGES; 0: none */
+	enum check_result result;	/* the verdict without a change, not INCOMPLETE */
+	FILE *in;	/* can be read again; each run begins where it stands now */
+	const char *name;	/* of the program */
+};
+
 /*
- * Checks the program again and again, each time with one quantity changed by up to range[CHANGE_...] in one direction.
- * `in` must be a file that can be read again, and each run begins where it stands now. Fills answers[0..], at most 2 *
- * CHANGES, and returns how many; 0: a fault was reported. `result` is the verdict without a change, and not INCOMPLETE.
- * The sink's progress is called; its finding is not. `all` and the measurements in the options are ignored.
+ * Checks the program again and again, each time with one quantity changed by up to its range in one direction. Fills
+ * answers[0..], at most 2 * CHANGES, and returns how many; 0: a fault was reported. The sink's progress is called; its
+ * finding is not.
  * Why a change is proved harmless: a change by d moves no point farther than d, as any other body sees it. So a change
  * smaller than the clearance proved without it does no harm. That holds if the axes' positions are affine in d, which
  * is compared block by block for the values that are tried. For a limit of travel this alone is enough: if two values
  * keep the limit, all values between them keep it. With stock nothing is proved but that no axis moves differently: a
  * change moves the cuts, too, and so what remains of the stock. The answers then tell what was tried.
  */
-size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
-		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,
-		       struct diag *diag, struct sensitivity answers[2 * CHANGES]);
+size_t sensitivity_run(const struct sensitivity_study *study, const struct check_sink *sink, struct diag *diag,
+		       struct sensitivity answers[2 * CHANGES]);
 
 void sensitivity_release(struct sensitivity *answers, size_t count);
 

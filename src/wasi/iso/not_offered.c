@@ -43,16 +43,10 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 	other_module();
 }
 
-size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
-		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,
-		       struct diag *diag, struct sensitivity answers[2 * CHANGES])
+size_t sensitivity_run(const struct sensitivity_study *study, const struct check_sink *sink, struct diag *diag,
+		       struct sensitivity answers[2 * CHANGES])
 {
-	(void)scene;
-	(void)options;
-	(void)range;
-	(void)result;
-	(void)in;
-	(void)name;
+	(void)study;
 	(void)sink;
 	(void)diag;
 	(void)answers;
