@@ -216,7 +216,10 @@ static double way_between(const struct cutter_approach *approach, const struct a
 
 	chain_state_init(&start, &approach->chain, q0, &approach->ball, &ball);
 	chain_state_init(&end, &approach->chain, q1, &approach->ball, &ball);
-	chord_bound_init(&bound, &approach->chain, &start, &end, q0, q1, &exact, NULL);
+	chord_bound_init(&bound, &(struct joint_chord){
+		.chain = &approach->chain, .start = &start, .end = &end,
+		.q0 = q0, .q1 = q1, .chord_error = &exact,
+	});
 	return bound.length;
 }
 

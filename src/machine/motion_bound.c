@@ -127,10 +127,10 @@ struct share {
  * instant is within half of the motion of one of the two ends, where rho is known.
  */
 static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
-			 const struct chain *chain, const struct chain_state *start, const struct chain_state *end,
-			 const axis_values *q0, const axis_values *q1, const axis_values *chord_error,
-			 const axis_values *tolerance)
+			 const struct joint_chord *chord)
 {
+	const struct chain *chain = chord->chain;
+	const axis_values *tolerance = chord->tolerance;
 	double later = 0;
 
 	for (size_t n = count; n-- > 0;) {
@@ -141,34 +141,32 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 		if (stages[n].rotary) {
 			int slot = chain->joints[i].slot;
 
-			share->angle = fabs(q1->v[slot] - q0->v[slot]);
-			share->rho = fmax(start->rho[view][i], end->rho[view][i]) + later;
+			share->angle = fabs(chord->q1->v[slot] - chord->q0->v[slot]);
+			share->rho = fmax(chord->start->rho[view][i], chord->end->rho[view][i]) + later;
 			share->way = share->angle * share->rho;
-			share->displacement = chord_error->v[slot] * share->rho;
+			share->displacement = chord->chord_error->v[slot] * share->rho;
 			share->path = tolerance ? tolerance->v[slot] * share->rho : 0;
 			share->path_growth = tolerance ? tolerance->v[slot] * later : 0;
 		} else {
-			share->way = linear_way(chain, i, stages[n].last, q0, q1);
-			share->displacement = linear_displacement(chain, i, stages[n].last, chord_error);
+			share->way = linear_way(chain, i, stages[n].last, chord->q0, chord->q1);
+			share->displacement = linear_displacement(chain, i, stages[n].last, chord->chord_error);
 			share->path = tolerance ? linear_displacement(chain, i, stages[n].last, tolerance) : 0;
 		}
 		later += 0.5 * share->way + share->displacement;
 	}
 }
 
-void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
-		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *chord_error, const axis_values *tolerance)
+void chord_bound_init(struct chord_bound *bound, const struct joint_chord *chord)
 {
 	double lengths[VIEWS];
 
 	for (int view = 0; view < VIEWS; view++) {
 		struct stage stages[SLOT_COUNT];
 		struct share shares[SLOT_COUNT];
-		size_t count = stages_of(chain, view, stages);
+		size_t count = stages_of(chord->chain, view, stages);
 		double turned = 0, acceleration = 0;
 
-		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, chord_error, tolerance);
+		chord_shares(shares, stages, count, view, chord);
 		lengths[view] = bound->displacement[view] = bound->path[view] = bound->path_growth[view] = 0;
 		for (size_t n = 0; n < count; n++) {
 			const struct share *share = &shares[n];

@@ -29,11 +29,20 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		      const struct ball *fixed, const struct ball *moved);
 
 /*
- * Bounds for a motion in which every joint goes linearly from q0 to q1, with a chord error of at most `chord_error`
- * (fivecheck(7), "How far a point can move"). The control may leave this motion by `tolerance` (NULL: not at all). At
- * the instant when the joints should be at q, that moves a point by at most its path displacement: the sum over the
- * rotary joints of the tolerance times the point's distance to the axis at q, plus the tolerances of the linear joints.
- * This depends on q alone, and not on how the motion is cut into pieces.
+ * A motion in which every joint goes linearly from q0 to q1, with a chord error of at most `chord_error`. The control
+ * may leave it by `tolerance` (NULL: not at all). Borrows everything.
+ */
+struct joint_chord {
+	const struct chain *chain;
+	const struct chain_state *start, *end;	/* at q0 and q1 */
+	const axis_values *q0, *q1, *chord_error, *tolerance;
+};
+
+/*
+ * Bounds for such a motion (fivecheck(7), "How far a point can move"). At the instant when the joints should be at q,
+ * the tolerance moves a point by at most its path displacement: the sum over the rotary joints of the tolerance times
+ * the point's distance to the axis at q, plus the tolerances of the linear joints. This depends on q alone, and not on
+ * how the motion is cut into pieces.
  */
 struct chord_bound {
 	double length;	/* L: no point moves farther, without chord errors (the better of both views) */
@@ -43,9 +52,7 @@ struct chord_bound {
 	double path_growth[VIEWS];	/* no point's path displacement exceeds the larger one at the ends by more */
 };
 
-void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
-		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *chord_error, const axis_values *tolerance);
+void chord_bound_init(struct chord_bound *bound, const struct joint_chord *chord);
 
 /*
  * The path displacement (mm) of a point at `x`, in the fixed link's coordinates: a moved point in view 0, a fixed point

@@ -91,10 +91,14 @@ static void finish_chord(struct motion_interval *interval, const struct body_pai
 {
 	double rounding = fmax(body_pair_rounding(pair, &interval->chord.q0, interval->poses[0].translation),
 			       body_pair_rounding(pair, &interval->chord.q1, interval->poses[1].translation));
+	const struct joint_chord joints = {
+		.chain = pair->chain, .start = &interval->states[0], .end = &interval->states[1],
+		.q0 = &interval->chord.q0, .q1 = &interval->chord.q1,
+		.chord_error = &interval->chord.chord_error, .tolerance = interval->chord.tolerance,
+	};
 	struct chord_bound bound;
 
-	chord_bound_init(&bound, pair->chain, &interval->states[0], &interval->states[1], &interval->chord.q0,
-			 &interval->chord.q1, &interval->chord.chord_error, interval->chord.tolerance);
+	chord_bound_init(&bound, &joints);
 	interval->path = fmin(bound.path[0], bound.path[1]);
 	for (int v = 0; v < VIEWS; v++) {
 		interval->displacement[v] = bound.chord_error[v] + bound.displacement[v] + rounding;

@@ -28,8 +28,10 @@ static struct chord_bound bound_of(const struct cutting *cutting, const axis_val
 	const struct chain_state start = state_at(cutting, q0), end = state_at(cutting, q1);
 	struct chord_bound bound;
 
-	chord_bound_init(&bound, cutting->bodies->chain, &start, &end, q0, q1, &cutting->chord.chord_error,
-			 cutting->chord.tolerance);
+	chord_bound_init(&bound, &(struct joint_chord){
+		.chain = cutting->bodies->chain, .start = &start, .end = &end,
+		.q0 = q0, .q1 = q1, .chord_error = &cutting->chord.chord_error, .tolerance = cutting->chord.tolerance,
+	});
 	return bound;
 }
 

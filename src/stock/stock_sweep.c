@@ -77,8 +77,10 @@ static struct spread spread_of(const struct stock_sweep *sweep, const struct cho
 	const struct chain_state start = state_at(sweep, &chord->q0), end = state_at(sweep, &chord->q1);
 	struct chord_bound bound;
 
-	chord_bound_init(&bound, sweep->bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->chord_error,
-			 chord->tolerance);
+	chord_bound_init(&bound, &(struct joint_chord){
+		.chain = sweep->bodies->chain, .start = &start, .end = &end,
+		.q0 = &chord->q0, .q1 = &chord->q1, .chord_error = &chord->chord_error, .tolerance = chord->tolerance,
+	});
 	return (struct spread){0.5 * bound.length, smaller(bound.displacement[0], bound.displacement[1]),
 			       smaller(bound.path[0], bound.path[1])};
 }

@@ -160,7 +160,10 @@ static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
 	double lengths[VIEWS] = {0, 0};
 	struct turned poses[TIMES], strayed[TIMES];
 
-	chord_bound_init(&bound, &c->chain, &c->start, &c->end, &c->q0, &c->q1, &c->chord_error, NULL);
+	chord_bound_init(&bound, &(struct joint_chord){
+		.chain = &c->chain, .start = &c->start, .end = &c->end,
+		.q0 = &c->q0, .q1 = &c->q1, .chord_error = &c->chord_error,
+	});
 	for (int i = 0; i < TIMES; i++) {
 		axis_values off = random_off(&c->random, &c->chord_error);
 
@@ -227,7 +230,10 @@ START_TEST(path_displacements)
 		set_up(&c, 6, n);
 		for (int k = 0; k < SLOT_COUNT; k++)
 			tolerance.v[k] = c.chord_error.v[k] * random_in(&c.random, 0, 2);
-		chord_bound_init(&bound, &c.chain, &c.start, &c.end, &c.q0, &c.q1, &c.chord_error, &tolerance);
+		chord_bound_init(&bound, &(struct joint_chord){
+			.chain = &c.chain, .start = &c.start, .end = &c.end,
+			.q0 = &c.q0, .q1 = &c.q1, .chord_error = &c.chord_error, .tolerance = &tolerance,
+		});
 		for (int view = 0; view < VIEWS; view++) {
 			vec3 points[POINTS];
 

@@ -331,7 +331,10 @@ static bool is_nearly_straight(const struct strategy *strategy, const struct cho
 
 	chain_state_init(&start, bodies->chain, &chord->q0, &bodies->ball_a, &bodies->ball_b);
 	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
-	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->chord_error, NULL);
+	chord_bound_init(&bound, &(struct joint_chord){
+		.chain = bodies->chain, .start = &start, .end = &end,
+		.q0 = &chord->q0, .q1 = &chord->q1, .chord_error = &chord->chord_error,
+	});
 	return fmin(bound.chord_error[0] + bound.displacement[0], bound.chord_error[1] + bound.displacement[1]) <=
 	       CHORD_ERROR_SHARE * strategy->proof.coherence.near;
 }
