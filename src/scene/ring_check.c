@@ -1,11 +1,13 @@
 #include "scene/ring_check.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
+#include "geom/weld.h"
 
 /* mm: coordinates of one place in a mesh file differ by less. */
 static const double SAME = 1e-3;
@@ -29,12 +31,6 @@ struct corner {
 /* The edge on which a wall stands on the plane. */
 struct edge {
 	struct corner ends[2];
-};
-
-struct outline_corner {
-	struct corner at;
-	size_t edge;
-	int end;
 };
 
 struct rings {
@@ -84,24 +80,31 @@ static void add_walls(struct rings *rings, const struct scene_body *body)
 	}
 }
 
-static int compare(double a, double b)
+/* Corners are numbered edge * 2 + end. */
+static struct corner end_of(const struct rings *rings, size_t corner)
 {
-	return (a > b) - (a < b);
+	return rings->edges[corner / 2].ends[corner % 2];
 }
 
-static double grid(double v)
+static int64_t grid(double v)
 {
-	return floor(v / SAME + 0.5);
+	return (int64_t)floor(v / SAME + 0.5);
 }
 
-/* By plane, then by place; corners on one point of a grid are one corner. */
-static int by_place(const void *a, const void *b)
+/* Corners on one point of a grid are one corner. */
+static bool are_one(struct corner p, struct corner q)
 {
-	const struct corner *p = &((const struct outline_corner *)a)->at, *q = &((const struct outline_corner *)b)->at;
-	int order = compare(grid(p->height), grid(q->height));
+	return grid(p.height) == grid(q.height) && grid(p.x) == grid(q.x) && grid(p.y) == grid(q.y);
+}
 
-	order = order ? order : compare(grid(p->x), grid(q->x));
-	return order ? order : compare(grid(p->y), grid(q->y));
+/* In the upper half what corners on one point have in common (splitmix64's constants), in the lower half the corner. */
+static uint64_t key_of(struct corner at, size_t corner)
+{
+	uint64_t hash = (uint64_t)grid(at.height) * UINT64_C(0x9e3779b97f4a7c15);
+
+	hash = (hash ^ hash >> 30 ^ (uint64_t)grid(at.x)) * UINT64_C(0xbf58476d1ce4e5b9);
+	hash = (hash ^ hash >> 27 ^ (uint64_t)grid(at.y)) * UINT64_C(0x94d049bb133111eb);
+	return hash >> 32 << 32 | corner;
 }
 
 static size_t root_of(size_t *roots, size_t i)
@@ -159,51 +162,59 @@ static void judge_outline(struct rings *rings, const struct corner *corners, siz
 	rings->diameter = 2 * radius;
 }
 
-/* Puts the corners of one outline beside each other: by the number of their outline. */
-struct member {
-	size_t outline;
-	struct corner at;
-};
-
-static int by_outline(const void *a, const void *b)
+/* Joins the edges that share corners; leaves one of each corner in keys[0] to [count - 1] and returns count. */
+static size_t join_edges(const struct rings *rings, struct soup *keys, size_t *roots)
 {
-	size_t p = ((const struct member *)a)->outline, q = ((const struct member *)b)->outline;
+	const size_t all = 2 * rings->count;
+	size_t count = 0, first = 0;	/* of those that are left with the same upper half of their keys */
 
-	return (p > q) - (p < q);
+	for (size_t i = 0; i < rings->count; i++)
+		roots[i] = i;
+	for (size_t i = 0; i < all; i++)
+		keys->keys[i] = key_of(end_of(rings, i), i);
+	soup_sort_keys(keys, all, 64);
+	for (size_t i = 0; i < all; i++) {
+		const uint64_t key = keys->keys[i];
+		const uint32_t corner = (uint32_t)key;
+		size_t k;
+
+		if (first < count && keys->keys[first] >> 32 != key >> 32)
+			first = count;
+		for (k = first; k < count; k++)
+			if (are_one(end_of(rings, (uint32_t)keys->keys[k]), end_of(rings, corner)))
+				break;
+		if (k < count)
+			roots[root_of(roots, corner / 2)] = root_of(roots, (uint32_t)keys->keys[k] / 2);
+		else
+			keys->keys[count++] = key;
+	}
+	return count;
 }
 
 /* Joins the edges that share corners to outlines, and looks whether each is a circle. */
 static void judge_edges(struct rings *rings)
 {
 	const size_t n = rings->count;
-	struct outline_corner *corners = mem_zalloc(2 * n + 1, sizeof(*corners));
-	struct member *members = mem_zalloc(2 * n + 1, sizeof(*members));
-	struct corner *outline = mem_zalloc(2 * n + 1, sizeof(*outline));
-	size_t *roots = mem_zalloc(n + 1, sizeof(*roots)), count = 0;
+	struct soup keys = {.keys = mem_alloc(2 * n * sizeof(*keys.keys)),
+			    .scratch = mem_alloc(2 * n * sizeof(*keys.scratch))};
+	struct corner *outlines = mem_alloc(2 * n * sizeof(*outlines));	/* the corners of one beside each other */
+	size_t *roots = mem_alloc(n * sizeof(*roots)), *ends = mem_zalloc(n + 2, sizeof(*ends));
+	const size_t count = join_edges(rings, &keys, roots);
 
-	for (size_t i = 0; i < 2 * n; i++)
-		corners[i] = (struct outline_corner){rings->edges[i / 2].ends[i % 2], i / 2, (int)(i % 2)};
+	for (size_t i = 0; i < count; i++)
+		ends[root_of(roots, (uint32_t)keys.keys[i] / 2) + 2]++;
+	for (size_t i = 1; i < n + 2; i++)
+		ends[i] += ends[i - 1];
+	/* ends[i + 1] is where the next corner of outline i belongs; in the end it is where the outline ends. */
+	for (size_t i = 0; i < count; i++)
+		outlines[ends[root_of(roots, (uint32_t)keys.keys[i] / 2) + 1]++] =
+		    end_of(rings, (uint32_t)keys.keys[i]);
 	for (size_t i = 0; i < n; i++)
-		roots[i] = i;
-	qsort(corners, 2 * n, sizeof(*corners), by_place);
-	for (size_t i = 1; i < 2 * n; i++)
-		if (by_place(&corners[i - 1], &corners[i]) == 0)
-			roots[root_of(roots, corners[i].edge)] = root_of(roots, corners[i - 1].edge);
-	for (size_t i = 0; i < 2 * n; i++)
-		if (i == 0 || by_place(&corners[i - 1], &corners[i]) != 0)
-			members[count++] = (struct member){root_of(roots, corners[i].edge), corners[i].at};
-	qsort(members, count, sizeof(*members), by_outline);
-	for (size_t i = 0, from = 0; i < count; i++) {
-		outline[i - from] = members[i].at;
-		if (i + 1 < count && members[i + 1].outline == members[i].outline)
-			continue;
-		judge_outline(rings, outline, i + 1 - from);
-		from = i + 1;
-	}
-	free(corners);
-	free(members);
-	free(outline);
+		judge_outline(rings, outlines + ends[i], ends[i + 1] - ends[i]);
+	soup_release(&keys);
+	free(outlines);
 	free(roots);
+	free(ends);
 }
 
 /* Judges the circles of the bodies on a link until one is on the axis; false: a mesh is too large, or was not read. */
