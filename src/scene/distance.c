@@ -16,6 +16,7 @@ struct search {
 	struct box_motion boxes;
 	double share;	/* share of the distance that must be proven */
 	double found;	/* mm: two triangles are this close */
+	vec3 direction;	/* from the one to the other, a unit vector; 0: none is known */
 	double proven;	/* mm: everything dismissed so far is farther than this */
 	size_t depth;
 };
@@ -100,6 +101,7 @@ static void recall(struct search *search)
 	b = tri_of(&search->pair->b->mesh, coherence->near_b);
 	b = tri_transform(&b, &search->pose);
 	search->found = tri_distance(&a, &b, &on_a, &on_b);
+	search->direction = vec3_unit(vec3_sub(on_b, on_a));
 }
 
 static void measure_triangles(struct search *search, size_t i, size_t j, const tri *a, const tri *b)
@@ -110,12 +112,27 @@ static void measure_triangles(struct search *search, size_t i, size_t j, const t
 	direction = vec3_unit(vec3_sub(on_b, on_a));
 	if (distance < search->found) {
 		search->found = distance;
+		search->direction = direction;
 		remember(search, i, j, direction);
 	}
 	/* The proof is the gap along an axis, not the distance that the triangle test computes. */
 	gap = tri_gap(a, b, direction);
 	if (!(gap >= search->proven))
 		search->proven = gap > 0 ? gap : 0;
+}
+
+/*
+ * Are they no nearer to each other than the nearest so far, as seen along its direction? Measured: most of a part's
+ * triangles are, and to project them costs a twentieth of their distance.
+ */
+static bool is_behind(struct search *search, const tri *a, const tri *b)
+{
+	const double gap = tri_gap(a, b, search->direction);
+
+	if (gap < search->found)
+		return false;
+	search->proven = smaller(search->proven, gap);
+	return true;
 }
 
 static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
@@ -131,7 +148,8 @@ static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
 		tri of_a = tri_of(&search->pair->a->mesh, a.first + (size_t)i);
 
 		for (int j = 0; j < b.count; j++)
-			if (!dismiss(search, tri_box_gap(&of_a, &of_b[j], &of_b[j])))
+			if (!dismiss(search, tri_box_gap(&of_a, &of_b[j], &of_b[j])) &&
+			    !is_behind(search, &of_a, &of_b[j]))
 				measure_triangles(search, a.first + (size_t)i, b.first + (size_t)j, &of_a, &of_b[j]);
 	}
 }
