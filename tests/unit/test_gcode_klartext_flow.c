@@ -15,6 +15,8 @@ static const struct klartext_program parameters[] = {
 	 "rapid 2 0.5 0.5 0 0\nrapid 5 45 0.5 0 0\n"},
 	{"FN0:Q1=4\nL X+Q1 FMAX\n",
 	 "rapid 4 0 0 0 0\n"},
+	{"Q1 = 5 - 2 ^ 2\nQ2 = (-3) ^ 2\nQ4 = -2\nQ3 = Q4^2 - -2^3\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 1 9 12 0 0\n"},
 	{"Q1 = 5 * 3 + 2 * 10\nQ2 = SQ 10 - 3^3\nL X+Q1 Y+Q2 FMAX\n",
 	 "rapid 35 73 0 0 0\n"},
 	{"Q1 = ( 1 + 2 ) * 3 - 8 / 4\nQ2 = 2 ^ 3 * 2\nQ3 = 10 % 4\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",

@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_formula.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
@@ -41,6 +42,27 @@ static bool is_zero(double value)
 	return fpclassify(value) == FP_ZERO;
 }
 
+static size_t before_blanks(const char *text, size_t end)
+{
+	while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+		end--;
+	return end;
+}
+
+/* Does a minus stand before the number or parameter that ends at the operator: "- 2 ^ 2", "3 * -Q1 ^ 2"? */
+static bool has_minus(const char *text, size_t operator)
+{
+	size_t end = before_blanks(text, operator);
+
+	while (end > 0 && strchr("0123456789.,QLRqlr", text[end - 1]))
+		end--;
+	end = before_blanks(text, end);
+	if (end == 0 || text[end - 1] != '-')
+		return false;
+	end = before_blanks(text, end - 1);
+	return end > 0 && strchr("=(+-*/%^", text[end - 1]);
+}
+
 static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand * left,
 		  struct expr_operand *right)
 {
@@ -51,6 +73,9 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 		return fault(at, column, "division by zero");
 	if (operator->operation == EXPR_POWER && * value<0 && !same_double(floor(by), by))
 		return fault(at, column, "a negative number to a power that is not whole");
+	if (operator->operation == EXPR_POWER && is_zero(fmod(by, 2)) && has_minus(at->text, (size_t)column - 1))
+		return fault(at, column,
+			     "a minus before a power: whether it belongs to the base is not in the manuals; write brackets");
 	if (operator->operation == EXPR_MODULO &&(*value < 0 || by < 0))
 		return fault(at, column, "%% of a negative number: which sign the control gives it is not known here");
 	switch (operator->operation) {

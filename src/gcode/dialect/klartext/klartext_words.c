@@ -142,6 +142,8 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 		per_revolution = true;
 		if (!klartext_value(lexer, &value))
 			return false;
+	} else if (next_byte(lexer) == 'T') {
+		return fault(lexer->at, column, "FT: the time that a block takes is not supported; write F");
 	} else if (!klartext_value_follows(lexer)) {
 		/* An answer left out in the editor: the feed in force. */
 		return true;
