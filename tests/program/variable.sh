@@ -6,12 +6,13 @@ machine() {
 program a.mpf <<'NC'
 N10 G0 G90 G500 G710
 N20 IF _READY==1
-N30 X=_PLACE[2,1] C=R5
+N30 X=_POS[2,1] C=R5
 N40 ENDIF
 N50 _MADE="A"
 N60 Z=$MN_TOP+_MADE_NOT
-N70 _PLACE[0,0]=3
-N80 X=_PLACE[0,0]
+N70 _POS[0,0]=3
+N80 X=_POS[0,0]
+N85 POS[Z]=1
 N90 M30
 NC
 program b.nc <<'NC'
@@ -22,11 +23,11 @@ M30
 %
 NC
 sed -i 's/+R]/+401]/' b.nc
-status fivecheck scan --dialect=sinumerik a.mpf 2>&1 | sed -n '/machine file/,$p'
+status fivecheck scan --dialect=sinumerik a.mpf 2>&1 | grep -v '^[GM]'
 status fivecheck scan --dialect=fanuc b.nc 2>&1 | sed -n '/machine file/,$p'
 machine sinumerik '' >s.xml
 status fivecheck -q --parse-only -a s.xml a.mpf 2>&1 | grep error
-machine sinumerik '<variable name="_ready" type="INT" value="1"/><variable name="_PLACE" type="REAL" size="3,2"/><variable name="_PLACE[2,1]" value="12.5"/><variable name="R5" value="7"/><variable name="_MADE" type="STRING"/><variable name="$MN_TOP" value="40"/><variable name="_MADE_NOT" type="REAL" value="0.5"/>' >s.xml
+machine sinumerik '<variable name="_ready" type="INT" value="1"/><variable name="_POS" type="REAL" size="3,2"/><variable name="_POS[2,1]" value="12.5"/><variable name="R5" value="7"/><variable name="_MADE" type="STRING"/><variable name="$MN_TOP" value="40"/><variable name="_MADE_NOT" type="REAL" value="0.5"/>' >s.xml
 status fivecheck -q --dump-path s.xml a.mpf | cut -f 1-6
 machine fanuc '<variable name="#500" value="4"/><variable name="#501" value="vacant"/>' >f.xml
 status fivecheck -q --dump-path f.xml b.nc | cut -f 1-6

@@ -58,12 +58,18 @@ static void count_codes(struct scan_codes *codes, const char *block)
 	}
 }
 
-/* Blanks are gone: a short word with two letters behind it is the start of a longer one, as PO of POCKET3. */
+/* Blanks are gone: a short word with two letters behind it is the start of a longer one, as PO of POCKET3 and POS[X]. */
 #define SHORT_WORD 4
 
 static bool is_start(const char *text, const char *behind)
 {
-	return strlen(text) < SHORT_WORD && isalpha((unsigned char)behind[0]) && isalpha((unsigned char)behind[1]);
+	return strlen(text) < SHORT_WORD && isalpha((unsigned char)behind[0]) &&
+	       (isalpha((unsigned char)behind[1]) || behind[1] == '[' || behind[1] == '(');
+}
+
+static bool is_name_byte(char byte)
+{
+	return isalpha((unsigned char)byte) || byte == '_';
 }
 
 /* A word of letters and digits, with others than these on both sides of it. */
@@ -79,7 +85,7 @@ static void count_word(struct scan_codes *codes, const char *block, const struct
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
 		char after = at[strlen(text)];
 
-		if (!is_start(text, at + strlen(text)) && (at == block || !isalpha((unsigned char)at[-1])) &&
+		if (!is_start(text, at + strlen(text)) && (at == block || !is_name_byte(at[-1])) &&
 		    !(isdigit((unsigned char)after) && isdigit((unsigned char)text[strlen(text) - 1]))) {
 			count(codes, 0, 0, word);
 			return;
