@@ -113,8 +113,8 @@ static const struct kept refused[] = {
 	{&dialect_klartext, {TEXT("Q5", "five")}, KLARTEXT("L X+1 FMAX\n"),
 	 "Q5: the value of the machine file is no number"},
 	/* the control itself changes it */
-	{&dialect_klartext, {VALUE("Q109", 1)}, KLARTEXT("L X+Q109 FMAX\n"),
-	 "Q109 is a value of the control that is not known here"},
+	{&dialect_klartext, {VALUE("Q111", 1)}, KLARTEXT("L X+1 FMAX\n"),
+	 "<variable name=\"Q111\"> of the machine file: the control itself changes this parameter while the program runs"},
 };
 
 static void init(struct gcode_case *c, const struct kept *kept)

@@ -19,6 +19,12 @@ static long number_behind(const char *name, size_t letters, long count)
 	return number < count ? number : -1;
 }
 
+/* iTNC 530 user's manual, "Preassigned Q parameters": tool, spindle, coolant, unit, and the angles of PLANE. */
+static bool changes(long number)
+{
+	return (number >= 108 && number <= 111) || number == 113 || number == 114 || (number >= 120 && number <= 122);
+}
+
 static bool load(struct lexer *lexer, const struct control_variable *variable)
 {
 	struct klartext *klartext = klartext_of(lexer->context);
@@ -32,6 +38,9 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 			     "<variable name=\"%s\"> of the machine file is no parameter that is kept: Q, QR or QS and its "
 			     "number, or data of FN 18, such as ID50 NR3 IDX1",
 			     name);
+	if (letters == 1 && changes(number))
+		return fault(lexer->at, 1, "<variable name=\"%s\"> of the machine file: the control itself changes this "
+					   "parameter while the program runs", name);
 	if (text)
 		return klartext_string_set(lexer, 1, (int)number, variable->text);
 	if (isnan(variable->number))
