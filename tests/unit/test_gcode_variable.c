@@ -99,6 +99,8 @@ static const struct kept refused[] = {
 	 "G500\nG0 X=AX_\n", "AX_ is the name of an axis and no number"},
 	{&dialect_sinumerik, {{.name = "AX_", .typed = true, .type = CONTROL_AXIS, .text = "W", .number = NAN}}, "G500\n",
 	 "AX_: the value of the machine file is no axis of the machine"},
+	{&dialect_sinumerik, {VALUE("$P_GG[1]", 1)}, "G500\nG0 X=$P_GG[1]\n",
+	 "the value of $P_GG[1] is known to the control alone"},
 	/* what the program itself may have written there */
 	{&dialect_sinumerik, {VALUE("$AC_MARKER[1]", 1)}, "G500\n$AC_MARKER[1]=2\nG0 X=$AC_MARKER[1]\n",
 	 "the value of $AC_MARKER[1] is known to the control alone"},

@@ -9,7 +9,6 @@
 #include "control/control_variable.h"
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_functions.h"
-#include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 
@@ -204,11 +203,23 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 		     reads && dimensions == 0 ? " value=\"\"" : "");
 }
 
+/* 840D sl, system variables: of the program ($P_), of axes ($AA_, $VA_) and of the channel ($AC_) while it runs. */
+static bool changes(const char *name)
+{
+	static const char *const running[] = {"$P_", "$AA_", "$VA_", "$AC_"};
+
+	for (size_t i = 0; i < sizeof(running) / sizeof(running[0]); i++) {
+		if (!strncmp(name, running[i], strlen(running[i])))
+			return true;
+	}
+	return false;
+}
+
 bool sinumerik_gud_system(struct interp *interp, const char *name, int column, double *value)
 {
 	const struct control_variable *variable = control_variable_find(&interp->config->controller, name);
 
-	if (sinumerik_system_is_scratch(name))
+	if (changes(name))
 		return fault(&interp->at, column, "the value of %s is known to the control alone", name);
 	if (!variable || !variable->text)
 		return fault(&interp->at, column,

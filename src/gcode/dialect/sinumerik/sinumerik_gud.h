@@ -21,7 +21,7 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 
 /*
  * The value of a system variable that is not followed here, by its name with indices ("$MA_X[1,Y]"). False: the machine
- * file does not tell it, which was reported at the column.
+ * file does not tell it, or it changes while programs run, which was reported at the column.
  */
 bool sinumerik_gud_system(struct interp *interp, const char *name, int column, double *value);
 
