@@ -59,7 +59,7 @@ export function helpView() {
 	const rows = KEYS.map(([key, text]) => [h('kbd', {}, key === ' ' ? 'space' : key), text]);
 	const close = () => dialog.close();
 	const dialog = /** @type {HTMLDialogElement} */ (h('dialog.help', {'aria-label': 'Keys and help'},
-		h('h2', {}, 'How to look around'),
+		h('h2', {tabindex: -1, autofocus: true}, 'How to look around'),
 		h('p', {}, 'Drag turns the machine; with Shift, the right button or two fingers it moves. The wheel or a pinch zooms; a double click centres. A click selects a body. ' +
 			'A click on a line of the program shows where its block has led. Drag in the timeline to any moment; the wheel zooms it, a double click shows all of it. ' +
 			'The curve is the smallest clearance of all pairs that is proven: the true one is at least that. ' +

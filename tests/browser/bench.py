@@ -40,9 +40,15 @@ def carry_out(tests, bench_for, names):
     return failed
 
 
+def shown(value):
+    """At most as much of a value as a person reads."""
+    text = repr(value)
+    return text if len(text) <= 2000 else f"{text[:2000]} ... ({len(text)} characters)"
+
+
 def same(what, found, wanted):
     if found != wanted:
-        raise AssertionError(f"{what}: {found!r} instead of {wanted!r}")
+        raise AssertionError(f"{what}: {shown(found)} instead of {shown(wanted)}")
 
 
 def true(what, condition):

@@ -82,6 +82,24 @@ def other_examples(bench):
 
 
 @test
+def index(bench):
+    """The index of several programs leads to each report, and each verdict has its colour."""
+    machine, setup, program = fixtures.boxes(bench.work)
+    folder, path = os.path.dirname(program), os.path.join(bench.work, "several.html")
+    for name, text in {"high.nc": "G21 G90 G61\nG0 X10\nM2\n", "odd.nc": "G777\n"}.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+    fixtures.run(bench.fivecheck, machine, f"--setup={setup}", *(os.path.join(folder, name) for name in ("high.nc", "part.nc", "odd.nc")), f"--report={path}")
+    page = bench.browser.page()
+    page.open_without_scripts(path)
+    same("verdicts", page.run("[...document.querySelectorAll('tr td:nth-child(2)')].map((e) => e.textContent)"), ["clear", "found", "incomplete"])
+    same("colours", page.run("new Set([...document.querySelectorAll('tr td:nth-child(2)')].map((e) => getComputedStyle(e).color)).size"), 3)
+    same("weak text", page.run(WEAK_TEXT), [])
+    true("links", page.run("[...document.querySelectorAll('td a')].every((e) => /^several-.*[.]html$/.test(e.getAttribute('href')))"))
+    bench.done(page, "index")
+
+
+@test
 def program_error(bench):
     """An error of the program has a card that leads to its line; the report opens where the check ended."""
     machine, setup, program = fixtures.boxes(bench.work)

@@ -62,6 +62,7 @@ def keyboard(bench):
     page.press("]")
     page.press("?")
     true("help", page.run("document.querySelector('dialog').open"))
+    same("help begins at its top", page.run("document.querySelector('dialog').scrollTop"), 0)
     page.press("Escape")
     true("help closed", not page.run("document.querySelector('dialog').open"))
     # Every control is reached by Tab, shows that it is, and has a name.

@@ -14,7 +14,7 @@ bool index_page_write(const char *path, const struct index_page_row *rows, size_
 	strbuf_addf(&text, "<main id=\"plain\">\n<h1>fivecheck: %zu programs</h1>\n<table>\n"
 			   "<tr><th>Program</th><th>Verdict</th><th></th></tr>\n", count);
 	for (size_t i = 0; i < count; i++) {
-		strbuf_addf(&text, "<tr><td>");
+		strbuf_addf(&text, "<tr class=\"%s\"><td>", rows[i].word);
 		if (rows[i].link)
 			strbuf_addf(&text, "<a href=\"%s\">", rows[i].link);
 		html_text_add(&text, rows[i].program);
