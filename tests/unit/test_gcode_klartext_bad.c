@@ -365,6 +365,8 @@ static const struct {
 	 "p.nc:2:1: error: '~' continues this block, but the next line begins another one"},
 	{"BEGIN PGM T MM\nFN 16: F-PRINT A / B ~\n Q1 = 5\nEND PGM T MM\n",
 	 "p.nc:2:1: error: '~' continues this block, but the next line begins another one"},
+	{"BEGIN PGM T MM\nBLK FORM 0.2 X+1 Y+1 Z+0 ~\nFSELECT 1\nEND PGM T MM\n",
+	 "p.nc:2:1: error: '~' continues this block, but the next line begins another one"},
 	{"BEGIN PGM T MM\nL X+1 ~ Y+2 ~\n Z+3 FMAX\nEND PGM T MM\n",
 	 "p.nc:2:7: error: this is no word of a positioning block"},
 	{"BEGIN PGM T MM\nL X+1 ~\n Y+2 ~ Z+3 ~\n A+4 FMAX\nEND PGM T MM\n",

@@ -37,17 +37,11 @@ static bool begins_with_digit(const char *text)
 }
 
 /* Does this line begin a block of its own? What some blocks ignore, would swallow it. */
-static bool begins_block(struct interp *interp, const char *text)
+static bool is_own_block(struct interp *interp, const char *text, bool (*begins_block)(const char *word))
 {
-	static const char *const opening[] = {
-		"L", "C", "CC", "CR", "CT", "LN", "LP", "CP", "CTP", "RND", "CHF", "FL", "FLT", "FC", "FCT", "FPOL",
-		"APPR", "DEP", "CYCL", "CYCLE", "LBL", "FN", "CALL", "TOOL", "STOP", "PLANE", "FUNCTION", "TCH",
-		"BLK", "BEGIN", "END", "SEL", "TRANS", "PRESET", "PATTERN", "CONTOUR", "DECLARE",
-	};
 	const struct line_place at = interp->at;
 	struct lexer lexer;
 	char word[KLARTEXT_WORD], behind;
-	bool begins = false;
 
 	interp->at.text = text;
 	lexer = klartext_lexer(interp);
@@ -56,10 +50,8 @@ static bool begins_block(struct interp *interp, const char *text)
 	interp->at = at;
 	if (word[0] == 'Q')
 		return strchr(text, '=') != NULL;
-	for (size_t i = 0; i < sizeof(opening) / sizeof(opening[0]) && !begins; i++)
-		begins = !strcmp(word, opening[i]);
 	/* "L+5", "C+90": a length and an axis. */
-	return begins && (behind == '\0' || behind == ' ' || behind == '\t');
+	return begins_block(word) && (behind == '\0' || behind == ' ' || behind == '\t');
 }
 
 /* Adds the line without its '~' and, where others follow, without its comment; within it '~' stays, and is refused. */
@@ -88,7 +80,7 @@ static bool fault_long(struct interp *interp)
 	return false;
 }
 
-bool klartext_join(struct interp *interp)
+bool klartext_join(struct interp *interp, bool (*begins_block)(const char *word))
 {
 	struct strbuf *line = &klartext_of(interp)->joined;
 	const enum joined kind = kind_of_line(interp);
@@ -106,7 +98,7 @@ bool klartext_join(struct interp *interp)
 		/* Behind a value, a number would become part of it. */
 		if (kind == JOINED_BLOCK && begins_with_digit(text))
 			return fault_joined(interp, "'~' continues this block, but the next line begins with a number");
-		if (kind == JOINED_BLOCK && begins_block(interp, text))
+		if (kind == JOINED_BLOCK && is_own_block(interp, text, begins_block))
 			return fault_joined(interp, "'~' continues this block, but the next line begins another one");
 		if (kind == JOINED_BLOCK)
 			strbuf_addf(line, " ");

@@ -1,6 +1,5 @@
 #include "gcode/dialect/klartext/klartext_line.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "gcode/dialect/klartext/klartext_approach.h"
@@ -27,15 +26,9 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/dialect/klartext/klartext_transform.h"
-#include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 
 /* ------------------------------------------------------------------ blocks */
-
-static bool run_line(struct lexer *lexer)
-{
-	return klartext_straight_run(lexer);
-}
 
 static bool round_corner(struct lexer *lexer)
 {
@@ -189,7 +182,7 @@ static const struct statement {
 	bool bare;
 	bool compensated; /* may stand under radius compensation */
 } statements[] = {
-    {"L", run_line, false, true},
+    {"L", klartext_straight_run, false, true},
     {"CC", klartext_circle_pole, false, true},
     {"C", klartext_circle_about_pole, false, true},
     {"CR", klartext_circle_by_radius, false, true},
@@ -208,7 +201,7 @@ static const struct statement {
     {"TOOL", tool, false, false},
     {"PLANE", klartext_plane_run, false, false},
     {"FUNCTION", klartext_function_mode, false, false},
-    {"STOP", run_line, false, false},
+    {"STOP", klartext_straight_run, false, false},
     {"BEGIN", begin, true, true},
     {"END", end, true, true},
     {"BLK", ignore, true, true},
@@ -237,11 +230,18 @@ static const struct statement {
 
 static const struct statement *find_statement(const char *word)
 {
-	for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++) {
+	for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++)
 		if (!strcmp(statements[i].word, word))
 			return &statements[i];
-	}
 	return NULL;
+}
+
+/* Lines of a pattern's definition begin none. */
+static bool begins_block(const char *word)
+{
+	const struct statement *statement = find_statement(word);
+
+	return statement && statement->run != klartext_pattern_go_on;
 }
 
 /* Under radius compensation the next corner says where a block ends: nothing may come between that depends on it. */
@@ -299,7 +299,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 		return klartext_formula_assign(lexer);
 	}
 	if (starts_word(word, behind))
-		return run_line(lexer);
+		return klartext_straight_run(lexer);
 	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
 }
 
@@ -475,7 +475,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 
 	*done = true;
 	interp->moves = 0;
-	if (!klartext_join(interp))
+	if (!klartext_join(interp, begins_block))
 		return false;
 	lexer = klartext_lexer(interp);
 	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))
