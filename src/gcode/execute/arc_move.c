@@ -184,24 +184,14 @@ static bool go_straight(struct interp *interp)
 }
 
 /* LinuxCNC's manual, "G2, G3 Arc Move". */
-bool arc_move_run(struct interp *interp)
+/* Has the machine the axes of the arc's plane, and the block its centre or its radius? False: reported. */
+static bool check_words(const struct interp *interp, const struct arc_plane *plane)
 {
 	const struct block *block = &interp->block;
-	const struct state *state = &interp->state;
-	const struct arc_plane *plane = find_plane(state->plane);
 	const uint32_t offsets = letter_bit('I') | letter_bit('J') | letter_bit('K');
 	const bool *has_axis = interp->config->has_axis;
-	struct canon_move move = {.kind = CANON_ARC};
-	struct plane_point start, end, centre;
-	slot_values here = rotated_frame_straight(state), target;
-	int turns = 1;
 
-	if (state->cylinder.on)
-		return cylinder_arc(interp);
-	interp->state.motion = block->motion;
-	if (is_line(interp))
-		return go_straight(interp);
-	if (state->polar.on)
+	if (interp->state.polar.on)
 		return fault(&interp->at, block_motion_column(block),
 			     "an arc in polar coordinates (G16) is not supported; G15 first");
 	if (!has_axis[plane->a] || !has_axis[plane->b])
@@ -211,18 +201,62 @@ bool arc_move_run(struct interp *interp)
 	if (!block_has(block, 'R') && !(block->letters & offsets))
 		return fault(&interp->at, block_motion_column(block),
 			     "an arc needs a centre (I, J, K) or a radius (R)");
-	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
+	return true;
+}
+
+/* Is it known where the arc starts, or has a probe stopped an axis of its plane? False: reported. */
+static bool check_start(struct interp *interp, const struct arc_plane *plane)
+{
+	const bool *bounded = interp->state.probe_bounded;
+	const int column = block_motion_column(&interp->block);
+
+	return (!bounded[plane->a] || probed_axes_is_known(interp, (int)plane->a, column)) &&
+	       (!bounded[plane->b] || probed_axes_is_known(interp, (int)plane->b, column));
+}
+
+static struct plane_point in_plane(const struct arc_plane *plane, const slot_values *position)
+{
+	return (struct plane_point){position->v[plane->a], position->v[plane->b]};
+}
+
+/* Sends the arc from where the axes stand, once nothing waits for what comes before it. */
+static bool send_arc(struct interp *interp, const struct arc_plane *plane, const slot_values *target,
+		     struct plane_point centre, int turns, struct canon_move *move)
+{
+	const slot_values here = rotated_frame_straight(&interp->state);
+	const struct plane_point start = in_plane(plane, &here), end = in_plane(plane, target);
+
+	if (cutter_comp_is_on(interp))
+		return cutter_comp_arc(interp, target, centre, turns, move);
+	move->arc.centre = centre_in_space(&interp->state, &here, plane, centre);
+	move->arc.normal = rotated_frame_normal(&interp->state, plane->normal);
+	move->arc.sweep = arc_sweep(start, end, centre, interp->block.motion == G2, turns,
+				    fmax(SAME_ANGLE, SAME_POINT / math_hypot(start.a - centre.a, start.b - centre.b)));
+	return motion_commands_go(interp, target, move);
+}
+
+bool arc_move_run(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const struct arc_plane *plane = find_plane(interp->state.plane);
+	const slot_values here = rotated_frame_straight(&interp->state);
+	struct canon_move move = {.kind = CANON_ARC};
+	struct plane_point start = in_plane(plane, &here), end, centre;
+	slot_values target;
+	int turns = 1;
+
+	if (interp->state.cylinder.on)
+		return cylinder_arc(interp);
+	interp->state.motion = block->motion;
+	if (is_line(interp))
+		return go_straight(interp);
+	if (!check_words(interp, plane) || !motion_commands_feed(interp, &move.feed) ||
+	    !endpoint_find(interp, false, &target))
 		return false;
 	/* LinuxCNC gives P to the arc and to a G64 of the block. */
-	if (block_has(block, 'P') && !find_turns(interp, &turns))
+	if ((block_has(block, 'P') && !find_turns(interp, &turns)) || !check_start(interp, plane))
 		return false;
-	if ((state->probe_bounded[plane->a] &&
-	     !probed_axes_is_known(interp, (int)plane->a, block_motion_column(block))) ||
-	    (state->probe_bounded[plane->b] &&
-	     !probed_axes_is_known(interp, (int)plane->b, block_motion_column(block))))
-		return false;
-	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
-	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};
+	end = in_plane(plane, &target);
 	if (block_has(block, 'R') ? !find_arc_by_radius(interp, plane, start, end, &centre)
 				  : !find_arc_by_centre(interp, plane, start, end, &centre))
 		return false;
@@ -235,14 +269,6 @@ bool arc_move_run(struct interp *interp)
 
 		if (!corner_insert_pass(interp, &next, &waits) || waits)
 			return waits;
-		here = rotated_frame_straight(state);
-		start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	}
-	if (cutter_comp_is_on(interp))
-		return cutter_comp_arc(interp, &target, centre, turns, &move);
-	move.arc.centre = centre_in_space(state, &here, plane, centre);
-	move.arc.normal = rotated_frame_normal(state, plane->normal);
-	move.arc.sweep = arc_sweep(start, end, centre, block->motion == G2, turns,
-				   fmax(SAME_ANGLE, SAME_POINT / math_hypot(start.a - centre.a, start.b - centre.b)));
-	return motion_commands_go(interp, &target, &move);
+	return send_arc(interp, plane, &target, centre, turns, &move);
 }

@@ -39,70 +39,98 @@ int block_motion_column(const struct block *block)
 	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_BITS | ARC_BITS);
 }
 
+/* Of a code that takes the block's words for itself: nothing else may stand beside it. False: reported. */
+static bool stands_apart(struct block *block, const struct line_place *at, enum g_group group, const char *message)
+{
+	block->motion = CODE_NONE;
+	return (block->g[G_MOTION] == CODE_NONE && block->g[G_NONMODAL] == CODE_NONE) ||
+	       fault(at, block->g_column[group], "G%g%s", block->g[group] / 10.0, message);
+}
+
+/* Do the words belong to G51, G60, G68 or to mirrored axes? *good is false after a fault. */
+static bool belong_to_mode(struct block *block, const struct line_place *at, bool axes, bool *good)
+{
+	const int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
+
+	if (block->g[G_MIRROR] != CODE_NONE && axes) {
+		*good = stands_apart(block, at, G_MIRROR, " with axis words needs a block without motion or offsets");
+	} else if (block->g[G_SCALING] == G51) {
+		*good = stands_apart(block, at, G_SCALING, " needs a block without motion or offsets");
+	} else if (block->g[G_APPROACH] != CODE_NONE && axes) {
+		block->motion = G0;
+		*good = ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
+			fault(at, block->g_column[G_APPROACH],
+			      "G60 positions its axes by itself; it needs a block without "
+			      "another motion or offset");
+	} else if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION])) {
+		block->motion = CODE_NONE;
+		*good = (given == CODE_NONE && other == CODE_NONE) ||
+			fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
+			      "G68 needs a block without motion, offsets or a dwell");
+	} else {
+		return false;
+	}
+	return true;
+}
+
+/* The words belong to a code of group 0, and to no motion beside it. False: reported. */
+static bool check_beside_nonmodal(struct block *block, const struct line_place *at,
+				  const struct dialect_traits *traits, bool axes)
+{
+	const int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
+	const bool beside = given >= G0 && given <= G3 && traits->motion_beside_words == ANSWER_YES;
+
+	if (beside)
+		block->motion = CODE_NONE;
+	else if (given != CODE_NONE && given != G80)
+		return fault(at, block->g_column[G_MOTION],
+			     "G%d and G%g both need the axis words of the block; write two blocks", given / 10,
+			     other / 10.0);
+	if (!axes && (other == G52 || other == G92))
+		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
+	return true;
+}
+
+/* The words belong to the motion that is given or in force, or to none. False: reported. */
+static bool find_in_force(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
+			  const struct block_modes *modes)
+{
+	const bool axes = block->letters & AXIS_BITS;
+	const bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
+
+	if (block->g[G_MOTION] == G80 && axes && modes->after_g80 == CODE_NONE)
+		return fault(at, first_column(block, AXIS_BITS),
+			     "axis words with G80, which cancels motion; give them a motion code instead");
+	if (block->g[G_MOTION] == G80 && axes)
+		block->motion = modes->after_g80;
+	if (block->g[G_MOTION] != CODE_NONE)
+		return true;
+	if (axes && modes->motion == CODE_NONE)
+		return fault(at, first_column(block, AXIS_BITS),
+			     "axis words, but no motion code is in force (G0, G1, G2, G3)%s",
+			     traits->power_on.asks_motion
+				 ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says "
+				   "which one the control starts with"
+				 : "");
+	if (axes || (offsets && (is_arc(modes->motion) || modes->motion == G6_2 || block->vectors)))
+		block->motion = modes->motion;
+	return true;
+}
+
 /* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
 static bool find_motion(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
 			const struct block_modes *modes)
 {
-	const char *parameter = traits->power_on.asks_motion
-				    ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says "
-				      "which one the control starts with"
-				    : "";
-	bool axes = block->letters & AXIS_BITS;
-	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
-	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
+	const int other = block->g[G_NONMODAL];
+	const bool axes = block->letters & AXIS_BITS;
+	bool good = true;
 
-	block->motion = given;
-	if (block->g[G_MIRROR] != CODE_NONE && axes) {
-		block->motion = CODE_NONE;
-		return (given == CODE_NONE && other == CODE_NONE) ||
-		       fault(at, block->g_column[G_MIRROR],
-			     "G%g with axis words needs a block without motion or offsets", block->g[G_MIRROR] / 10.0);
-	}
-	if (block->g[G_SCALING] == G51) {
-		block->motion = CODE_NONE;
-		return (given == CODE_NONE && other == CODE_NONE) ||
-		       fault(at, block->g_column[G_SCALING], "G51 needs a block without motion or offsets");
-	}
-	if (block->g[G_APPROACH] != CODE_NONE && axes) {
-		block->motion = G0;
-		return ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
-		       fault(at, block->g_column[G_APPROACH],
-			     "G60 positions its axes by itself; it needs a block without "
-			     "another motion or offset");
-	}
-	if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION])) {
-		block->motion = CODE_NONE;
-		if (given != CODE_NONE || other != CODE_NONE)
-			return fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
-				     "G68 needs a block without motion, offsets or a dwell");
-		return true;
-	}
-	if (takes_axis_words(other) || (other == G92_1 && traits->one_shift == ANSWER_NO)) {
-		bool beside = given >= G0 && given <= G3 && traits->motion_beside_words == ANSWER_YES;
-
-		if (beside)
-			block->motion = CODE_NONE;
-		else if (given != CODE_NONE && given != G80)
-			return fault(at, block->g_column[G_MOTION],
-				     "G%d and G%g both need the axis words of the block; write two blocks", given / 10,
-				     other / 10.0);
-		if (!axes && (other == G52 || other == G92))
-			return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
-		return true;
-	}
-	if (given == G80 && axes && modes->after_g80 != CODE_NONE)
-		block->motion = modes->after_g80;
-	else if (given == G80 && axes)
-		return fault(at, first_column(block, AXIS_BITS),
-			     "axis words with G80, which cancels motion; give them a motion code instead");
-	if (given != CODE_NONE)
-		return true;
-	if (axes && modes->motion == CODE_NONE)
-		return fault(at, first_column(block, AXIS_BITS),
-			     "axis words, but no motion code is in force (G0, G1, G2, G3)%s", parameter);
-	if (axes || (offsets && (is_arc(modes->motion) || modes->motion == G6_2 || block->vectors)))
-		block->motion = modes->motion;
-	return true;
+	block->motion = block->g[G_MOTION];
+	if (belong_to_mode(block, at, axes, &good))
+		return good;
+	if (takes_axis_words(other) || (other == G92_1 && traits->one_shift == ANSWER_NO))
+		return check_beside_nonmodal(block, at, traits, axes);
+	return find_in_force(block, at, traits, modes);
 }
 
 /* "one word, X, U or P" */

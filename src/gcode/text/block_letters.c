@@ -93,74 +93,117 @@ static uint32_t repeat_letters(const struct block *block, const struct dialect *
 	return cycles && cycles->repeat_letter == 'K' && !block_is_call(block, dialect) ? letter_bit('L') : 0;
 }
 
-uint32_t block_used_letters(const struct block *block, const struct dialect *dialect)
+static uint32_t motion_letters(const struct block *block, const struct dialect *dialect)
 {
-	const struct dialect_traits *traits = &dialect->traits;
-	uint32_t used = AXIS_BITS | letter_bit('F') | letter_bit('S') | letter_bit('T');
-
-	if (block->motion == G2 || block->motion == G3) {
-		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
-		used |= traits->arcs_have_turns != ANSWER_NO ? letter_bit('P') : 0;
+	switch (block->motion) {
+	case CODE_NONE:
+		return 0;
+	case G2:
+	case G3:
+		return ARC_BITS | (dialect->traits.arcs_have_turns != ANSWER_NO ? letter_bit('P') : 0);
+	case G33:
+		return letter_bit('K');
+	case G33_1:
+		return letter_bits("IK");
+	default:
+		break;
 	}
-	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
-		used |= cycle_letters(block->motion, dialect) | repeat_letters(block, dialect);
 	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
 	if (block->motion >= G31 && block->motion <= G31_3)
-		used |= letter_bit('P');
-	used |= spline_letters(block->motion);
-	if (block->motion == G33 || block->motion == G33_1)
-		used |= letter_bit('K');
-	if (block->motion == G33_1)
-		used |= letter_bit('I');
-	if (block->g[G_NONMODAL] == G4 && traits->dwell_letters)
-		used |= letter_bits(traits->dwell_letters);
-	if (block->g[G_NONMODAL] == G30 && traits->g30_has_number != ANSWER_NO)
-		used |= letter_bit('P');
-	if (block->g[G_NONMODAL] == G10)
-		used |= data_letters(block, dialect);
+		return letter_bit('P');
+	return code_is_cycle(block->motion) ? cycle_letters(block->motion, dialect) | repeat_letters(block, dialect)
+					    : spline_letters(block->motion);
+}
+
+static uint32_t nonmodal_letters(const struct block *block, const struct dialect *dialect)
+{
+	const struct dialect_traits *traits = &dialect->traits;
+
+	switch (block->g[G_NONMODAL]) {
+	case G4:
+		return traits->dwell_letters ? letter_bits(traits->dwell_letters) : 0;
+	case G10:
+		return data_letters(block, dialect);
+	case G12:
+	case G13:
+		return letter_bits("DIKLQ");
+	case G30:
+		return traits->g30_has_number != ANSWER_NO ? letter_bit('P') : 0;
 	/* Which solution it takes: execute/coordinate_rotation.c. */
-	if (block->g[G_NONMODAL] == G53_1 || block->g[G_NONMODAL] == G53_6)
-		used |= letter_bit('P');
-	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
-		used |= letter_bit('D') | letter_bit('L');
-	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
+	case G53_1:
+	case G53_6:
+		return letter_bit('P');
+	case G70:
+	case G71:
+		return letter_bits("IJKL");
+	case G150:
+		return letter_bits("DIJKLPQR");
+	default:
+		return 0;
+	}
+}
+
+/* Work offsets, turned and scaled coordinates. */
+static uint32_t coordinate_letters(const struct block *block, const struct dialect_traits *traits)
+{
+	const int system = block->g[G_SYSTEM], rotation = block->g[G_ROTATION];
+	uint32_t used = 0;
+
+	if (system == G54_1 || system == G154 || (system == G54 && traits->g54_has_number != ANSWER_NO))
 		used |= letter_bit('P');
 	/* With those of the forms that execute/coordinate_rotation.c refuses. */
-	if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION]))
-		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
-	if (block->g[G_NONMODAL] == G12 || block->g[G_NONMODAL] == G13)
-		used |= letter_bits("DIKLQ");
-	if (block->g[G_NONMODAL] == G150)
-		used |= letter_bits("DIJKLPQR");
-	if (block->g[G_SCALING] == G51)
-		used |= letter_bits("IJKP");
-	if (code_tilts(block->g[G_ROTATION]))
-		used |= letter_bit('P') | letter_bit('Q');
-	if (block->g[G_SYSTEM] == G54 && traits->g54_has_number != ANSWER_NO)
-		used |= letter_bit('P');
-	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 ||
-	    block->g[G_LENGTH] == G234)
+	if (rotation == G68 || code_tilts(rotation))
+		used |= letter_bits("IJKR");
+	if (code_tilts(rotation))
+		used |= letter_bits("PQ");
+	return used | (block->g[G_SCALING] == G51 ? letter_bits("IJKP") : 0);
+}
+
+/* Tool length, cutter compensation, and the tool's direction. */
+static uint32_t tool_letters(const struct block *block, const struct dialect_traits *traits)
+{
+	const int length = block->g[G_LENGTH], cutter = block->g[G_CUTTER];
+	uint32_t used = block->vectors ? letter_bits("IJKQ") : 0;
+
+	if (cutter != CODE_NONE && cutter != G40)
+		used |= letter_bits("DL");
+	if (traits->h_alone || length == G43 || length == G43_4 || length == G43_5 || length == G234)
 		used |= letter_bit('H');
-	if (block->vectors)
-		used |= letter_bits("IJKQ");
-	if (block->g[G_NONMODAL] == G70 || block->g[G_NONMODAL] == G71)
-		used |= letter_bits("IJKL");
+	return used | (traits->d_alone == ANSWER_YES ? letter_bit('D') : 0);
+}
+
+static uint32_t path_letters(const struct block *block, const struct dialect_traits *traits)
+{
+	uint32_t used = block->g[G_CONTOUR] != CODE_NONE ? contour_letters(block->g[G_CONTOUR]) : 0;
+
+	return used | (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO ? letter_bits("PQ") : 0);
+}
+
+static uint32_t spindle_letters(const struct block *block)
+{
+	return (block->g[G_SPINDLE] == G96 ? letter_bit('D') : 0) |
+	       (block->m[M_SPINDLE] == 19 ? letter_bits("PR") : 0);
+}
+
+static uint32_t m_letters(const struct block *block, const struct dialect_traits *traits)
+{
+	uint32_t used = override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
+
 	if (block->m[M_TOOL] == 61)
 		used |= letter_bit('Q');
-	used |= traits->h_alone ? letter_bit('H') : 0;
-	used |= traits->d_alone == ANSWER_YES ? letter_bit('D') : 0;
-	if (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO)
-		used |= letter_bit('P') | letter_bit('Q');
-	if (block->g[G_CONTOUR] != CODE_NONE)
-		used |= contour_letters(block->g[G_CONTOUR]);
-	if (block->g[G_SPINDLE] == G96)
-		used |= letter_bit('D');
-	if (block->m[M_SPINDLE] == 19)
-		used |= letter_bit('P') | letter_bit('R');
 	if (block->m_ignored)
-		used |= letter_bit('P') | letter_bit('Q');
+		used |= letter_bits("PQ");
 	/* Builders give their M-codes other words, too: M298 L1 of Brother. In a block that moves they may be another's. */
 	if (block->m_ignored && traits->call_letters && !(block->letters & AXIS_BITS))
 		used |= letter_bits("ELR");
-	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
+	return used;
+}
+
+uint32_t block_used_letters(const struct block *block, const struct dialect *dialect)
+{
+	const struct dialect_traits *traits = &dialect->traits;
+
+	return AXIS_BITS | letter_bits("FST") | motion_letters(block, dialect) | nonmodal_letters(block, dialect) |
+	       coordinate_letters(block, traits) | tool_letters(block, traits) | path_letters(block, traits) |
+	       spindle_letters(block) | m_letters(block, traits);
 }
