@@ -280,7 +280,10 @@ static const struct {
 	{BOTH, "#1=#4111\n",
 	 "p.nc:1:4: error: #4111, a modal code or word, is not followed here in this state of the program\n   "
 	 " #1=#4111\n       ^\n"},
-	{BOTH, "G43.4 H0\n#1=#5001\n",
+	{F, "G43.4 H0\n#1=#5001\n",
+	 "p.nc:2:4: error: #5001 under tool centre point control is not supported yet\n    #1=#5001\n       "
+	 "^\n"},
+	{H, "G234 H0\n#1=#5001\n",
 	 "p.nc:2:4: error: #5001 under tool centre point control is not supported yet\n    #1=#5001\n       "
 	 "^\n"},
 	{BOTH, "G65 A1.\n", "p.nc:1:1: error: a macro call needs P, the number of the program\n    G65 A1.\n    ^\n"},
