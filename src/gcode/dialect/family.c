@@ -35,8 +35,6 @@ static const struct family sinumerik = {"a program for Siemens Sinumerik", {"sin
 static const struct family linuxcnc = {"a program for LinuxCNC", {"linuxcnc", NULL}};
 static const struct family haas = {"a program for Haas", {"haas", NULL}};
 static const struct family fanuc = {"a program for Fanuc", {"fanuc", NULL}};
-/* The linuxcnc dialect has its tool centre point control, too. */
-static const struct family fanuc_tcp = {"a program for Fanuc", {"fanuc", "linuxcnc", NULL}};
 static const struct family okuma = {"a program for Okuma OSP, which no dialect reads", {NULL}};
 static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas", NULL}};
 
@@ -90,7 +88,6 @@ static const struct sign {
 	{&okuma, "CALLO", "CALL O", MATCH_START, true},
 	{&linuxcnc, "", "an O-word", MATCH_O_CALL, false},
 	{&linuxcnc, "#<", "#<name>", MATCH_ANYWHERE, false},
-	{&fanuc_tcp, "G43.4", "G43.4", MATCH_G, false},
 	{&fanuc, "G5P10000", "G5 P10000", MATCH_G, false},
 	{&fanuc, "G05P10000", "G5 P10000", MATCH_G, false},
 	{&fanuc, "G5.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
