@@ -213,7 +213,19 @@ static double way_between(const struct cutter_approach *approach, const struct a
 	const axis_values exact = {{0}};
 	struct chain_state start, end;
 	struct chord_bound bound;
+	bool turns = false;
+	double way = 0;
 
+	for (size_t i = 0; i < approach->chain.count; i++) {
+		const struct joint *joint = &approach->chain.joints[i];
+		const double step = fabs(q1->v[joint->slot] - q0->v[joint->slot]);
+
+		turns |= joint->rotary && step > 0;
+		way += step;
+	}
+	/* Three axes need no kinematics. */
+	if (!turns)
+		return way;
 	chain_state_init(&start, &approach->chain, q0, &approach->ball, &ball);
 	chain_state_init(&end, &approach->chain, q1, &approach->ball, &ball);
 	chord_bound_init(&bound, &(struct joint_chord){
