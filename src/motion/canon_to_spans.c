@@ -27,6 +27,7 @@ static void take_tool(struct canon_to_spans *converter, int number)
 	converter->tool = number;
 	converter->probes = tool && tool->kind == TOOL_PROBES;
 	cutter_hand_init(&converter->hand, converter->setup, number);
+	length_check_tool(&converter->length, converter->setup, number);
 }
 
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
@@ -418,6 +419,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	add_following(&run);
 	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
 		run.tolerance.v[slot] += run.swing.v[slot];
+	length_check_move(&converter->length, converter->diag, place(converter, move), move);
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;

@@ -11,6 +11,7 @@
 #include "motion/blend.h"
 #include "motion/cutter_hand.h"
 #include "motion/events.h"
+#include "motion/length_check.h"
 #include "motion/tcp.h"
 
 /* Plain data; owns nothing. */
@@ -29,6 +30,7 @@ struct canon_to_spans {
 	int tool;
 	bool probes;	/* the tool is a probe */
 	struct cutter_hand hand;	/* of the tool */
+	struct length_check length;	/* of that tool */
 	struct blend blend;	/* of the last move */
 	double time, block_time;
 	bool tells_modes;
