@@ -1,23 +1,6 @@
 # A link that is far from all that carries it, and bodies that only a large adjacent_within excuses, are doubted; a
 # joint with a small gap is not, nor an axis that is marked checked="".
-box bed -100 -100 0 100 100 50
-box table -100 -100 52 100 20 60
-box slide -100 30 70 100 60 400
-box head -20 -20 200 20 25 300
-machine whole.xml <<'XML'
-  <body name="bed" mesh="bed.stl"/>
-  <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
-    <body name="slide" mesh="slide.stl"/>
-    <axis name="Z" type="linear" direction="0 0 1" limit_min="-130" limit_max="100" rate_max="6000">
-      <body name="head" mesh="head.stl"/>
-      <spindle location="0 0 200" direction="0 0 -1"/>
-    </axis>
-  </axis>
-  <axis name="Y" type="linear" direction="0 -1 0" limit_min="-200" limit_max="200" rate_max="6000">
-    <body name="table" mesh="table.stl"/>
-    <workholding location="0 0 60"/>
-  </axis>
-XML
+drawn_mill whole.xml
 # The distance that is said is a bound that is at most a tenth too small.
 doubts() { # MACHINE DISTANCE...
 	fivecheck --check-machine "$1" | sed -n '/^oddities/,$p' | grep 'mm apart' >said

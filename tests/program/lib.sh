@@ -124,6 +124,29 @@ stock_mill() {
 XML
 }
 
+# drawn_mill FILE - a mill with a body on every link: X +-200 with the slide carries Z -130..100 with the head, whose face is
+# at z=200 when Z=0; Y +-200 carries the table, its top at z=60, 2 mm above the bed, which is 20 mm below the slide
+drawn_mill() {
+	box bed -100 -100 0 100 100 50
+	box table -100 -100 52 100 20 60
+	box slide -100 30 70 100 60 400
+	box head -20 -20 200 20 25 300
+	machine "$1" <<'XML'
+  <body name="bed" mesh="bed.stl"/>
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
+    <body name="slide" mesh="slide.stl"/>
+    <axis name="Z" type="linear" direction="0 0 1" limit_min="-130" limit_max="100" rate_max="6000">
+      <body name="head" mesh="head.stl"/>
+      <spindle location="0 0 200" direction="0 0 -1"/>
+    </axis>
+  </axis>
+  <axis name="Y" type="linear" direction="0 -1 0" limit_min="-200" limit_max="200" rate_max="6000">
+    <body name="table" mesh="table.stl"/>
+    <workholding location="0 0 60"/>
+  </axis>
+XML
+}
+
 # program FILE - standard input, as it is
 program() {
 	cat >"$1"
