@@ -35,13 +35,18 @@ struct part {
 	size_t text_size;	/* bytes */
 };
 
+/*
+ * In this order what one thread writes at every step is not in one line of the processors' caches with what the other
+ * thread looks at as often.
+ */
 struct event_queue {
-	struct part parts[PARTS];	/* `taken` to `given` are the receiver's, the others the reader's */
-	struct step_packing packs, unpacks;	/* the reader's and the receiver's */
 	atomic_bool stopped;	/* by the receiver */
-	struct shared_loop *loop;	/* its lock is for what follows */
+	struct shared_loop *loop;	/* its lock is for the next four */
 	size_t given, taken;	/* parts in all */
 	bool ended, done;	/* by the reader, and by the receiver */
+	struct step_packing packs;	/* the reader's */
+	struct part parts[PARTS];	/* `taken` to `given` are the receiver's, the others the reader's */
+	struct step_packing unpacks;	/* the receiver's */
 };
 
 struct event_queue *event_queue_new(struct shared_loop *loop)
