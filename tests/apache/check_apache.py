@@ -262,7 +262,7 @@ def nothing_is_sent(server):
         same("exceptions", tab.exceptions(), [])
         tab.close()
     log = server.log()[before:]
-    true("something was asked for", any(entry[1].endswith("fivecheck-iso.wasm") for entry in log))
+    true("something was asked for", any(entry[1].endswith("fivecheck.wasm") for entry in log))
     same("all but GETs without a body", [entry for entry in log if entry[0] != "GET" or entry[3] != "-"], [])
     same("names of the user", [entry for entry in log if "secret" in entry[1] or entry[1].endswith((".nc", "m.xml"))], [])
 

@@ -1,12 +1,15 @@
-// check_face.mjs WASM VIEWER - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
+// check_face.mjs FOLDER - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import {Fivecheck, OtherModule, STATUS} from '../../src/web/app/fivecheck.js';
+import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
-import {isIso} from '../../src/web/app/modules.js';
+import {partsOf} from '../../src/web/app/modules.js';
 import {addFromDisk} from './disk.mjs';
 
-const wasm = fs.readFileSync(process.argv[2]), viewer = fs.readFileSync(process.argv[3], 'utf8'), fivecheck = await Fivecheck.load(wasm, viewer);
+const folder = process.argv[2], viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
+const fivecheck = await Fivecheck.load([FIRST, ...PARTS].map((name) => fs.readFileSync(`${folder}/${name}`)), viewer);
+/** Only some of the modules. */
+const modules = Object.fromEntries([FIRST, ...PARTS].map((name, i) => [name, fivecheck.modules[i]]));
 const tests = {};
 
 function exampleJob(program, more = {}) {
@@ -33,7 +36,7 @@ tests['a collision is an event, a text and a report'] = () => {
 };
 
 tests['a report needs the script of the viewer'] = () => {
-	assert.throws(() => new Fivecheck(fivecheck.module).check(exampleJob('collision', {report: true})), OtherModule);
+	assert.throws(() => new Fivecheck(fivecheck.modules).check(exampleJob('collision', {report: true})), PartLacking);
 };
 
 tests['a clear program has status 0, and the same job can be run again'] = () => {
@@ -177,16 +180,29 @@ tests['a session tells how near the bodies are'] = () => {
 	assert.throws(() => session.pose({X: NaN}), /no position of an axis/);
 };
 
-tests['the smaller module is taken only for what it surely has'] = () => {
+tests['a job gets the parts that it needs, and all where that is not sure'] = () => {
 	const machine = (controller, head = '') => `${head}<machine version="1"><controller dialect="${controller}"/></machine>`;
-	assert.ok(isIso(machine('fanuc')));
-	assert.ok(isIso(fs.readFileSync('machines/ac-trunnion/machine.xml', 'utf8'), fs.readFileSync('examples/ac-trunnion/setup.xml', 'utf8')));
-	assert.ok(!isIso(machine('sinumerik')));
-	assert.ok(!isIso(machine('klartext')));
-	assert.ok(!isIso(machine('klar&#116;ext')));
-	assert.ok(!isIso(machine('&c;', '<!DOCTYPE machine [<!ENTITY c "klartext">]>')));
-	assert.ok(!isIso(Buffer.from(machine('fanuc'), 'utf16le').toString('latin1')));
-	assert.ok(!isIso(machine('fanuc'), '<setup version="1"><tools href="tool.tbl"/></setup>'));
+	const [klartext, sinumerik, more] = PARTS;
+	assert.deepEqual(partsOf(machine('fanuc')), []);
+	assert.deepEqual(partsOf(fs.readFileSync('machines/ac-trunnion/machine.xml', 'utf8'), fs.readFileSync('examples/ac-trunnion/setup.xml', 'utf8')), []);
+	assert.deepEqual(partsOf(machine('sinumerik')), [sinumerik]);
+	assert.deepEqual(partsOf(machine('klartext')), [klartext]);
+	assert.deepEqual(partsOf(machine('fanuc'), '<setup version="1"><tools href="tool.tbl"/></setup>'), [more]);
+	assert.deepEqual(partsOf(machine('klar&#116;ext')), PARTS);
+	assert.deepEqual(partsOf(machine('&c;', '<!DOCTYPE machine [<!ENTITY c "klartext">]>')), PARTS);
+	assert.deepEqual(partsOf(Buffer.from(machine('fanuc'), 'utf16le').toString('latin1')), PARTS);
+};
+
+tests['a control needs the first module and its part alone, and says so without it'] = () => {
+	const programs = {klartext: ['0 BEGIN PGM A MM', '1 L Z+0 R0 FMAX M91', '2 END PGM A MM'], sinumerik: ['G71 G90', 'G0 SUPA Z0 D0', 'M30']};
+	for (const [i, [dialect, lines]] of Object.entries(programs).entries()) {
+		const job = exampleJob('clear', {options: [`--dialect=${dialect}`]});
+		delete job.setup;
+		job.files.add('part.txt', lines.join('\n') + '\n');
+		job.programs = ['part.txt'];
+		assert.equal(new Fivecheck([modules[FIRST], modules[PARTS[i]]]).check(job).status, STATUS.CLEAR);
+		assert.throws(() => new Fivecheck([modules[FIRST], modules[PARTS[1 - i]]]).check(job), PartLacking);
+	}
 };
 
 tests['hostile files end with a status, and the next job is as before'] = () => {

@@ -1,20 +1,20 @@
 // check_wasm.mjs - the checker in WebAssembly prints the same bytes as the native one.
 //
-// check_wasm.mjs FIVECHECK FOLDER [JOBS]: both modules in FOLDER (make web) on the examples, in all formats, with every table;
-// then the smaller one on each job that tests/wasm/record_job kept in JOBS. All runs see the same files under the same names.
+// check_wasm.mjs FIVECHECK FOLDER [JOBS]: the modules in FOLDER (make web) on the examples, in all formats, with every table, all
+// of them and the first alone; then the first alone on each job that tests/wasm/record_job kept in JOBS. All runs see the same files under the same names.
 // What measures time is left out.
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import {Fivecheck, OtherModule} from '../../src/web/app/fivecheck.js';
+import {FIRST, Fivecheck, PARTS, PartLacking} from '../../src/web/app/fivecheck.js';
 import {Files} from '../../src/web/app/files.js';
 import {addFromDisk} from './disk.mjs';
 
 const [program, folder, jobs] = process.argv.slice(2), native = path.resolve(program);
 const viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
-const all = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck.wasm`), viewer);
-const iso = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck-iso.wasm`), viewer);
+const all = await Fivecheck.load([FIRST, ...PARTS].map((name) => fs.readFileSync(`${folder}/${name}`)), viewer);
+const first = new Fivecheck(all.modules.slice(0, 1), viewer);
 let runs = 0, failed = 0;
 
 /** Times differ from run to run: the line of statistics, and the attribute of JUnit. */
@@ -59,21 +59,21 @@ function compare(fivecheck, name, folder, inputs, args, written = []) {
 const WAYS = [['-f', 'text'], ['-f', 'ndjson', '--all'], ['-f', 'junit'], ['-f', 'sarif', '--all'], ['-f', 'github'], ['--dump-path'],
 	['--list-pairs'], ['--parse-only'], ['--clearance=2', '--all', '-f', 'ndjson'], ['--method=conventional', '-f', 'ndjson'],
 	['--tolerance=0.01', '--dump-path']];
-/** What the smaller module has not. */
+/** What is not in the first module. */
 const LARGE = [['-f', 'junit'], ['-f', 'sarif', '--all'], ['-f', 'github'], ['--glb=g.glb'], ['--sensitivity=1,1,1,1'],
 	['--dialect=sinumerik'], ['--dialect=klartext']];
 const WRITTEN = {'--report=r.html': 'r.html', '--picture=p.svg': 'p.svg', '--pose=s.stl': 's.stl', '--glb=g.glb': 'g.glb'};
 
-/** The smaller module prints no result for what it has not. */
+/** The first module alone prints no result for what only a part has. */
 function refuses(name, args) {
 	const files = new Files(), opened = ['machines', 'examples'].flatMap((input) => addFromDisk(files, input, input));
 	runs++;
 	try {
-		const {status} = iso.run(args, files);
+		const {status} = first.run(args, files);
 		failed++;
-		console.log(`${name}: ${args.join(' ')}: status ${status} of the smaller module`);
+		console.log(`${name}: ${args.join(' ')}: status ${status} of the first module alone`);
 	} catch (error) {
-		if (!(error instanceof OtherModule))
+		if (!(error instanceof PartLacking))
 			throw error;
 	}
 	opened.forEach((bytes) => bytes.close());
@@ -82,9 +82,9 @@ function refuses(name, args) {
 for (const name of ['ac-trunnion', 'b-head-c-table', 'cb-head']) {
 	const machine = `machines/${name}/machine.xml`, setup = `--setup=examples/${name}/setup.xml`;
 
-	for (const fivecheck of [all, iso]) {
-		const written = Object.entries(WRITTEN).slice(0, fivecheck === iso ? 3 : 4);
-		const ways = fivecheck === iso ? WAYS.filter((way) => !LARGE.some((large) => large.join() === way.join())) : WAYS;
+	for (const fivecheck of [all, first]) {
+		const written = Object.entries(WRITTEN).slice(0, fivecheck === first ? 3 : 4);
+		const ways = fivecheck === first ? WAYS.filter((way) => !LARGE.some((large) => large.join() === way.join())) : WAYS;
 
 		compare(fivecheck, name, '.', ['machines'], ['--check-machine', machine]);
 		for (const program of ['clear', 'collision']) {
@@ -102,8 +102,8 @@ for (const job of jobs ? fs.readdirSync(jobs).sort() : []) {
 	const args = fs.readFileSync(path.join(jobs, job, 'arguments'), 'utf8').trimEnd().split('\n'), folder = path.join(jobs, job, 'files');
 	const inputs = fs.readdirSync(folder);
 
-	compare(iso, job, folder, inputs, args);
-	compare(iso, job, folder, inputs, ['--dump-path', ...args.filter((word) => word.startsWith('--setup')), ...(args.includes('-s') ? ['-s', 's.xml'] : []), 'm.xml', 'p.nc']);
+	compare(first, job, folder, inputs, args);
+	compare(first, job, folder, inputs, ['--dump-path', ...args.filter((word) => word.startsWith('--setup')), ...(args.includes('-s') ? ['-s', 's.xml'] : []), 'm.xml', 'p.nc']);
 }
 console.log(`check-wasm: ${runs} runs, ${failed} differ`);
 process.exitCode = failed ? 1 : 0;

@@ -2,6 +2,7 @@
 /**
  * client.js - jobs of the checker in workers of their own: the page stays alive, and a job can be cancelled.
  */
+import {FIRST} from './fivecheck.js';
 import {Modules} from './modules.js';
 
 /** @typedef {import('./fivecheck.js').Result} Result */
@@ -45,11 +46,11 @@ export class Client {
 
 	/**
 	 * @param {Record<string, any>} message
-	 * @param {WebAssembly.Module} module
+	 * @param {WebAssembly.Module[]} modules
 	 * @param {Listener} listener
 	 * @returns {Promise<any>}
 	 */
-	async post(message, module, listener = {}) {
+	async post(message, modules, listener = {}) {
 		await this.begin();
 		const worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
 		/** @type {((reason: Error) => void) | undefined} */
@@ -66,7 +67,7 @@ export class Client {
 					if (data.done) resolve(data.done);
 					if (data.failed) reject(new Error(data.failed));
 				};
-				worker.postMessage({...message, module});
+				worker.postMessage({...message, modules});
 			});
 		} finally {
 			worker.terminate();
@@ -83,18 +84,18 @@ export class Client {
 	 */
 	async check({files, ...job}, listener) {
 		const [machine, setup] = [job.machine, job.setup].map((wanted) => files.find(([path]) => path === wanted)?.[1]);
-		const [module, viewer] = await Promise.all([this.modules.of(machine, setup), job.report ? this.modules.viewer() : undefined]);
-		return this.post({files, job, viewer}, module, listener);
+		const [modules, viewer] = await Promise.all([this.modules.of(machine, setup), job.report ? this.modules.viewer() : undefined]);
+		return this.post({files, job, viewer}, modules, listener);
 	}
 
 	/**
-	 * Runs a command line that needs no other control than those of the smaller module.
+	 * Runs a command line that needs the first module alone.
 	 * @param {string[]} args
 	 * @param {[string, string | Blob][]} files
 	 * @returns {Promise<{status: number, out: string, err: string}>}
 	 */
 	async run(args, files = []) {
-		return this.post({files, args}, await this.modules.iso);
+		return this.post({files, args}, await Promise.all([this.modules.load(FIRST)]));
 	}
 
 	/** Ends all jobs that run, and those that wait. */

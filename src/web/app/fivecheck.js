@@ -7,10 +7,10 @@
  * Nothing is sent anywhere.
  */
 import {Files, FileNode} from './files.js';
-import {Wasi} from './wasi.js';
+import {LACKING, Wasi} from './wasi.js';
 
-/** Exit statuses. The last is that of modules alone: something is not in them. */
-export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, OTHER_MODULE: 4};
+/** Exit statuses. The last is not of fivecheck(1): a part of the checker was not loaded. */
+export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, LACKING};
 
 /**
  * One job.
@@ -37,22 +37,34 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, OTHER_MOD
  * @property {number} memory bytes that the checker took at most; files that were read or written are not among them
  */
 
+/** The modules of the checker: the first for every job, the others by what they bring (README.md). */
+export const FIRST = 'fivecheck.wasm', PARTS = ['fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', 'fivecheck-more.wasm'];
+
 const RESULTS = '/tmp/fivecheck';
 /** Where the checker looks for the script of reports (src/wasi/viewer.c). */
 const VIEWER = `${RESULTS}/viewer.js`;
 
-/** The smaller module, fivecheck-iso.wasm, was asked for what only fivecheck.wasm has, or a report lacks viewer.js. */
-export class OtherModule extends Error {
+/** The job needs a part of the checker that was not loaded, or a report lacks viewer.js. */
+export class PartLacking extends Error {
 	constructor() {
-		super('the module lacks this: load fivecheck.wasm, and for a report give the text of viewer.js');
+		super('a part of the checker was not loaded: load all of PARTS, and for a report give the text of viewer.js');
 	}
 }
 
 /** @param {number} status @returns {number} the status of a run that came to its end */
 function statusOf(status) {
-	if (status === STATUS.OTHER_MODULE)
-		throw new OtherModule();
+	if (status === STATUS.LACKING)
+		throw new PartLacking();
 	return status;
+}
+
+/** Where a module is, its bytes, or the module. @typedef {string | URL | BufferSource | WebAssembly.Module} Source */
+
+/** @param {Source} source */
+async function compiled(source) {
+	if (source instanceof WebAssembly.Module)
+		return source;
+	return typeof source === 'string' || source instanceof URL ? WebAssembly.compileStreaming(fetch(source)) : WebAssembly.compile(source);
 }
 
 /** Takes bytes, gives whole lines. */
@@ -73,22 +85,18 @@ class Lines {
 }
 
 export class Fivecheck {
-	/** @param {WebAssembly.Module} module @param {string} [viewer] see load */
-	constructor(module, viewer) {
-		this.module = module;
+	/** @param {WebAssembly.Module[]} modules @param {string} [viewer] see load */
+	constructor(modules, viewer) {
+		this.modules = modules;
 		this.viewer = viewer;
 	}
 
 	/**
-	 * @param {string | URL | BufferSource | WebAssembly.Module} source of fivecheck.wasm: where it is, its bytes, or compiled
+	 * @param {Source | Source[]} sources of fivecheck.wasm and of the parts that are needed, in this order
 	 * @param {string} [viewer] the text of viewer.js, which reports need
 	 */
-	static async load(source, viewer) {
-		if (source instanceof WebAssembly.Module)
-			return new Fivecheck(source, viewer);
-		if (typeof source !== 'string' && !(source instanceof URL))
-			return new Fivecheck(await WebAssembly.compile(source), viewer);
-		return new Fivecheck(await WebAssembly.compileStreaming(fetch(source)), viewer);
+	static async load(sources, viewer) {
+		return new Fivecheck(await Promise.all([sources].flat().map(compiled)), viewer);
 	}
 
 	/**
@@ -108,7 +116,7 @@ export class Fivecheck {
 		if (this.viewer)
 			files.add(VIEWER, this.viewer);
 		const wasi = new Wasi({args: ['fivecheck', ...args], files, onOutput: keep, ...more});
-		const status = statusOf(wasi.run(this.module));
+		const status = statusOf(wasi.run(this.modules));
 		return {status, out: texts[0], err: texts[1], memory: wasi.memory.buffer.byteLength};
 	}
 
@@ -119,7 +127,7 @@ export class Fivecheck {
 	 */
 	check(job) {
 		if (job.report && !this.viewer)
-			throw new OtherModule();
+			throw new PartLacking();
 		return collect(job, (more) => this.run(argumentsOf(job), job.files, more));
 	}
 
@@ -130,7 +138,7 @@ export class Fivecheck {
 	session(files) {
 		if (this.viewer)
 			files.add(VIEWER, this.viewer);
-		return new Session(this.module, files);
+		return new Session(this.modules, files);
 	}
 
 	/**
@@ -193,13 +201,13 @@ export class SessionEnded extends Error {}
 
 export class Session {
 	/**
-	 * @param {WebAssembly.Module} module
+	 * @param {WebAssembly.Module[]} modules
 	 * @param {Files} files of all jobs; what is loaded of them is not read again
 	 */
-	constructor(module, files) {
+	constructor(modules, files) {
 		this.files = files;
 		this.wasi = new Wasi({args: [], files});
-		this.wasi.instantiate(module);
+		this.wasi.instantiate(modules);
 		this.handle = this.wasi.call('session_new');
 	}
 

@@ -82,13 +82,13 @@ class LearnPage {
 		say.textContent = 'Loading …';
 		this.session?.close();
 		this.scout?.close();
-		const module = this.client.modules.of(machine.blob, setup?.blob), all = withMeshes(files), job = {machine: machine.path, setup: setup?.path};
-		const session = this.session = new SessionClient(module, all, job);
+		const modules = this.client.modules.of(machine.blob, setup?.blob), all = withMeshes(files), job = {machine: machine.path, setup: setup?.path};
+		const session = this.session = new SessionClient(modules, all, job);
 		const tools = toolsOf(setup), start = `${tools.map(({number}) => `T${number} M6\n`).join('')}M2\n`;
 		const {reports, messages} = await session.check({name: 'start.nc', text: start, options: ['--dialect=linuxcnc'], report: true});
 		if (session !== this.session)
 			return;
-		this.scout = new SessionClient(module, all, job);
+		this.scout = new SessionClient(modules, all, job);
 		const report = reports.get('start.nc');
 		if (!report) {
 			say.textContent = messages;

@@ -1,19 +1,22 @@
 // @ts-check
 /**
- * modules.js - the two modules of the checker, of which a page loads what it needs: fivecheck-iso.wasm reads programs for
- * LinuxCNC, Fanuc and Haas; fivecheck.wasm has everything.
+ * modules.js - the modules of the checker, of which a page loads what its jobs need: fivecheck.wasm, with the controls whose
+ * programs are ISO codes, and its parts.
  */
+import {FIRST, PARTS} from './fivecheck.js';
 
 /** What may hide a word from a look at the text: character references and entities. */
 const HIDDEN = /&#|<!DOCTYPE/;
 
 /**
- * Surely a job for the smaller module, which reads no programs of the other controls and no tool libraries?
+ * The parts that a job needs besides the first module; all of them where that is not sure.
  * @param {string} machine the text of its file @param {string} [setup]
  */
-export function isIso(machine, setup = '<setup') {
-	return /<machine\b/.test(machine) && !/sinumerik|klartext/i.test(machine) && !HIDDEN.test(machine)
-		&& /<setup\b/.test(setup) && !/<tools\b/.test(setup) && !HIDDEN.test(setup);
+export function partsOf(machine, setup = '<setup') {
+	if (!/<machine\b/.test(machine) || HIDDEN.test(machine) || !/<setup\b/.test(setup) || HIDDEN.test(setup))
+		return PARTS;
+	const wanted = [/klartext/i.test(machine), /sinumerik/i.test(machine), /<tools\b/.test(machine + setup)];
+	return PARTS.filter((_, i) => wanted[i]);
 }
 
 /** @param {string | Blob | undefined} file */
@@ -25,21 +28,24 @@ export class Modules {
 	/** @param {string | URL} folder the page's */
 	constructor(folder) {
 		this.folder = folder;
-		this.iso = this.compile('fivecheck-iso.wasm');
-		/** @type {Promise<WebAssembly.Module> | undefined} */
-		this.all = undefined;
+		/** @type {Map<string, Promise<WebAssembly.Module>>} */
+		this.loaded = new Map();
 		/** @type {Promise<string> | undefined} */
 		this.script = undefined;
+		this.load(FIRST);
 	}
 
-	/** @param {string} name */
-	compile(name) {
-		return WebAssembly.compileStreaming(fetch(new URL(name, this.folder)));
+	/** Each is loaded once. @param {string} name */
+	load(name) {
+		const module = this.loaded.get(name) ?? WebAssembly.compileStreaming(fetch(new URL(name, this.folder)));
+		this.loaded.set(name, module);
+		return module;
 	}
 
-	/** The module for a job with these files. @param {string | Blob | undefined} machine @param {string | Blob} [setup] */
+	/** The modules for a job with these files. @param {string | Blob | undefined} machine @param {string | Blob} [setup] */
 	async of(machine, setup) {
-		return isIso(await textOf(machine) ?? '', await textOf(setup)) ? this.iso : this.all ??= this.compile('fivecheck.wasm');
+		const parts = partsOf(await textOf(machine) ?? '', await textOf(setup));
+		return Promise.all([FIRST, ...parts].map((name) => this.load(name)));
 	}
 
 	/** The script that reports carry. */

@@ -3,7 +3,7 @@
 const CACHE = 'fivecheck';
 const CORE = ['./', 'index.html', 'report.html', 'page.css', 'main.js', 'client.js', 'modules.js', 'worker.js', 'fivecheck.js', 'files.js', 'wasi.js', 'job_files.js',
 	'machine_form.js', 'setup_form.js', 'fields.js', 'page.js', 'learn.html', 'viewer/stage.css', 'learn.css', 'learn.js', 'axis_picture.js', 'editor.js', 'jog.js', 'jog_stage.js', 'session_client.js',
-	'session_worker.js', 'tour.js', 'fivecheck-iso.wasm', 'fivecheck.wasm', 'viewer.js', 'examples/index.json'];
+	'session_worker.js', 'tour.js', 'fivecheck.wasm', 'fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', 'fivecheck-more.wasm', 'viewer.js', 'examples/index.json'];
 
 addEventListener('install', (event) => {
 	/** @type {any} */ (event).waitUntil(caches.open(CACHE).then((cache) => cache.addAll(CORE)));

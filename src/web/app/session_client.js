@@ -6,11 +6,11 @@
 
 export class SessionClient {
 	/**
-	 * @param {Promise<WebAssembly.Module>} module
+	 * @param {Promise<WebAssembly.Module[]>} modules
 	 * @param {[string, string | Blob][]} files
 	 * @param {{machine: string, setup?: string}} job
 	 */
-	constructor(module, files, job) {
+	constructor(modules, files, job) {
 		this.worker = new Worker(new URL('session_worker.js', import.meta.url), {type: 'module'});
 		/** @type {Map<number, {resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
 		this.waiting = new Map();
@@ -22,7 +22,7 @@ export class SessionClient {
 			else resolve?.(answer);
 		};
 		this.worker.onerror = ({message}) => this.fail(new Error(message || 'the worker has ended'));
-		this.opened = module.then((compiled) => this.ask({open: {module: compiled, files, job}}));
+		this.opened = modules.then((compiled) => this.ask({open: {modules: compiled, files, job}}));
 	}
 
 	/** @param {Error} reason */

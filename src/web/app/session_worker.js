@@ -12,14 +12,14 @@ import {Files} from './files.js';
 const NO_VIEWER = '/* none */';
 
 class Desk {
-	/** @param {WebAssembly.Module} module @param {[string, string | Blob][]} files @param {{machine: string, setup?: string}} job */
-	constructor(module, files, job) {
+	/** @param {WebAssembly.Module[]} modules @param {[string, string | Blob][]} files @param {{machine: string, setup?: string}} job */
+	constructor(modules, files, job) {
 		this.files = new Files();
 		for (const [path, contents] of files)
 			this.files.add(path, contents);
 		this.job = job;
 		/** @type {Session} */
-		this.session = new Fivecheck(module, NO_VIEWER).session(this.files);
+		this.session = new Fivecheck(modules, NO_VIEWER).session(this.files);
 	}
 
 	/** @param {{name: string, text: string, options?: string[], report?: boolean}} program */
@@ -40,7 +40,7 @@ let desk;
 addEventListener('message', ({data: {id, open, check, pose}}) => {
 	try {
 		if (open)
-			desk = new Desk(open.module, open.files, open.job);
+			desk = new Desk(open.modules, open.files, open.job);
 		postMessage({id, answer: check ? desk?.check(check) : pose ? desk?.pose(pose) : true});
 	} catch (error) {
 		postMessage({id, failed: String(error)});

@@ -24,6 +24,13 @@ class Exit extends Error {
 	}
 }
 
+/** Something is needed that no module has; fivecheck(1) has no such status. */
+export const LACKING = 4;
+
+function lacking() {
+	throw new Exit(LACKING);
+}
+
 /** @typedef {{ node: FileNode | Folder | null, position: number, append: boolean }} Descriptor */
 
 /**
@@ -54,19 +61,21 @@ export class Wasi {
 	}
 
 	/**
-	 * Makes an instance of the program; nothing runs yet.
-	 * @param {WebAssembly.Module} module
+	 * Makes an instance of the program; nothing runs yet. Its parts come after the first module, whose functions they call, and
+	 * put their own in place of those that stand for a part that is lacking.
+	 * @param {WebAssembly.Module[]} modules
 	 */
-	instantiate(module) {
-		/** @type {Record<string, Function>} */
-		const calls = {};
-		for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+	instantiate([first, ...parts]) {
+		/** @type {Record<string, Record<string, Function>>} */
+		const given = {};
+		for (const { module: from, name } of WebAssembly.Module.imports(first)) {
 			const call = /** @type {any} */ (this)[name];
-			if (from !== 'wasi_snapshot_preview1')
-				throw new Error(`the checker wants ${name} of ${from}`);
-			calls[name] = typeof call === 'function' ? call.bind(this) : () => E.NOSYS;
+			given[from] ??= {};
+			given[from][name] = from !== 'wasi_snapshot_preview1' ? lacking : typeof call === 'function' ? call.bind(this) : () => E.NOSYS;
 		}
-		this.instance = new WebAssembly.Instance(module, {wasi_snapshot_preview1: /** @type {any} */ (calls)});
+		this.instance = new WebAssembly.Instance(first, /** @type {any} */ (given));
+		for (const part of parts)
+			new WebAssembly.Instance(part, {first: this.instance.exports});
 		this.memory = /** @type {WebAssembly.Memory} */ (this.instance.exports.memory);
 	}
 
@@ -89,11 +98,11 @@ export class Wasi {
 
 	/**
 	 * Runs the program to its end.
-	 * @param {WebAssembly.Module} module
+	 * @param {WebAssembly.Module[]} modules
 	 * @returns {number} the exit status
 	 */
-	run(module) {
-		this.instantiate(module);
+	run(modules) {
+		this.instantiate(modules);
 		return this.call('_start');
 	}
 

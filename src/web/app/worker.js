@@ -15,7 +15,7 @@ function filesOf(given) {
 
 addEventListener('message', async ({data}) => {
 	try {
-		const fivecheck = await Fivecheck.load(data.module, data.viewer), files = filesOf(data.files);
+		const fivecheck = await Fivecheck.load(data.modules, data.viewer), files = filesOf(data.files);
 		if (data.args) {
 			postMessage({done: fivecheck.run(data.args, files)});
 			return;

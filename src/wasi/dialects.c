@@ -1,0 +1,12 @@
+/* dialects.c - in place of src/gcode/dialect/dialects.c: some dialects are in parts of their own (src/wasi/parts). */
+#include "gcode/dialect/dialects.h"
+#include "wasi/part_dialects.h"
+
+const struct dialect *dialect_of_row(int row)
+{
+#define GETTER(id, ...) dialect_##id##_get,
+	static const struct dialect *(*const getters[])(void) = {DIALECTS(GETTER)};
+#undef GETTER
+
+	return getters[row]();
+}
