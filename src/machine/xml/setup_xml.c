@@ -256,7 +256,7 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 	described->edges = arena_alloc(arena, count_edges(node) * sizeof(*described->edges));
 	described->libraries = arena_alloc(arena, xml_count(node, "tools") * sizeof(*described->libraries));
 	xml_read_children(xml, node, children, described);
-	if (!xml->errors)
+	if (!xml->errors && described->library_count)
 		setup_library_add(described, xml->root, xml->diag);
 	xml->unit = unit;
 }
