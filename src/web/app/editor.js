@@ -54,6 +54,8 @@ export class Editor {
 		this.look = look;
 		/** ms from the last key to its first verdict. */
 		this.took = 0;
+		/** ms from the last key to what is proved. */
+		this.proved = 0;
 		this.keys = 0;
 		/** The number of the key whose verdict is shown. */
 		this.shown = 0;
@@ -95,8 +97,10 @@ export class Editor {
 		try {
 			const result = await this.session.check({name: NAME, text: typed.text});
 			/* What is shown is about the text that stands there: that of a later key follows. */
-			if (typed.number === this.keys)
+			if (typed.number === this.keys) {
 				this.show(result, typed);
+				this.proved = performance.now() - typed.at;
+			}
 		} catch (error) {
 			this.verdict.dataset.verdict = 'incomplete';
 			this.verdict.textContent = String(error);
