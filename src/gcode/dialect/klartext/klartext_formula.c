@@ -1,5 +1,6 @@
 #include "gcode/dialect/klartext/klartext_formula.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -49,14 +50,28 @@ static size_t before_blanks(const char *text, size_t end)
 	return end;
 }
 
-/* Does a minus stand before the number or parameter that ends at the operator: "- 2 ^ 2", "3 * -Q1 ^ 2"? */
+/* Where the pair of brackets begins that ends at `end`; 0: it has no beginning. */
+static size_t before_brackets(const char *text, size_t end)
+{
+	int depth = 0;
+
+	while (end > 0) {
+		end--;
+		depth += text[end] == ')';
+		depth -= text[end] == '(';
+		if (depth == 0)
+			return end;
+	}
+	return 0;
+}
+
+/* Does a minus stand before the value that ends at the operator: "- 2 ^ 2", "3 * -Q1 ^ 2", "-SIN (30) ^ 2"? */
 static bool has_minus(const char *text, size_t operator)
 {
 	size_t end = before_blanks(text, operator);
 
-	while (end > 0 && strchr("0123456789.,QLRqlr", text[end - 1]))
-		end--;
-	end = before_blanks(text, end);
+	while (end > 0 && (isalnum((unsigned char)text[end - 1]) || strchr("., \t)", text[end - 1])))
+		end = text[end - 1] == ')' ? before_brackets(text, end) : end - 1;
 	if (end == 0 || text[end - 1] != '-')
 		return false;
 	end = before_blanks(text, end - 1);
