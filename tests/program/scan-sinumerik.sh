@@ -9,3 +9,10 @@ CYCLE63("KONTUR",50,0,1,-5)
 M30
 NC
 fivecheck scan part.mpf 2>/dev/null | sed -n '/^code/,/^$/p'
+# An answer of scan's own may make a loop endless: it gives up, and lists what it has found.
+program loop.mpf <<'NC'
+LOOP
+R1=_GUD
+ENDLOOP
+NC
+status fivecheck scan --dialect=sinumerik --max-blocks=50 loop.mpf 2>&1 | sed -n '/error\|variable\|status/p'

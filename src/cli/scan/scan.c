@@ -15,11 +15,14 @@ static const struct srcloc nowhere;
 struct request {
 	int dialect;	/* index of dialect_choice_names; -1: not given */
 	const char *output;	/* NULL: standard output */
+	int max_blocks;	/* 0: not given */
 };
 
 const struct option_row scan_options[SCAN_OPTION_COUNT] = {
 	{'d', "dialect", "NAME", .kind = VALUE_CHOICE, .field = offsetof(struct request, dialect),
 	 .choices = dialect_choice_names, .help = "%s; auto (the default):\nwhat the programs show for certain"},
+	{256, "max-blocks", "N", .kind = VALUE_COUNT, .field = offsetof(struct request, max_blocks), .least = 1,
+	 .greatest = 2e9, .help = "give up after N blocks in loops and subprograms\n(3000000)"},
 	{'o', "output", "FILE", .kind = VALUE_OUTPUT, .field = offsetof(struct request, output),
 	 .help = "write to FILE, which is replaced when complete; - is\nstandard output"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
@@ -100,7 +103,7 @@ static bool scan_all(const struct request *request, const struct operands *progr
 	if (!find_dialect(request, programs, diag, &dialect))
 		return false;
 	scan.codes.dialect = dialect;
-	scan.questions = scan_questions_new(dialect);
+	scan.questions = scan_questions_new(dialect, request->max_blocks);
 	for (size_t i = 0; i < programs->count; i++)
 		good = scan_program(&scan, programs->items[i], diag) && good;
 	good = write_all(&scan, programs->count, request->output, diag) && good;

@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 
-enum { SCAN_OPTION_COUNT = 3 };
+enum { SCAN_OPTION_COUNT = 4 };
 
 extern const struct option_row scan_options[SCAN_OPTION_COUNT];
 

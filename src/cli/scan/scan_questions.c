@@ -11,6 +11,8 @@
 
 /* Questions that one set of programs can have; M-codes and programs of the builder are most of them. */
 #define QUESTIONS_MAX 400
+/* An answer that is not the real one may make a loop endless: this takes seconds. */
+#define BLOCKS_MAX 3000000
 #define TOOLS 999
 #define OFFSETS 108
 #define OFFSET_NAME 16
@@ -65,11 +67,12 @@ static void fill_tables(struct scan_questions *questions)
 	config->work_offset_count = OFFSETS;
 }
 
-struct scan_questions *scan_questions_new(const struct dialect *dialect)
+struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks)
 {
 	struct scan_questions *questions = mem_zalloc(1, sizeof(*questions));
 
 	questions->config.dialect = dialect;
+	questions->config.read.max_blocks = max_blocks ? max_blocks : BLOCKS_MAX;
 	questions->config.controller.mcodes = questions->mcodes;
 	questions->config.controller.macros = questions->macros;
 	questions->config.controller.variables = questions->variables;

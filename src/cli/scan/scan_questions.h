@@ -12,7 +12,8 @@
 
 struct scan_questions;
 
-struct scan_questions *scan_questions_new(const struct dialect *dialect);
+/* max_blocks: of loops and subprograms, as in read_options.h; 0: what takes a few seconds. */
+struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks);
 void scan_questions_free(struct scan_questions *questions);
 
 /*
