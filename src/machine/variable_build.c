@@ -28,11 +28,11 @@ static bool read_sizes(const char *text, struct control_variable *variable)
 	}
 }
 
-static double number_of(const char *text)
+static double number_of(const char *text, bool truths)
 {
 	double value;
 
-	if (!strcmp(text, "TRUE") || !strcmp(text, "FALSE"))
+	if (truths && (!strcmp(text, "TRUE") || !strcmp(text, "FALSE")))
 		return text[0] == 'T';
 	return decimal_read(text, strlen(text), &value) && isfinite(value) ? value : NAN;
 }
@@ -61,6 +61,12 @@ static void check_value(struct description_file *file, const struct variable_des
 				  description_quote(file, described->at, "value").text);
 }
 
+/* "#500", in one spelling: what programs read has no other name there. */
+static bool is_numbered(const char *name)
+{
+	return name[0] == '#' && name[1] >= '1' && name[1] <= '9' && !name[1 + strspn(name + 1, "0123456789")];
+}
+
 static bool is_known(struct description_file *file, const struct variable_description *described,
 		     const struct control_variable *variables, size_t count, const char *name)
 {
@@ -73,21 +79,24 @@ static bool is_known(struct description_file *file, const struct variable_descri
 	return false;
 }
 
-static void build_one(struct description_file *file, const struct variable_description *described, bool types,
-		      struct arena *arena, struct control_variable *variables, size_t *count)
+static void build_one(struct description_file *file, const struct variable_description *described,
+		      const struct dialect_row *row, struct arena *arena, struct control_variable *variables,
+		      size_t *count)
 {
+	const bool types = row->has_frames, numbered = row->has_parameters && !row->has_frames;
 	struct control_variable variable = {.typed = described->type >= 0,
 					    .type = described->type >= 0 ? (enum control_type)described->type
 									 : CONTROL_REAL,
 					    .text = described->value,
-					    .number = described->value ? number_of(described->value) : NAN};
+					    .number = described->value ? number_of(described->value, types) : NAN};
 	char name[CONTROL_VARIABLE_NAME];
 
 	if (!described->name)
 		return;
-	if (!control_variable_name_normalise(described->name, name)) {
-		description_fault(file, described->at, "name", "name=\"%s\" of <variable> is no name",
-				  description_quote(file, described->at, "name").text);
+	if (!control_variable_name_normalise(described->name, name) || (numbered && !is_numbered(name))) {
+		description_fault(file, described->at, "name", "name=\"%s\" of <variable> is no name%s",
+				  description_quote(file, described->at, "name").text,
+				  numbered ? ", such as #500" : "");
 		return;
 	}
 	if ((variable.typed || described->size) && !types) {
@@ -118,7 +127,7 @@ void variable_build(struct machine_description *described, struct machine *machi
 		return;
 	}
 	for (size_t i = 0; i < from->variable_count; i++)
-		build_one(&described->file, &from->variables[i], row->has_frames, &machine->arena, variables,
+		build_one(&described->file, &from->variables[i], row, &machine->arena, variables,
 			  &to->variable_count);
 	to->variables = variables;
 }

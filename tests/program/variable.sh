@@ -31,3 +31,21 @@ machine sinumerik '<variable name="_ready" type="INT" value="1"/><variable name=
 status fivecheck -q --dump-path s.xml a.mpf | cut -f 1-6
 machine fanuc '<variable name="#500" value="4"/><variable name="#501" value="vacant"/>' >f.xml
 status fivecheck -q --dump-path f.xml b.nc | cut -f 1-6
+# Each program of a run begins with them again: the 900 mm of the first would be beyond the limits of X in the second.
+program one.nc <<'NC'
+%
+O1
+G0 G90 G21 G17
+#500=900
+M30
+%
+NC
+program two.nc <<'NC'
+%
+O2
+G0 G90 G21 G17 X#500
+M30
+%
+NC
+machine fanuc '<variable name="#500" value="4"/>' >f.xml
+status fivecheck -q --parse-only f.xml one.nc two.nc 2>&1 | grep -v 'without a tolerance'

@@ -90,6 +90,26 @@ static const struct kept refused[] = {
 	 ASKS("NAME") "what it holds"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[3]", 1)}, "G500\n",
 	 "<variable name=\"_POS[3]\"> of the machine file is no element of that array"},
+	/* two spellings of a name would be two values of it */
+	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[01]", 1)}, "G500\n",
+	 "<variable name=\"_POS[01]\"> of the machine file is no element of that array"},
+	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[+1]", 1)}, "G500\n",
+	 "<variable name=\"_POS[+1]\"> of the machine file is no element of that array"},
+	{&dialect_sinumerik, {VALUE("R05", 1)}, "G500\n",
+	 "<variable name=\"R05\"> of the machine file: write it without leading zeros"},
+	{&dialect_sinumerik, {TEXT("R5", "1,5")}, "G500\n", "R5: the value of the machine file is no number"},
+	{&dialect_klartext, {VALUE("Q1", 1), VALUE("Q01", 2)}, KLARTEXT("L X+1 FMAX\n"),
+	 "<variable name=\"Q01\"> of the machine file is no parameter that is kept: Q, QR or QS and its number, or data "
+	 "of FN 18, such as ID50 NR3 IDX1"},
+	{&dialect_klartext, {VALUE("ID50NR3IDX01", 1)}, KLARTEXT("L X+1 FMAX\n"),
+	 "<variable name=\"ID50NR3IDX01\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+	 "230, 350), such as ID50 NR3 IDX1"},
+	{&dialect_fanuc, {VALUE("#5001", 1)}, "G90 G21 G17\nG0 X#5001\n",
+	 "<variable name=\"#5001\"> of the machine file: the program and the setup determine this variable"},
+	{&dialect_fanuc, {VALUE("#5221", 1)}, "G90 G21 G17\nG0 X#5221\n",
+	 "<variable name=\"#5221\"> of the machine file: the program and the setup determine this variable"},
+	{&dialect_fanuc, {VALUE("#4001", 1)}, "G90 G21 G17\nG0 X#4001\n",
+	 "<variable name=\"#4001\"> of the machine file: the program and the setup determine this variable"},
 	{&dialect_sinumerik, {VALUE("_POS[3]", 1)}, "G500\n",
 	 "<variable name=\"_POS[3]\"> of the machine file: its type is missing, type=\"REAL\" and the like"},
 	{&dialect_sinumerik, {REAL_OF("SIN", CONTROL_REAL)}, "G500\n",
@@ -104,7 +124,10 @@ static const struct kept refused[] = {
 	/* what the program itself may have written there */
 	{&dialect_sinumerik, {VALUE("$AC_MARKER[1]", 1)}, "G500\n$AC_MARKER[1]=2\nG0 X=$AC_MARKER[1]\n",
 	 "the value of $AC_MARKER[1] is known to the control alone"},
-	{&dialect_klartext, {VALUE("ID270NR1IDX1", 1)}, KLARTEXT("FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n"),
+	{&dialect_klartext, {VALUE("ID270NR1IDX1", 1)}, KLARTEXT("L X+1 FMAX\n"),
+	 "<variable name=\"ID270NR1IDX1\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+	 "230, 350), such as ID50 NR3 IDX1"},
+	{&dialect_klartext, {{0}}, KLARTEXT("FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n"),
 	 "Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to check the program, "
 	 "assign the value by FN 0 behind it"},
 	{&dialect_klartext, {VALUE("Q5", 1)}, KLARTEXT("L X+QL5 FMAX\n"),

@@ -66,6 +66,11 @@ static const struct xml_case bad[] = {
      "m.xml:3: error: #1 is given twice\n"},
     {MACHINE("<controller dialect='fanuc'><variable name='#1' value=''/></controller><base/>"),
      "m.xml:2: error: value of <variable> is empty: what does #1 hold?\n"},
+    {MACHINE("<controller dialect='fanuc'><variable name='500' value='1'/>\n<variable name='#0500' value='1'/>\n"
+	     "<variable name='#5OO' value='1'/></controller><base/>"),
+     "m.xml:2: error: name=\"500\" of <variable> is no name, such as #500\n"
+     "m.xml:3: error: name=\"#0500\" of <variable> is no name, such as #500\n"
+     "m.xml:4: error: name=\"#5OO\" of <variable> is no name, such as #500\n"},
     {MACHINE("<controller dialect='klartext'><variable name='Q1' type='REAL' value='1'/></controller><base/>"),
      "m.xml:2: error: <variable> of this control has a name and a value, and neither type nor size\n"},
     {MACHINE("<controller><variable name='#1' value='1'/></controller><base/>"),

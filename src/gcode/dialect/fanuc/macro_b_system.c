@@ -178,6 +178,15 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 		     interp->config->dialect->name);
 }
 
+/* What follows from the program and the setup is not the machine file's to tell. */
+static bool check_untold(struct interp *interp, int number, int column)
+{
+	return !macro_b_kept_tells(interp, number) ||
+	       fault(&interp->at, column,
+		     "<variable name=\"#%d\"> of the machine file: the program and the setup determine this variable",
+		     number);
+}
+
 bool macro_b_system_read(struct interp *interp, int number, int column, double *value)
 {
 	const char *what = find_machine_only(macro_b_of(interp)->rules, number);
@@ -192,9 +201,9 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,
 			     what);
 	if ((number >= 4001 && number <= 4030) || (number >= 4101 && number <= 4130))
-		return read_mode(interp, number, column, value);
+		return check_untold(interp, number, column) && read_mode(interp, number, column, value);
 	if (number >= 5001 && number < 5001 + SLOT_COUNT)
-		return read_position(interp, number, column, value);
+		return check_untold(interp, number, column) && read_position(interp, number, column, value);
 	if (!find_work(interp, number, column, &system, &slot))
 		return false;
 	if (system < 0)
@@ -202,7 +211,7 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 					 "is a system variable that is not known here; if it stays the same while the "
 					 "program runs",
 					 value);
-	if (!work_offset_use_require(interp, system, column))
+	if (!check_untold(interp, number, column) || !work_offset_use_require(interp, system, column))
 		return false;
 	*value = interp->state.work[system].v[slot] / unit_of(&interp->state, slot);
 	return true;

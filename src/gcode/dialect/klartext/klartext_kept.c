@@ -9,12 +9,13 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* "Q12", "QR5", "QS7": the number behind the letters; -1: it is none, or there are no so many. */
+/* "Q12", "QR5", "QS7": the number behind the letters, in one spelling; -1: it is none, or there are no so many. */
 static long number_behind(const char *name, size_t letters, long count)
 {
 	const char *digits = name + letters;
 	const size_t length = strspn(digits, "0123456789");
-	const long number = length > 0 && length < 6 && !digits[length] ? strtol(digits, NULL, 10) : -1;
+	const bool spelt = length > 0 && length < 6 && !digits[length] && (*digits != '0' || length == 1);
+	const long number = spelt ? strtol(digits, NULL, 10) : -1;
 
 	return number < count ? number : -1;
 }
@@ -50,14 +51,33 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 	return true;
 }
 
+/* "ID50NR3IDX1", as FN 18 asks for it, of a table that no program changes. */
+static bool check_data(struct lexer *lexer, const char *name)
+{
+	struct klartext_query query = {0};
+	char asked[CONTROL_VARIABLE_NAME] = "";
+	const int read = sscanf(name, "ID%4dNR%4dIDX%6d", &query.id, &query.number, &query.index);
+
+	query.has_index = read == 3;
+	klartext_query_name(&query, asked, sizeof(asked));
+	control_variable_name_normalise(asked, asked);
+	return (read >= 2 && !strcmp(asked, name) && klartext_query_is_table(&query)) ||
+	       fault(lexer->at, 1,
+		     "<variable name=\"%s\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+		     "230, 350), such as ID50 NR3 IDX1",
+		     name);
+}
+
 bool klartext_kept_load(struct lexer *lexer)
 {
 	const struct interp *interp = lexer->context;
 	const struct controller *controller = &interp->config->controller;
 
 	for (size_t i = 0; i < controller->variable_count; i++) {
-		if (strncmp(controller->variables[i].name, "ID", 2) != 0 && controller->variables[i].text &&
-		    !load(lexer, &controller->variables[i]))
+		const struct control_variable *variable = &controller->variables[i];
+
+		if (variable->text && !(strncmp(variable->name, "ID", 2) ? load(lexer, variable)
+									 : check_data(lexer, variable->name)))
 			return false;
 	}
 	return true;

@@ -79,7 +79,7 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
 	return true;
 }
 
-/* "2,0]": the element. False: it is none of the array. */
+/* "2,0]": the element, in one spelling. False: it is none of the array. */
 static bool find_element(const struct sinumerik_variable *variable, const char *text, size_t *element)
 {
 	*element = 0;
@@ -87,7 +87,7 @@ static bool find_element(const struct sinumerik_variable *variable, const char *
 		char *end;
 		const long index = strtol(text, &end, 10);
 
-		if (end == text || index < 0 || index >= variable->size[i] ||
+		if (*text < '0' || *text > '9' || (*text == '0' && end > text + 1) || index < 0 || index >= variable->size[i] ||
 		    *end != (i + 1 < variable->dimensions ? ',' : ']'))
 			return false;
 		*element = *element * (size_t)variable->size[i] + (size_t)index;
@@ -124,6 +124,23 @@ static bool is_parameter(const char *name)
 	return name[0] == 'R' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
 }
 
+static bool check_parameter(struct interp *interp, const struct control_variable *from)
+{
+	if (from->name[1] == '0' && from->name[2])
+		return fault(&interp->at, 1, "<variable name=\"%s\"> of the machine file: write it without leading zeros",
+			     from->name);
+	return !from->text || !isnan(from->number) ||
+	       fault(&interp->at, 1, "%s: the value of the machine file is no number", from->name);
+}
+
+/* What needs no type of its own: elements, parameters and system variables. */
+static bool set_untyped(struct interp *interp, const struct control_variable *variable)
+{
+	if (variable->name[0] == '$')
+		return true;
+	return is_parameter(variable->name) ? check_parameter(interp, variable) : set_element(interp, variable);
+}
+
 bool sinumerik_gud_make(struct interp *interp)
 {
 	const struct controller *controller = &interp->config->controller;
@@ -133,10 +150,7 @@ bool sinumerik_gud_make(struct interp *interp)
 			return false;
 	}
 	for (size_t i = 0; i < controller->variable_count; i++) {
-		const struct control_variable *variable = &controller->variables[i];
-
-		if (!variable->typed && variable->name[0] != '$' && !is_parameter(variable->name) &&
-		    !set_element(interp, variable))
+		if (!controller->variables[i].typed && !set_untyped(interp, &controller->variables[i]))
 			return false;
 	}
 	return true;
