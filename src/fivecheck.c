@@ -113,8 +113,10 @@ bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag 
 		diag_error(diag, nowhere, "the clearance must be 0 mm or more");
 		return false;
 	}
-	return model_add_scene(model, clearance, diag) && scene_build(model->scene, diag) &&
-	       model_check(model->scene, diag);
+	if (!model_add_scene(model, clearance, diag))
+		return false;
+	model_check(model->scene);
+	return true;
 }
 
 fivecheck_options *fivecheck_options_new(void)

@@ -280,9 +280,9 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.last_block = LONG_MAX;
 	start_block(&c);
 	cutter_approach_init(&c.approach, options->method == CHECK_NOTHING ? NULL : scene, name);
-	if (options->method == CHECK_NOTHING ||
-	    (scheduler_init(&c.scheduler, scene, options, &c.asked, measuring_of(options, proven), diag) &&
-	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
+	if (options->method != CHECK_NOTHING)
+		scheduler_init(&c.scheduler, scene, options, &c.asked, measuring_of(options, proven));
+	if (options->method == CHECK_NOTHING || stock_check_init(&c.stock, scene, options, &c.asked, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
 		if (complete && !c.stopped && !c.failed)

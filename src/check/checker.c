@@ -52,9 +52,9 @@ static struct contact measured(struct checker *c, const struct scene_pair *pair,
 	struct contact contact = *found;
 	struct body_pair bodies;
 
-	if (pair->stock || (!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0) ||
-	    !scene_pair_bodies(c->scene, pair, &bodies, &c->log.diags.diag))
+	if (pair->stock || (!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0))
 		return contact;
+	bodies = scene_pair_bodies(c->scene, pair);
 	sweep_nearest(&c->sweep, &bodies, &contact);
 	if (tolerance)
 		contact.path_displacement = body_pair_path_displacement(&bodies, &contact.q, tolerance);

@@ -42,12 +42,12 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 void pair_check_prepare(struct pair_check *check, const struct check_options *options)
 {
 	const struct scene_pair *p = &check->scene->pairs[check->pair];
-	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
 	const struct pair_measuring *measuring = &check->measuring;
 	struct body_pair bodies;
 
-	if (check->methods || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
+	if (check->methods)
 		return;
+	bodies = scene_pair_bodies(check->scene, p);
 	check->methods = mem_zalloc(1, sizeof(*check->methods));
 	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance,
 		      !(measuring->up_to > 0) ? STRATEGY_PROVES
@@ -139,15 +139,13 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 					    const struct check_options *options, struct contact *contact)
 {
 	enum query_answer answer = pass(check, sweep, step, options, contact);
-	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
 	enum inside inside;
 	vec3 point;
 
 	if (answer == QUERY_UNDECIDED || (answer == QUERY_CONTACT && !(contact->s > 0)))
 		return answer;
 	check->maybe_inside = false;
-	inside =
-	    static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point, &unheard);
+	inside = static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point);
 	if (inside == INSIDE_UNKNOWN && check->unknown_block < 0)
 		check->unknown_block = block;
 	if (inside != INSIDE_YES)
@@ -290,12 +288,11 @@ static void start_room(struct pair_check *check, long block, double most, bool l
 static void measure_inside(struct pair_check *check, const struct motion_step *step)
 {
 	struct block_clearance *block = &check->methods->block;
-	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
 	vec3 point;
 
 	block->maybe_inside = !(block->bound > 0);
 	if (!block->maybe_inside && static_query_contained(check->scene, &check->scene->pairs[check->pair],
-							   &step->span.q0, &point, &unheard) == INSIDE_YES) {
+							   &step->span.q0, &point) == INSIDE_YES) {
 		block->bound = 0;
 		block->maybe_inside = true;
 	}

@@ -40,11 +40,9 @@
  */
 #define SINGLE_STEPS 512L
 
-bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, struct pair_measuring measuring, struct diag *diag)
+void scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
+		    const struct cancel *cancel, struct pair_measuring measuring)
 {
-	if (!scene_build(scene, diag))
-		return false;
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1,
 					.spare_effort = MEASURING_EFFORT,
 					.short_effort = SHORT_EFFORT};
@@ -60,7 +58,6 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 			continue;
 		pair_check_init(&scheduler->checks[scheduler->count++], scene, i, measuring);
 	}
-	return true;
 }
 
 void scheduler_release(struct scheduler *scheduler)

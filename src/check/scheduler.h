@@ -43,9 +43,9 @@ struct scheduler {
 	struct nearness *order;	/* in which pairs are measured where only the least clearance counts */
 };
 
-/* cancel is asked during a batch, from any thread. False: a mesh is faulty, reported. */
-bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, struct pair_measuring measuring, struct diag *diag);
+/* cancel is asked during a batch, from any thread. */
+void scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
+		    const struct cancel *cancel, struct pair_measuring measuring);
 void scheduler_release(struct scheduler *scheduler);
 
 /*

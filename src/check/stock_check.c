@@ -29,15 +29,13 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 {
 	const struct body *body = scene->bodies[stock].body;
 	const struct blank blank = {
-		.bvh = scene_body_bvh(scene, stock, diag),
-		.topology = scene_body_topology(scene, stock, diag),
+		.bvh = scene_body_bvh(scene, stock),
+		.topology = scene_body_topology(scene, stock),
 		.uncertainty = body->uncertainty,
 		.excess = body->excess,
 	};
 	vec3 half;
 
-	if (!blank.topology)
-		return false;
 	if (topology_is_open(blank.topology)) {
 		diag_error(diag, body->loc,
 			   "the mesh of the stock '%s' is not closed, so what is inside cannot be told; close the mesh",
@@ -52,21 +50,19 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 }
 
 /* A cutter comes after the stock in the scene, so the stock is a in their pair. */
-static bool add_tool(struct stock_check *check, struct scene *scene, const struct scene_pair *pair, struct diag *diag)
+static void add_tool(struct stock_check *check, struct scene *scene, const struct scene_pair *pair)
 {
 	const struct body *cutter = scene->bodies[pair->b].body;
 	struct stock_tool *tool = &check->tools[check->tool_count];
 
 	if (cutter->role != ROLE_CUTTER)
-		return true;
-	if (!scene_pair_bodies(scene, pair, &tool->bodies, diag))
-		return false;
+		return;
+	tool->bodies = scene_pair_bodies(scene, pair);
 	tool->tool = cutter->tool;
 	tool->surely = cutter->profile && setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
 	if (tool->surely)
 		cutter_init(&check->cutters[check->tool_count], cutter->profile);
 	check->tool_count++;
-	return true;
 }
 
 static bool init_pairs(struct stock_check *check, struct scene *scene, const struct check_options *options,
@@ -83,8 +79,7 @@ static bool init_pairs(struct stock_check *check, struct scene *scene, const str
 
 		if (!pair->stock)
 			continue;
-		if (!add_tool(check, scene, pair, diag))
-			return false;
+		add_tool(check, scene, pair);
 		if (!scene_pair_needs_check(pair))
 			continue;
 		if (!stock_pair_init(&check->pairs[check->pair_count], scene, i, &check->cells, tolerance, options,

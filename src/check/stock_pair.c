@@ -34,7 +34,7 @@ static bool init_obstacle(struct stock_pair *check, struct scene *scene, int bod
 	const struct body *it = scene->bodies[body].body;
 
 	check->obstacle = (struct obstacle){
-		.bvh = scene_body_bvh(scene, body, diag),
+		.bvh = scene_body_bvh(scene, body),
 		.inset = scene->pairs[check->pair].inset,
 	};
 	if (it->profile) {
@@ -42,9 +42,7 @@ static bool init_obstacle(struct stock_pair *check, struct scene *scene, int bod
 		check->obstacle.revolved = &check->revolved;
 		return true;
 	}
-	check->obstacle.topology = scene_body_topology(scene, body, diag);
-	if (!check->obstacle.topology)
-		return false;
+	check->obstacle.topology = scene_body_topology(scene, body);
 	check->open = topology_is_open(check->obstacle.topology);
 	/* Its surface alone would never be deep enough. */
 	if (check->open && check->obstacle.inset > 0) {
@@ -75,7 +73,8 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		.unknown_block = -1,
 		.margin = MARGIN_SHARE * tolerance,
 	};
-	if (!scene_pair_bodies(scene, p, &check->bodies, diag) || !init_obstacle(check, scene, body, diag))
+	check->bodies = scene_pair_bodies(scene, p);
+	if (!init_obstacle(check, scene, body, diag))
 		return false;
 	enlarge_stock(&check->bodies, stock_is_a, cells->blank.uncertainty + 2 * stock_cells_radius(cells));
 	check->sweep = (struct stock_sweep){

@@ -150,14 +150,11 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 	return good;
 }
 
-/* Builds the trees that the check does not need. False: reported. */
-static bool build_all(struct scene *scene, struct diag *diag)
+/* Builds the trees of tools' pieces that the check does not need. */
+static void build_all(struct scene *scene)
 {
-	bool good = true;
-
 	for (size_t i = 0; i < scene->body_count; i++)
-		good = scene_body_bvh(scene, (int)i, diag) && good;
-	return good;
+		scene_body_bvh(scene, (int)i);
 }
 
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
@@ -167,11 +164,12 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
 	if (!try_output(options->report, diag) || !try_output(options->glb, diag) ||
-	    !try_output(options->picture, diag) || !build_all(scene, diag))
+	    !try_output(options->picture, diag))
 		return false;
+	build_all(scene);
 	reports->stock_bytes = scene_stock(scene) < 0 ? 0 : (size_t)(STOCK_SHARE * (double)mesh_bytes);
-	if (options->report && !scene_pack_init(&reports->pack, scene, mesh_bytes - reports->stock_bytes, diag))
-		return false;
+	if (options->report)
+		scene_pack_init(&reports->pack, scene, mesh_bytes - reports->stock_bytes);
 	if (reports->pack.left_out)
 		diag_note(diag, (struct srcloc){0},
 			  "the meshes of %zu bodies are left out of the report, which may have %g MB (--report-size)",

@@ -252,26 +252,26 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-/* All meshes are read before the model is doubted, so that the doubts are about all of them. */
 static enum run_status run_machine(const struct job *job, const struct options *options, struct diag *diag,
 				   struct output *out)
 {
 	const bool as_json = options->formats[FORMAT_JSON].wanted;
 	struct scene *scene = job->model->scene;
 	struct oddities oddities = {0};
-	struct strbuf text = {0}, json = {0};
-	bool good = (!options->report || program_reports_may_replace("report", options->report, diag)) &&
-		    machine_report_add(&text, scene, diag) && model_check(scene, diag) &&
-		    oddities_find(&oddities, scene, diag) &&
-		    (!options->report || axis_page_write(options->report, scene, diag));
+	struct strbuf text = {0};
+	bool good = !options->report || program_reports_may_replace("report", options->report, diag);
 
-	if (as_json)
-		good = good && machine_json_add(&json, scene, &oddities, diag);
-	else if (good)
+	model_check(scene);
+	good = good && oddities_find(&oddities, scene, diag) &&
+	       (!options->report || axis_page_write(options->report, scene, diag));
+	if (good && as_json) {
+		machine_json_add(&text, scene, &oddities);
+	} else if (good) {
+		machine_report_add(&text, scene);
 		machine_report_add_oddities(&text, &oddities);
-	output_text(out, as_json ? &json : &text);
+	}
+	output_text(out, &text);
 	strbuf_release(&text);
-	strbuf_release(&json);
 	oddities_release(&oddities);
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }

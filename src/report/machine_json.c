@@ -146,7 +146,7 @@ static json_t *oddities_json(const struct oddities *oddities)
 	return array;
 }
 
-bool machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities, struct diag *diag)
+void machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities)
 {
 	const struct machine *machine = scene->machine;
 	json_t *object = begin(scene, "machine"), *axes = json_array(), *bodies = json_array();
@@ -154,10 +154,9 @@ bool machine_json_add(struct strbuf *out, struct scene *scene, const struct oddi
 	for (size_t i = 0; i < machine->axis_count; i++)
 		json_push(axes, axis_json(machine, &machine->axes[i]));
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct bvh *bvh = scene_body_bvh(scene, (int)i, diag);
+		const struct bvh *bvh = scene_body_bvh(scene, (int)i);
 
-		if (bvh)
-			json_push(bodies, body_json(machine, scene->bodies[i].body, &bvh->mesh));
+		json_push(bodies, body_json(machine, scene->bodies[i].body, &bvh->mesh));
 	}
 	json_put(object, "name", json_text(machine->name));
 	json_put(object, "controller", controller_json(&machine->controller));
@@ -167,7 +166,6 @@ bool machine_json_add(struct strbuf *out, struct scene *scene, const struct oddi
 	json_put(object, "workholding", workholding_json(machine));
 	json_put(object, "oddities", oddities_json(oddities));
 	add_document(out, object);
-	return !diag->errors;
 }
 
 void machine_json_add_pairs(struct strbuf *out, const struct scene *scene)

@@ -4,7 +4,6 @@
 
 #include <stdbool.h>
 
-#include "base/diag.h"
 #include "base/strbuf.h"
 #include "report/oddities.h"
 #include "scene/scene.h"
@@ -13,7 +12,7 @@
  * Both append one JSON document: lengths in mm, angles in degrees, rates a minute; null for what there is not. The
  * keys are described in fivecheck(1).
  */
-bool machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities, struct diag *diag);
+void machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities);
 void machine_json_add_pairs(struct strbuf *out, const struct scene *scene);
 
 #endif

@@ -11,7 +11,6 @@
 struct machine_report {
 	struct strbuf *out;
 	struct scene *scene;
-	struct diag *diag;
 };
 
 const char *machine_report_role(enum body_role role)
@@ -117,14 +116,12 @@ static void add_interval(struct strbuf *out, char axis, double least, double gre
 		    fabs(greatest) < 0.0005 ? 0.0 : greatest);
 }
 
-static bool add_body(const struct machine_report *tree, int index, int depth)
+static void add_body(const struct machine_report *tree, int index, int depth)
 {
 	const struct body *body = tree->scene->bodies[index].body;
-	const struct bvh *bvh = scene_body_bvh(tree->scene, index, tree->diag);
+	const struct bvh *bvh = scene_body_bvh(tree->scene, index);
 	vec3 least, greatest;
 
-	if (!bvh)
-		return false;
 	machine_report_bounds(&bvh->mesh, &body->placement, &least, &greatest);
 	add_indent(tree->out, depth);
 	strbuf_addf(tree->out, "%s ", machine_report_role(body->role));
@@ -135,17 +132,16 @@ static bool add_body(const struct machine_report *tree, int index, int depth)
 	add_interval(tree->out, 'Y', least.y, greatest.y);
 	add_interval(tree->out, 'Z', least.z, greatest.z);
 	strbuf_addf(tree->out, "\n");
-	return true;
 }
 
 /* Appends a link's bodies, spindle and workholding, then the links that it carries; recursion ends with the axes. */
-static bool add_link(const struct machine_report *tree, int link, int depth)
+static void add_link(const struct machine_report *tree, int link, int depth)
 {
 	const struct machine *machine = tree->scene->machine;
 
 	for (size_t i = 0; i < tree->scene->body_count; i++) {
-		if (tree->scene->bodies[i].body->link == link && !add_body(tree, (int)i, depth))
-			return false;
+		if (tree->scene->bodies[i].body->link == link)
+			add_body(tree, (int)i, depth);
 	}
 	if (machine->spindle.present && machine->spindle.link == link) {
 		add_indent(tree->out, depth);
@@ -165,10 +161,8 @@ static bool add_link(const struct machine_report *tree, int link, int depth)
 		if (machine->axes[i].parent != link)
 			continue;
 		add_axis(tree->out, &machine->axes[i], depth);
-		if (!add_link(tree, (int)i + 1, depth + 1))
-			return false;
+		add_link(tree, (int)i + 1, depth + 1);
 	}
-	return true;
 }
 
 static void add_table(struct strbuf *out, const struct machine *machine)
@@ -186,9 +180,9 @@ static void add_table(struct strbuf *out, const struct machine *machine)
 	}
 }
 
-bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+void machine_report_add(struct strbuf *out, struct scene *scene)
 {
-	const struct machine_report tree = {out, scene, diag};
+	const struct machine_report tree = {out, scene};
 	const struct machine *machine = scene->machine;
 
 	strbuf_addf(out, "machine: ");
@@ -196,11 +190,9 @@ bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *di
 	strbuf_addf(out, "%s(%s)\n", *machine->name ? " " : "", machine->path);
 	add_controller(out, &machine->controller);
 	strbuf_addf(out, "\nbase\n");
-	if (!add_link(&tree, 0, 1))
-		return false;
+	add_link(&tree, 0, 1);
 	add_table(out, machine);
 	axis_words_add(out, machine);
-	return true;
 }
 
 void machine_report_add_oddities(struct strbuf *out, const struct oddities *oddities)

@@ -4,17 +4,15 @@
 
 #include <stdbool.h>
 
-#include "base/diag.h"
 #include "base/strbuf.h"
 #include "report/oddities.h"
 #include "scene/scene.h"
 
 /*
  * Appends the tree of axes with their bodies (triangles, bounds in machine coordinates at the zero pose), the table of
- * which axis carries which (Table I of Chen, Lin and Chang), and what a positive value of each axis does. False,
- * reported: a mesh is faulty.
+ * which axis carries which (Table I of Chen, Lin and Chang), and what a positive value of each axis does.
  */
-bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+void machine_report_add(struct strbuf *out, struct scene *scene);
 
 /* Appends the list of oddities. */
 void machine_report_add_oddities(struct strbuf *out, const struct oddities *oddities);

@@ -109,16 +109,13 @@ static void add_mesh(struct oddities *out, const struct body *body, const struct
 	}
 }
 
-static bool add_meshes(struct oddities *out, struct scene *scene, struct diag *diag)
+static void add_meshes(struct oddities *out, struct scene *scene)
 {
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct topology *topology = scene_body_topology(scene, (int)i, diag);
+		const struct topology *topology = scene_body_topology(scene, (int)i);
 
-		if (!topology)
-			return false;
 		add_mesh(out, scene->bodies[i].body, &scene->bodies[i].bvh->mesh, topology);
 	}
-	return true;
 }
 
 static bool is_away(const struct scene *scene, const struct body *body)
@@ -160,8 +157,7 @@ bool oddities_find(struct oddities *oddities, struct scene *scene, struct diag *
 {
 	size_t errors = diag->errors;
 
-	if (!add_meshes(oddities, scene, diag))
-		return false;
+	add_meshes(oddities, scene);
 	add_overlaps(oddities, scene, diag);
 	add_doubts(oddities, scene);
 	return diag->errors == errors;

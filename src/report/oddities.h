@@ -33,7 +33,8 @@ struct oddities {
 
 /*
  * Appends meshes that are open, face both ways or hold degenerate triangles, bodies that overlap at home, and the
- * doubts of the scene, which model_check has filled. False, reported: a mesh is faulty.
+ * doubts of the scene, which model_check has filled. False, reported: two bodies are too far from
+ * the origin to be decided.
  */
 bool oddities_find(struct oddities *oddities, struct scene *scene, struct diag *diag);
 void oddities_release(struct oddities *oddities);

@@ -34,14 +34,8 @@ static bool count_triangles(struct scene *scene, int tool, uint32_t *count, stru
 	size_t sum = 0;
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct bvh *bvh;
-
-		if (!is_present(&scene->bodies[i], tool))
-			continue;
-		bvh = scene_body_bvh(scene, (int)i, diag);
-		if (!bvh)
-			return false;
-		sum += bvh->mesh.count;
+		if (is_present(&scene->bodies[i], tool))
+			sum += scene_body_bvh(scene, (int)i)->mesh.count;
 	}
 	*count = (uint32_t)sum;
 	if (sum > UINT32_MAX)

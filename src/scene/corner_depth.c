@@ -22,10 +22,10 @@ static bool is_in_box(const struct bvh *solid, vec3 p)
 	return fabs(off.x) < solid->half.x && fabs(off.y) < solid->half.y && fabs(off.z) < solid->half.z;
 }
 
-double corner_depth(struct scene *scene, int inner, int outer, enum inside side, struct diag *diag)
+double corner_depth(struct scene *scene, int inner, int outer, enum inside side)
 {
 	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
-	const struct topology *topology = scene_body_topology(scene, outer, diag);
+	const struct topology *topology = scene_body_topology(scene, outer);
 	const xform back = xform_inverse(&scene->bodies[outer].body->placement);
 	const xform pose = xform_mul(&back, &scene->bodies[inner].body->placement);
 	size_t points = 4 * other->mesh.count, step = points / POINTS_TRIED + 1;

@@ -9,8 +9,8 @@
 /*
  * The distance (mm) from the surface of `outer` of that tested point of `inner` which is deepest inside (side
  * INSIDE_YES) or farthest outside (INSIDE_NO); 0: no tested point is on that side. Corners and middles of some
- * triangles are tested. Both bodies must not move against each other, and their meshes must have been read.
+ * triangles are tested. Both bodies must not move against each other.
  */
-double corner_depth(struct scene *scene, int inner, int outer, enum inside side, struct diag *diag);
+double corner_depth(struct scene *scene, int inner, int outer, enum inside side);
 
 #endif

@@ -10,6 +10,7 @@
 struct reading {
 	struct scene_body *body;
 	struct mesh mesh;
+	bool good;
 	struct diag_queue diags;
 };
 
@@ -18,7 +19,7 @@ static void read_one(void *context, int worker, size_t i)
 	struct reading *reading = &((struct reading *)context)[i];
 
 	(void)worker;
-	reading->body->failed = !scene_read_mesh(reading->body->body, &reading->mesh, &reading->diags.diag);
+	reading->good = scene_read_mesh(reading->body->body, &reading->mesh, &reading->diags.diag);
 }
 
 static bool is_large(const struct reading *reading)
@@ -31,7 +32,7 @@ static void build_one(void *context, int worker, size_t i)
 	struct reading *reading = &((struct reading *)context)[i];
 
 	(void)worker;
-	if (!reading->body->failed && !reading->body->bvh)
+	if (reading->good && !reading->body->bvh)
 		reading->body->bvh = bvh_new(&reading->mesh);
 }
 
@@ -48,20 +49,26 @@ static void build_trees(struct reading *readings, size_t count, int threads)
 	parallel_for(count, threads, build_one, readings);
 }
 
-void mesh_reading_run(struct scene *scene, const int *wanted, size_t count, int threads, struct diag *diag)
+bool mesh_reading_run(struct scene *scene, int threads, struct diag *diag)
 {
-	struct reading *readings = mem_zalloc(count, sizeof(*readings));
+	struct reading *readings = mem_zalloc(scene->body_count + 1, sizeof(*readings));
+	bool good = true;
+	size_t count = 0;
 
-	for (size_t i = 0; i < count; i++) {
-		readings[i].body = &scene->bodies[wanted[i]];
-		diag_queue_init(&readings[i].diags);
+	for (size_t i = 0; i < scene->body_count; i++) {
+		if (scene->bodies[i].body->profile)
+			continue;
+		readings[count].body = &scene->bodies[i];
+		diag_queue_init(&readings[count++].diags);
 	}
 	parallel_for(count, threads, read_one, readings);
 	for (size_t i = 0; i < count; i++) {
 		diag_queue_deliver(&readings[i].diags, diag, 0);
 		diag_queue_release(&readings[i].diags);
-		scene->meshes_read += !readings[i].body->failed;
+		scene->meshes_read += readings[i].good;
+		good &= readings[i].good;
 	}
 	build_trees(readings, count, threads);
 	free(readings);
+	return good;
 }

@@ -5,9 +5,9 @@
 #include "scene/scene.h"
 
 /*
- * Reads what scene_body_bvh would read for the bodies wanted[0..count), each of them once. What is wrong with a mesh
- * is reported in their order, once, and the body has failed.
+ * Reads the meshes of all bodies, whether or not a pair needs them, and builds their trees; those of tools' pieces that
+ * are made of sections are made when they are asked for. False: some mesh is faulty; each is reported, in their order.
  */
-void mesh_reading_run(struct scene *scene, const int *wanted, size_t count, int threads, struct diag *diag);
+bool mesh_reading_run(struct scene *scene, int threads, struct diag *diag);
 
 #endif

@@ -142,26 +142,7 @@ static void check_size(const struct scene *scene, struct doubts *doubts)
 		doubts_add(doubts, &doubt);
 }
 
-/* Reads what the checks below look at. */
-static bool read_meshes(struct scene *scene, struct diag *diag)
-{
-	const struct machine *machine = scene->machine;
-	bool good = true;
-
-	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct body *body = scene->bodies[i].body;
-
-		if (body->role == ROLE_FIXTURE || body->role == ROLE_PART || body->role == ROLE_STOCK ||
-		    (body->tool && !body->profile) ||
-		    (body->role == ROLE_MACHINE &&
-		     ((machine->spindle.present && body->link == machine->spindle.link) ||
-		      (machine->workholding.present && body->link == machine->workholding.link))))
-			good = scene_body_bvh(scene, (int)i, diag) && good;
-	}
-	return good;
-}
-
-bool model_check(struct scene *scene, struct diag *diag)
+void model_check(struct scene *scene)
 {
 	struct doubts *doubts = &scene->doubts;
 	const struct machine *machine = scene->machine;
@@ -170,8 +151,6 @@ bool model_check(struct scene *scene, struct diag *diag)
 
 	kinematics_check(machine, doubts);
 	value_check(machine, doubts);
-	if (!read_meshes(scene, diag))
-		return false;
 	check_turning(scene, doubts);
 	ring_check(scene, doubts);
 	if (spindle->present && !spindle->checked) {
@@ -185,8 +164,7 @@ bool model_check(struct scene *scene, struct diag *diag)
 	if (missing_is_drawn(scene))
 		joint_check(scene, doubts);
 	missing_check(scene, doubts);
-	setup_check(scene, doubts, diag);
-	stock_fit_check(scene, doubts, diag);
+	setup_check(scene, doubts);
+	stock_fit_check(scene, doubts);
 	tool_check(scene, doubts);
-	return true;
 }

@@ -10,9 +10,8 @@
 
 /*
  * Fills scene->doubts: the doubts about the machine's motions (kinematics_check), then those about its bodies and the
- * setup. Reads the meshes of setup, spindle and workholding if need be; other meshes count if they have been read.
- * False: a mesh is faulty, reported.
+ * setup.
  */
-bool model_check(struct scene *scene, struct diag *diag);
+void model_check(struct scene *scene);
 
 #endif

@@ -6,7 +6,6 @@
 #include "base/parallel_for.h"
 #include "base/strbuf.h"
 #include "geom/tolerance.h"
-#include "scene/mesh_reading.h"
 #include "scene/pair_rules.h"
 #include "scene/reach_search.h"
 #include "scene/static_query.h"
@@ -47,9 +46,8 @@ static void decide_reach(struct scene_pair *pair, bool apart)
 		decide(pair, PAIR_CHECKED, "within reach of each other");
 }
 
-/* Derives the pair's status from the joints and the meshes, which it reads. */
-static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct reach_search *search,
-				 struct diag *diag)
+/* Derives the pair's status from the joints and the meshes. */
+static void derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct reach_search *search)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	const axis_values home = machine_home(scene->machine);
@@ -58,16 +56,14 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 	bool neighbours = pair->chain.count == 1 && a->role == ROLE_MACHINE && b->role == ROLE_MACHINE;
 
 	if (b->profile && !a->profile) {
-		const struct bvh *tree = scene_body_bvh(scene, pair->a, diag);
-		enum reach reach = tree ? reach_search_tool(search, scene, pair, tree, diag) : REACH_UNKNOWN;
+		const enum reach reach = reach_search_tool(search, scene, pair, scene_body_bvh(scene, pair->a));
 
 		if (reach != REACH_UNKNOWN) {
 			decide_reach(pair, reach == REACH_APART);
-			return true;
+			return;
 		}
 	}
-	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return false;
+	bodies = scene_pair_bodies(scene, pair);
 	if (neighbours && !(sweep_distance(&search->sweep, &bodies, &home, 0.7, within, 0) > within)) {
 		struct chord still = {.q0 = home, .q1 = home};
 		struct contact contact;
@@ -76,14 +72,13 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 		/* The lower bound may be too small here, so ask for the distance itself. */
 		if (sweep_chord(&search->sweep, &bodies, &still, within, NEAR_TOLERANCE, &contact) !=
 			SWEEP_APART ||
-		    static_query_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
+		    static_query_contained(scene, pair, &home, &point) == INSIDE_YES) {
 			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
 			       AXIS_LETTERS[pair->chain.joints[0].slot], within);
-			return true;
+			return;
 		}
 	}
-	decide_reach(pair, reach_search_proves(search, scene, pair, &bodies, diag));
-	return true;
+	decide_reach(pair, reach_search_proves(search, scene, pair, &bodies));
 }
 
 /* Replaces the cutter of the pair by its core. */
@@ -190,87 +185,34 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	return true;
 }
 
-/* Does the derivation look at the meshes of the pair? As derive() has it. */
-static bool needs_meshes(const struct scene *scene, const struct body *a, const struct body *b)
-{
-	const struct pair_ruling ruling = pair_rules_apply(scene->machine, a, b);
-	struct chain chain;
-
-	if (ruling.check == PAIR_ALWAYS || ruling.check == PAIR_NEVER || is_cutting(a, b))
-		return false;
-	chain_init(&chain, scene->machine, a->link, b->link);
-	return !chain_is_rigid(&chain);
-}
-
-void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
-{
-	size_t n = scene->body_count, count = 0;
-	int *wanted = mem_alloc(n * sizeof(*wanted));
-	bool *listed = mem_zalloc(n, sizeof(*listed));
-
-	for (size_t a = 0; a < n; a++) {
-		for (size_t b = a + 1; b < n; b++) {
-			const size_t pair[2] = {a, b};
-
-			if ((listed[a] && listed[b]) ||
-			    !needs_meshes(scene, scene->bodies[a].body, scene->bodies[b].body))
-				continue;
-			for (int i = 0; i < 2; i++) {
-				if (!listed[pair[i]] && !scene->bodies[pair[i]].body->profile)
-					wanted[count++] = (int)pair[i];
-				listed[pair[i]] = true;
-			}
-		}
-	}
-	mesh_reading_run(scene, wanted, count, threads, diag);
-	free(wanted);
-	free(listed);
-}
-
-/* One thread's part of the pairs whose geometry is looked at. */
-struct derivation {
-	struct reach_search search;
-	bool faulty;	/* a mesh was */
-};
-
 struct geometry_work {
 	struct scene *scene;
-	struct derivation *derivations;	/* one a thread */
+	struct reach_search *searches;	/* one a thread */
 	size_t *pairs;
-	struct diag *diag;
 };
 
 static void derive_one(void *context, int worker, size_t i)
 {
 	const struct geometry_work *work = context;
-	struct derivation *derivation = &work->derivations[worker];
-	struct scene_pair *pair = &work->scene->pairs[work->pairs[i]];
 
-	derivation->faulty |= !derive_from_geometry(work->scene, pair, &derivation->search, work->diag);
+	derive_from_geometry(work->scene, &work->scene->pairs[work->pairs[i]], &work->searches[worker]);
 }
 
-/* False: a mesh was faulty. */
-static bool derive_all_from_geometry(const struct geometry_work *work, size_t count, int threads)
+static void derive_all_from_geometry(struct geometry_work *work, size_t count, int threads)
 {
-	bool good = true;
-
 	for (int i = 0; i < threads; i++)
-		reach_search_init(&work->derivations[i].search, work->scene);
-	parallel_for(count, threads, derive_one, (void *)work);
-	for (int i = 0; i < threads; i++) {
-		good = good && !work->derivations[i].faulty;
-		reach_search_release(&work->derivations[i].search);
-	}
-	return good;
+		reach_search_init(&work->searches[i], work->scene);
+	parallel_for(count, threads, derive_one, work);
+	for (int i = 0; i < threads; i++)
+		reach_search_release(&work->searches[i]);
 }
 
-bool pairs_derive(struct scene *scene, double clearance, int threads, struct diag *diag)
+void pairs_derive(struct scene *scene, double clearance, int threads)
 {
 	size_t n = scene->body_count, count = 0;
-	struct geometry_work work = {.scene = scene, .diag = diag,
-				     .derivations = mem_zalloc((size_t)threads, sizeof(*work.derivations)),
+	struct geometry_work work = {.scene = scene,
+				     .searches = mem_zalloc((size_t)threads, sizeof(*work.searches)),
 				     .pairs = mem_alloc((n * n + 1) * sizeof(*work.pairs))};
-	bool good;
 
 	/* A cutter and a part may have two pairs. */
 	scene->pairs = mem_zalloc(n * n, sizeof(*scene->pairs));
@@ -286,10 +228,9 @@ bool pairs_derive(struct scene *scene, double clearance, int threads, struct dia
 				add_gouge(scene, pair);
 		}
 	}
-	good = derive_all_from_geometry(&work, count, threads);
-	free(work.derivations);
+	derive_all_from_geometry(&work, count, threads);
+	free(work.searches);
 	free(work.pairs);
-	return good;
 }
 
 const char *pair_status_name(enum pair_status status)

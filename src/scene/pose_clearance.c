@@ -20,18 +20,16 @@ bool pose_clearance_counts(const struct scene *scene, const struct scene_pair *p
 
 /* Takes the pair's distance if it is less than the least so far. */
 static void measure(struct scene *scene, struct sweep *sweep, size_t index, const axis_values *q,
-		    struct pose_clearance *out, struct diag *diag)
+		    struct pose_clearance *out)
 {
 	const struct scene_pair *pair = &scene->pairs[index];
 	const struct body *a = scene->bodies[pair->a].body;
 	const struct chord still = {.q0 = *q, .q1 = *q};
+	const struct body_pair bodies = scene_pair_bodies(scene, pair);
 	struct nearest_triangles nearest;
-	struct body_pair bodies;
 	struct contact contact;
 	xform pose;
 
-	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return;
 	if (out->distance < INFINITY &&
 	    sweep_chord_any(sweep, &bodies, &still, out->distance, 0, &contact) == SWEEP_APART)
 		return;
@@ -60,6 +58,6 @@ void pose_clearance_find(struct scene *scene, struct sweep *sweep, const axis_va
 		states[i] = static_query_pose(scene, sweep, pair, q, tolerance, &contact, diag);
 		out->counts[states[i]]++;
 		if (states[i] != POSE_OVERLAP && states[i] != POSE_FAILED)
-			measure(scene, sweep, i, q, out, diag);
+			measure(scene, sweep, i, q, out);
 	}
 }

@@ -143,18 +143,18 @@ static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *
  * everywhere: where the boxes are apart it is seen at once, without the topology of the meshes.
  */
 static bool is_outside(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
-		       const axis_values *low, const axis_values *high, struct diag *diag)
+		       const axis_values *low, const axis_values *high)
 {
 	const axis_values home = machine_home(scene->machine);
 	vec3 point;
 
 	return are_boxes_parted(bodies, low, high) ||
-	       static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+	       static_query_contained(scene, pair, &home, &point) == INSIDE_NO;
 }
 
 /* A contact shows that no proof is possible, and saves the time of looking for one. */
 bool reach_search_proves(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
-			 const struct body_pair *bodies, struct diag *diag)
+			 const struct body_pair *bodies)
 {
 	static const long visits[] = {FIRST_VISITS, SECOND_VISITS, REACH_VISITS};
 	const double apart = pair->clearance + uncertainty_of(scene, pair);
@@ -176,12 +176,12 @@ bool reach_search_proves(struct reach_search *search, struct scene *scene, const
 		}
 		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_TOLERANCE, visits[i], &contact);
 	}
-	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high, diag);
+	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high);
 }
 
 /* Is a tool's piece proved out of reach by the few triangles that enclose it? */
 static bool is_coarse_apart(struct scene *scene, const struct scene_pair *pair, const struct bvh *tree,
-			    struct sweep *sweep, const axis_values *low, const axis_values *high, struct diag *diag)
+			    struct sweep *sweep, const axis_values *low, const axis_values *high)
 {
 	const axis_values home = machine_home(scene->machine);
 	const struct bvh *shell = scene_body_coarse(scene, pair->b);
@@ -193,12 +193,12 @@ static bool is_coarse_apart(struct scene *scene, const struct scene_pair *pair, 
 	return sweep_box(sweep, &bodies, low, high, pair->clearance + uncertainty_of(scene, pair),
 			 REACH_TOLERANCE, COARSE_VISITS, &contact) == SWEEP_APART &&
 	       (are_boxes_parted(&bodies, low, high) ||
-		static_query_is_outside(scene, pair, shell, &home, diag));
+		static_query_is_outside(scene, pair, shell, &home));
 }
 
 /* What was found last for a piece of this role is looked for first. */
 enum reach reach_search_tool(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
-			     const struct bvh *tree, struct diag *diag)
+			     const struct bvh *tree)
 {
 	const struct body *body = scene->bodies[pair->a].body, *piece = scene->bodies[pair->b].body;
 	struct last_tool *last = &search->tools[pair->a * ROLES + (int)piece->role];
@@ -208,7 +208,7 @@ enum reach reach_search_tool(struct reach_search *search, struct scene *scene, c
 		return REACH_UNKNOWN;
 	for (int k = 0; k < 2; k++) {
 		if (last->apart == (k == 0) &&
-		    is_coarse_apart(scene, pair, tree, &search->sweep, &low, &high, diag)) {
+		    is_coarse_apart(scene, pair, tree, &search->sweep, &low, &high)) {
 			last->apart = true;
 			return REACH_APART;
 		}

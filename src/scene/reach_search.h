@@ -24,7 +24,7 @@ void reach_search_release(struct reach_search *search);
 
 /* Is it proved that the pair stays apart over the whole travel? The proof ends after so many steps: false. */
 bool reach_search_proves(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
-			 const struct body_pair *bodies, struct diag *diag);
+			 const struct body_pair *bodies);
 
 enum reach { REACH_APART, REACH_MEETS, REACH_UNKNOWN };
 
@@ -34,6 +34,6 @@ enum reach { REACH_APART, REACH_MEETS, REACH_UNKNOWN };
  * is possible.
  */
 enum reach reach_search_tool(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
-			     const struct bvh *tree, struct diag *diag);
+			     const struct bvh *tree);
 
 #endif

@@ -147,31 +147,18 @@ const struct bvh *scene_body_coarse(struct scene *scene, int body)
 	return b->coarse;
 }
 
-const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag)
+const struct bvh *scene_body_bvh(struct scene *scene, int body)
 {
-	struct scene_body *b = &scene->bodies[body];
-	struct mesh mesh;
+	const struct scene_body *b = &scene->bodies[body];
 
-	if (b->core || b->body->profile)
-		return solid_bvh(scene, body);
-	if (b->bvh || b->failed)
-		return b->bvh;
-	if (!scene_read_mesh(b->body, &mesh, diag)) {
-		b->failed = true;
-		return NULL;
-	}
-	b->bvh = bvh_new(&mesh);
-	scene->meshes_read++;
-	return b->bvh;
+	return b->core || b->body->profile ? solid_bvh(scene, body) : b->bvh;
 }
 
-const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag)
+const struct topology *scene_body_topology(struct scene *scene, int body)
 {
 	struct scene_body *b = &scene->bodies[body];
-	const struct bvh *bvh = scene_body_bvh(scene, body, diag);
+	const struct bvh *bvh = scene_body_bvh(scene, body);
 
-	if (!bvh)
-		return NULL;
 	pthread_mutex_lock(&scene->building);
 	if (!b->topology) {
 		b->topology = mem_zalloc(1, sizeof(*b->topology));
@@ -181,40 +168,19 @@ const struct topology *scene_body_topology(struct scene *scene, int body, struct
 	return b->topology;
 }
 
-bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag)
+struct body_pair scene_pair_bodies(struct scene *scene, const struct scene_pair *pair)
 {
-	const struct bvh *a = scene_body_bvh(scene, pair->a, diag);
-	const struct bvh *b = scene_body_bvh(scene, pair->b, diag);
+	struct body_pair bodies;
 
-	if (!a || !b)
-		return false;
-	body_pair_init(out, a, b, &scene->bodies[pair->a].body->placement, &scene->bodies[pair->b].body->placement,
-		       &pair->chain);
-	return true;
+	body_pair_init(&bodies, scene_body_bvh(scene, pair->a), scene_body_bvh(scene, pair->b),
+		       &scene->bodies[pair->a].body->placement, &scene->bodies[pair->b].body->placement, &pair->chain);
+	return bodies;
 }
 
 bool scene_pair_needs_check(const struct scene_pair *pair)
 {
 	return pair->status == PAIR_CHECKED || pair->status == PAIR_OUT_OF_REACH ||
 	       (pair->status == PAIR_CUTTING && pair->steps);
-}
-
-bool scene_build(struct scene *scene, struct diag *diag)
-{
-	bool good = true;
-
-	for (size_t i = 0; i < scene->pair_count; i++) {
-		const struct scene_pair *pair = &scene->pairs[i];
-
-		if (!scene_pair_needs_check(pair))
-			continue;
-		for (int k = 0; k < 2; k++) {
-			int body = k ? pair->b : pair->a;
-
-			good = (scene->bodies[body].body->profile || scene_body_bvh(scene, body, diag)) && good;
-		}
-	}
-	return good;
 }
 
 int scene_stock(const struct scene *scene)

@@ -31,10 +31,9 @@ enum pair_fault { PAIR_COLLISION, PAIR_RAPID_CONTACT, PAIR_GOUGE };
 
 struct scene_body {
 	const struct body *body;
-	struct bvh *bvh;	/* NULL until scene_body_bvh builds it */
+	struct bvh *bvh;	/* NULL, of a core or of a piece made of sections, until scene_body_bvh builds it */
 	struct bvh *coarse;	/* NULL until scene_body_coarse builds it */
 	struct topology *topology;	/* NULL until asked for */
-	bool failed;	/* its mesh could not be read, and that was reported */
 	double depth;	/* mm, of a core */
 	const struct tool_solid *core;	/* a core's own sections; its tree is built when a check needs it */
 };
@@ -72,9 +71,9 @@ struct scene {
 };
 
 /*
- * Collects the bodies, reads the meshes that the derivation of the required
- * pairs needs, and derives them. `clearance` (mm) holds for pairs to which no
- * rule gives one. Meshes are read by up to `threads` threads. NULL if a fault was reported.
+ * Collects the bodies, reads all their meshes, and derives the required pairs. `clearance` (mm) holds for pairs to which
+ * no rule gives one. Up to `threads` threads work. Afterwards several threads may check programs on the scene. NULL if a
+ * fault was reported.
  */
 struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance, int threads,
 			struct diag *diag);
@@ -83,17 +82,11 @@ void scene_free(struct scene *scene);
 /* Must a check look at the pair, in some steps at least? */
 bool scene_pair_needs_check(const struct scene_pair *pair);
 
-/*
- * Reads and builds everything that is needed for the pairs to check, but for cores and tools' pieces that are made of
- * sections. Afterwards several threads may check programs on the scene. False: a mesh is faulty, reported.
- */
-bool scene_build(struct scene *scene, struct diag *diag);
-
 /* The body's triangles in mm, in a mesh that the caller releases. False: reported. */
 bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *diag);
 
-/* The body's tree, built at the first call; NULL: its mesh is faulty (reported once). */
-const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);
+/* The body's tree. */
+const struct bvh *scene_body_bvh(struct scene *scene, int body);
 
 /*
  * The core of a cutter that is made of sections, `depth` mm below its surface. It is a body of the scene, made at the
@@ -101,11 +94,11 @@ const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *dia
  */
 int scene_core(struct scene *scene, int body, double depth);
 
-/* The topology of the body's mesh, built at the first call; NULL: its mesh is faulty (reported once). */
-const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag);
+/* The topology of the body's mesh, built at the first call. */
+const struct topology *scene_body_topology(struct scene *scene, int body);
 
-/* Fills in the pair for a sweep; valid as long as the scene. False: a mesh is faulty, reported. */
-bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
+/* The pair for a sweep; valid as long as the scene. */
+struct body_pair scene_pair_bodies(struct scene *scene, const struct scene_pair *pair);
 
 /* The body of the stock; -1: there is none. */
 int scene_stock(const struct scene *scene);

@@ -1,5 +1,6 @@
 /* scene_new.c - makes a scene with its pairs. It is a file of its own because pairs.c needs scene.c. */
 #include "base/mem.h"
+#include "scene/mesh_reading.h"
 #include "scene/pairs.h"
 #include "scene/scene.h"
 
@@ -34,11 +35,10 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 	if (setup)
 		add_bodies(scene, setup->bodies, setup->body_count);
 	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
-	if (threads > 1)
-		pairs_read_meshes(scene, threads, diag);
-	if (!pairs_derive(scene, clearance, threads > 1 ? threads : 1, diag)) {
+	if (!mesh_reading_run(scene, threads > 1 ? threads : 1, diag)) {
 		scene_free(scene);
 		return NULL;
 	}
+	pairs_derive(scene, clearance, threads > 1 ? threads : 1);
 	return scene;
 }

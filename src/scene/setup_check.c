@@ -118,7 +118,7 @@ static bool is_below(const struct scene *scene, int fixture, int other)
 	       (scene->bodies[other].body->role != ROLE_FIXTURE || fixture < other);
 }
 
-static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *diag)
+static void check_sunk(struct scene *scene, struct doubts *doubts)
 {
 	for (int i = 0; i < (int)scene->body_count; i++) {
 		struct doubt doubt = {.kind = DOUBT_SINKS, .body = i};
@@ -129,8 +129,8 @@ static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *
 			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
-			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES, diag),
-					   corner_depth(scene, k, i, INSIDE_YES, diag));
+			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES),
+					   corner_depth(scene, k, i, INSIDE_YES));
 			doubt.against = k;
 			if (doubt.value > SUNK_BY)
 				doubts_add(doubts, &doubt);
@@ -369,7 +369,7 @@ static void check_zero(const struct scene *scene, size_t item, struct doubts *do
 		doubts_add(doubts, &doubt);
 }
 
-void setup_check(struct scene *scene, struct doubts *doubts, struct diag *diag)
+void setup_check(struct scene *scene, struct doubts *doubts)
 {
 	const struct machine *machine = scene->machine;
 	const struct setup *setup = scene->setup;
@@ -379,7 +379,7 @@ void setup_check(struct scene *scene, struct doubts *doubts, struct diag *diag)
 		return;
 	if (machine->workholding.present) {
 		check_held(scene, doubts);
-		check_sunk(scene, doubts, diag);
+		check_sunk(scene, doubts);
 		check_sizes(scene, doubts);
 	}
 	if (both && !machine->workholding.checked && !machine->spindle.checked)

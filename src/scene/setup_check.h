@@ -11,9 +11,8 @@
 #include "scene/scene.h"
 
 /*
- * Appends the doubts about the scene's setup, if there is one. The meshes of fixtures, parts and of the workholding's
- * link must have been read. Elements marked checked="" are left out.
+ * Appends the doubts about the scene's setup, if there is one. Elements marked checked="" are left out.
  */
-void setup_check(struct scene *scene, struct doubts *doubts, struct diag *diag);
+void setup_check(struct scene *scene, struct doubts *doubts);
 
 #endif

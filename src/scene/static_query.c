@@ -13,36 +13,36 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 }
 
 /* One vertex of each component of the body's surface; *own is where a single one can be. */
-static const vec3 *component_points(struct scene *scene, int body, vec3 *own, size_t *count, struct diag *diag)
+static const vec3 *component_points(struct scene *scene, int body, vec3 *own, size_t *count)
 {
 	const struct topology *topology;
 
 	/* A tool's piece that is made of sections is one surface (tool_solid_mesh). */
 	if (scene->bodies[body].body->profile) {
-		*own = mesh_corner(&scene_body_bvh(scene, body, diag)->mesh.triangles[0], 0);
+		*own = mesh_corner(&scene_body_bvh(scene, body)->mesh.triangles[0], 0);
 		*count = 1;
 		return own;
 	}
-	topology = scene_body_topology(scene, body, diag);
+	topology = scene_body_topology(scene, body);
 	*count = topology->component_count;
 	return topology->component_point;
 }
 
 /* Is a component of `inner` inside `outer`? `pose` takes inner's coordinates to outer's. */
-static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
+static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point)
 {
-	const struct bvh *solid = scene_body_bvh(scene, outer, diag);
+	const struct bvh *solid = scene_body_bvh(scene, outer);
 	enum inside result = INSIDE_NO;
 	size_t count;
 	vec3 own;
-	const vec3 *points = component_points(scene, inner, &own, &count, diag);
+	const vec3 *points = component_points(scene, inner, &own, &count);
 
 	for (size_t i = 0; i < count; i++) {
 		vec3 p = xform_apply(pose, points[i]);
 		enum inside inside = INSIDE_NO;
 
 		if (in_box(p, solid))
-			inside = mesh_inside(solid, scene_body_topology(scene, outer, diag), p);
+			inside = mesh_inside(solid, scene_body_topology(scene, outer), p);
 		if (inside == INSIDE_YES) {
 			*point = p;
 			return INSIDE_YES;
@@ -67,33 +67,31 @@ static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
 }
 
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
-				   vec3 *point, struct diag *diag)
+				   vec3 *point)
 {
-	struct body_pair bodies;
+	const struct body_pair bodies = scene_pair_bodies(scene, pair);
+	const xform b_in_a = body_pair_pose(&bodies, q);
 	enum inside in_b, in_a;
-	xform b_in_a, a_in_b;
+	xform a_in_b;
 	vec3 place;
 
-	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return INSIDE_NO;
-	b_in_a = body_pair_pose(&bodies, q);
 	if (!boxes_overlap(&bodies, &b_in_a))
 		return INSIDE_NO;
 	a_in_b = xform_inverse(&b_in_a);
-	in_a = holds(scene, pair->a, pair->b, &b_in_a, point, diag);
+	in_a = holds(scene, pair->a, pair->b, &b_in_a, point);
 	if (in_a == INSIDE_YES)
 		return INSIDE_YES;
-	in_b = holds(scene, pair->b, pair->a, &a_in_b, &place, diag);
+	in_b = holds(scene, pair->b, pair->a, &a_in_b, &place);
 	if (in_b == INSIDE_YES)
 		*point = xform_apply(&b_in_a, place);
 	return in_b == INSIDE_NO ? in_a : in_b;
 }
 
 bool static_query_is_outside(struct scene *scene, const struct scene_pair *pair, const struct bvh *shell,
-			     const axis_values *q, struct diag *diag)
+			     const axis_values *q)
 {
-	const struct bvh *solid = scene_body_bvh(scene, pair->a, diag);
-	const struct topology *topology = scene_body_topology(scene, pair->a, diag);
+	const struct bvh *solid = scene_body_bvh(scene, pair->a);
+	const struct topology *topology = scene_body_topology(scene, pair->a);
 	struct body_pair bodies;
 	xform b_in_a, a_in_b;
 	vec3 corner;
@@ -122,20 +120,18 @@ static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodi
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
 {
-	struct body_pair bodies;
+	const struct body_pair bodies = scene_pair_bodies(scene, pair);
 	enum inside inside = INSIDE_NO;
 	enum sweep_answer answer;
 	vec3 point;
 
-	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return POSE_FAILED;
 	answer = still(sweep, &bodies, q, 0, tolerance, contact);
 	if (answer == SWEEP_CONTACT) {
 		contact->distance = 0;
 		return POSE_OVERLAP;
 	}
 	if (answer == SWEEP_APART)
-		inside = static_query_contained(scene, pair, q, &point, diag);
+		inside = static_query_contained(scene, pair, q, &point);
 	if (inside == INSIDE_YES) {
 		*contact = (struct contact){0, *q, 0, point, 0};
 		return POSE_OVERLAP;

@@ -12,7 +12,7 @@ enum pose_state {
 	POSE_NEAR,	/* apart, but within the clearance */
 	POSE_UNKNOWN,	/* as CLEAR, but one body may be inside the other: a mesh is open, or has no outside */
 	POSE_OVERLAP,	/* the surfaces meet, or one solid is inside the other */
-	POSE_FAILED	/* a mesh could not be read, or rounding exceeds the tolerance: reported */
+	POSE_FAILED	/* rounding exceeds the tolerance: reported */
 };
 
 /*
@@ -22,19 +22,16 @@ enum pose_state {
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
 
-/*
- * Is a component of one body inside the other, with the surfaces apart? For INSIDE_YES *point is filled in. Faulty
- * meshes are reported, and the answer is INSIDE_NO.
- */
+/* Is a component of one body inside the other, with the surfaces apart? For INSIDE_YES *point is filled in. */
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
-				   vec3 *point, struct diag *diag);
+				   vec3 *point);
 
 /*
  * Is neither the pair's first body inside `shell`, one surface around its second body, nor the shell inside of it?
  * Their surfaces are apart. False: one is, or may be.
  */
 bool static_query_is_outside(struct scene *scene, const struct scene_pair *pair, const struct bvh *shell,
-			     const axis_values *q, struct diag *diag);
+			     const axis_values *q);
 
 /* Reports that the pair cannot be decided, because rounding alone exceeds the tolerance. */
 void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,

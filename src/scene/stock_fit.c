@@ -16,7 +16,7 @@ static bool meet(const struct scene *scene, int part, int stock)
 	return placed_box_overlap(placed_box_of(scene, part), placed_box_of(scene, stock)) > 0;
 }
 
-void stock_fit_check(struct scene *scene, struct doubts *doubts, struct diag *diag)
+void stock_fit_check(struct scene *scene, struct doubts *doubts)
 {
 	const int stock = scene_stock(scene);
 	bool any = false;
@@ -30,7 +30,7 @@ void stock_fit_check(struct scene *scene, struct doubts *doubts, struct diag *di
 
 		if (!is_part(scene, i) || scene->bodies[i].body->checked || (any && !meet(scene, i, stock)))
 			continue;
-		doubt.value = corner_depth(scene, i, stock, INSIDE_NO, diag) - scene->bodies[stock].body->uncertainty;
+		doubt.value = corner_depth(scene, i, stock, INSIDE_NO) - scene->bodies[stock].body->uncertainty;
 		if (doubt.value > OUT_BY)
 			doubts_add(doubts, &doubt);
 	}

@@ -253,7 +253,7 @@ static inline struct stress_found stress_run(double tolerance, const char *name,
 	machine = machine_load("m.xml", &diag);
 	require(machine, "%s, %s: the machine is refused", name, how);
 	scene = scene_new(machine, machine->setup, 0, 1, &diag);
-	require(scene && scene_build(scene, &diag), "%s, %s: the scene is refused", name, how);
+	require(scene, "%s, %s: the scene is refused", name, how);
 	in = fopen("p.nc", "r");
 	require(in, "p.nc");
 	result = check_run(scene, &options, in, "p.nc", &sink, &diag, &stats, NULL);

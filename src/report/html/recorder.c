@@ -164,17 +164,12 @@ static xform mesh_pose(const struct scene *scene, int body, const axis_values *q
 	return xform_mul(&link, &it->placement);
 }
 
-/* False: there is nothing to be drawn. */
-static bool nearest_of(struct recorder *recorder, const struct scene_pair *pair, const axis_values *q,
+static void nearest_of(struct recorder *recorder, const struct scene_pair *pair, const axis_values *q,
 		       double share, struct nearest_triangles *nearest)
 {
-	struct diag unheard = {0};	/* the check has read the meshes already */
-	struct body_pair bodies;
+	const struct body_pair bodies = scene_pair_bodies(recorder->scene, pair);
 
-	if (!scene_pair_bodies(recorder->scene, pair, &bodies, &unheard))
-		return false;
 	sweep_nearest_triangles(&recorder->sweep, &bodies, q, share, nearest);
-	return true;
 }
 
 static void add_triangles(struct recorder *recorder, struct recorded_finding *finding)
@@ -184,8 +179,9 @@ static void add_triangles(struct recorder *recorder, struct recorded_finding *fi
 	xform pose;
 
 	/* The blank's triangles are not those of what remains of the stock. */
-	if (!pair || pair->stock || !nearest_of(recorder, pair, &finding->axes, 1, &nearest))
+	if (!pair || pair->stock)
 		return;
+	nearest_of(recorder, pair, &finding->axes, 1, &nearest);
 	pose = mesh_pose(recorder->scene, pair->a, &finding->axes);
 	for (int k = 0; k < 3; k++) {
 		finding->triangles[0][k] = xform_apply(&pose, nearest.a.p[k]);
@@ -344,7 +340,8 @@ static void make_plane(struct recorder *recorder, const struct plane_wish *wish)
 	vec3 middle, normal;
 	int64_t *row;
 
-	if (!nearest_of(recorder, pair, &wish->at.axes, PLANE_SHARE, &nearest) || !(nearest.distance > RECORD_NORMAL))
+	nearest_of(recorder, pair, &wish->at.axes, PLANE_SHARE, &nearest);
+	if (!(nearest.distance > RECORD_NORMAL))
 		return;
 	middle = xform_apply(&scene->bodies[pair->a].body->placement, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
 	normal = mat3_apply(&scene->bodies[pair->a].body->placement.rotation,
@@ -415,8 +412,9 @@ bool recorder_nearest_point(struct recorder *recorder, vec3 *point)
 	struct nearest_triangles nearest;
 	xform pose;
 
-	if (!(recorder->least < recorder->cap) || !nearest_of(recorder, pair, axes, 1, &nearest))
+	if (!(recorder->least < recorder->cap))
 		return false;
+	nearest_of(recorder, pair, axes, 1, &nearest);
 	pose = mesh_pose(recorder->scene, pair->a, axes);
 	*point = xform_apply(&pose, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
 	return true;

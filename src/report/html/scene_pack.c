@@ -215,27 +215,22 @@ static void fit(struct packed_body *packed, size_t count, size_t most)
 	}
 }
 
-static bool pack_bodies(struct scene_pack *pack, struct scene *scene, struct packed_body *packed, size_t most,
-			struct diag *diag)
+static void pack_bodies(struct scene_pack *pack, struct scene *scene, struct packed_body *packed, size_t most)
 {
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct bvh *bvh = scene_body_bvh(scene, (int)i, diag);
+		const struct bvh *bvh = scene_body_bvh(scene, (int)i);
 
-		if (!bvh)
-			return false;
 		if (scene->bodies[i].body->role != ROLE_STOCK)
 			pack_body(&packed[i], scene->bodies[i].body, bvh);
 	}
 	fit(packed, scene->body_count, most);
 	for (size_t i = 0; i < scene->body_count; i++)
 		add_body(pack, scene->bodies[i].body, &packed[i]);
-	return true;
 }
 
-bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, struct diag *diag)
+void scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most)
 {
 	struct packed_body *packed = mem_zalloc(scene->body_count + 1, sizeof(*packed));
-	bool good;
 
 	*pack = (struct scene_pack){
 		.machine = machine_of(scene->machine),
@@ -244,15 +239,12 @@ bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, 
 		.offsets = offsets_of(scene->machine, scene->setup),
 		.pairs = pairs_of(scene),
 	};
-	good = pack_bodies(pack, scene, packed, most, diag);
+	pack_bodies(pack, scene, packed, most);
 	for (size_t i = 0; i < scene->body_count; i++) {
 		turned_release(&packed[i].turned);
 		strbuf_release(&packed[i].blob);
 	}
 	free(packed);
-	if (!good)
-		scene_pack_release(pack);
-	return good;
 }
 
 void scene_pack_release(struct scene_pack *pack)

@@ -22,11 +22,10 @@ struct scene_pack {
 };
 
 /*
- * Reads the meshes that are still missing, and packs those of all bodies but the stock, which each program changes
- * (stock_pack.h). Where the meshes need more than `most` bytes, those of the largest bodies are left out. False: a mesh
- * is faulty, reported.
+ * Packs the meshes of all bodies but the stock, which each program changes (stock_pack.h). Where they need more than
+ * `most` bytes, those of the largest bodies are left out.
  */
-bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, struct diag *diag);
+void scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most);
 void scene_pack_release(struct scene_pack *pack);
 
 /* The value of a body's "mesh", which is the blob of this number; and how exactly it is drawn, in mm. */

@@ -129,7 +129,7 @@ static bool counter(const struct flow *flow, double **value)
 static bool run_for(struct flow *flow)
 {
 	struct sinumerik_loop *loop = begin(flow, SINUMERIK_FOR);
-	double *value, first, last;
+	double *value = NULL, first, last;
 	int column;
 
 	if (!loop || !counter(flow, &value) || !sinumerik_name_need(flow->lexer, '=', "the variable of FOR") ||
