@@ -35,11 +35,13 @@ static void add_targets(struct cutter_approach *approach, const struct scene *sc
 
 	approach->targets = mem_zalloc(scene->body_count + 1, sizeof(*approach->targets));
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct bvh *bvh = scene->bodies[i].bvh;
 		const struct body *body = scene->bodies[i].body;
+		const struct bvh *bvh;
 
 		if (!is_target(scene, i))
 			continue;
+		/* Of tools that are made of sections another thread may be building the tree. */
+		bvh = scene->bodies[i].bvh;
 		all_checked &= body->checked != NULL;
 		approach->with_stock |= body->role == ROLE_STOCK;
 		approach->targets[approach->target_count++] =

@@ -101,3 +101,11 @@ M2
 NC
 said -s s.xml m.xml sub.nc
 fivecheck --explain far-cutter | head -3
+
+echo "of several programs at once, too:"
+programs="near.nc far.nc one.nc near.nc far.nc one.nc"
+fivecheck -q -s s.xml m.xml $programs >alone
+for j in 2 3 8; do
+	fivecheck -q -j $j -s s.xml m.xml $programs >together 2>err || echo "-j $j: status $?"
+	cmp alone together && cat err
+done
