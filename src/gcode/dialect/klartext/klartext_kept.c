@@ -51,17 +51,32 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 	return true;
 }
 
+/* The text behind a word and its number, which has one spelling and at most six digits; NULL: it does not go on so. */
+static const char *take_numbered(const char *text, const char *word, int *number)
+{
+	const char *digits = text + strlen(word);
+	size_t length;
+
+	if (strncmp(text, word, strlen(word)) != 0)
+		return NULL;
+	length = strspn(digits, "0123456789");
+	if (length < 1 || length > 6 || (*digits == '0' && length > 1))
+		return NULL;
+	*number = (int)strtol(digits, NULL, 10);
+	return digits + length;
+}
+
 /* "ID50NR3IDX1", as FN 18 asks for it, of a table that no program changes. */
 static bool check_data(struct lexer *lexer, const char *name)
 {
 	struct klartext_query query = {0};
-	char asked[CONTROL_VARIABLE_NAME] = "";
-	const int read = sscanf(name, "ID%4dNR%4dIDX%6d", &query.id, &query.number, &query.index);
+	const char *at = take_numbered(name, "ID", &query.id);
 
-	query.has_index = read == 3;
-	klartext_query_name(&query, asked, sizeof(asked));
-	control_variable_name_normalise(asked, asked);
-	return (read >= 2 && !strcmp(asked, name) && klartext_query_is_table(&query)) ||
+	at = at ? take_numbered(at, "NR", &query.number) : NULL;
+	query.has_index = at && *at != '\0';
+	if (query.has_index)
+		at = take_numbered(at, "IDX", &query.index);
+	return (at && *at == '\0' && klartext_query_is_table(&query)) ||
 	       fault(lexer->at, 1,
 		     "<variable name=\"%s\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
 		     "230, 350), such as ID50 NR3 IDX1",

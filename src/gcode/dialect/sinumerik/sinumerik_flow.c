@@ -99,40 +99,43 @@ static bool run_loop(struct flow *flow)
 	return begin(flow, SINUMERIK_LOOP) && at_end(flow);
 }
 
-/* The variable that FOR counts: an R parameter or an INT or REAL of the program. */
-static bool counter(const struct flow *flow, double **value)
+/* The variable that FOR counts: an R parameter or an INT or REAL of the program. NULL: reported. */
+static double *counter(const struct flow *flow)
 {
 	const int column = expr_column(flow->lexer);
+	struct sinumerik_variable *variable;
 	char name[SINUMERIK_NAME + 1];
 	int found, number;
 
-	if (!sinumerik_name_read(flow->lexer, name))
-		return fault(flow->lexer->at, column, "FOR needs a variable");
-	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0') {
-		if (!sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number))
-			return false;
-		*value = &flow->sinumerik->r[number];
-		return true;
+	if (!sinumerik_name_read(flow->lexer, name)) {
+		fault_report(flow->lexer->at, column, "FOR needs a variable");
+		return NULL;
 	}
+	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0')
+		return sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number) ? &flow->sinumerik->r[number]
+											 : NULL;
 	found = sinumerik_variables_find(flow->sinumerik, name);
-	if (found < 0 && name[1])
-		return sinumerik_gud_ask(flow->lexer, name, false, column);
-	if (found < 0 || !flow->sinumerik->variables[found].numbers || flow->sinumerik->variables[found].dimensions > 0)
-		return fault(flow->lexer->at, column,
-			     "%s is no variable of this program that FOR can count; DEF makes one", name);
-	*value = &flow->sinumerik->variables[found].numbers[0];
-	sinumerik_variables_mark(&flow->sinumerik->variables[found], 0);
-	return true;
+	variable = found < 0 ? NULL : &flow->sinumerik->variables[found];
+	if (!variable && name[1]) {
+		sinumerik_gud_ask(flow->lexer, name, false, column);
+		return NULL;
+	}
+	if (!variable || !variable->numbers || variable->dimensions > 0) {
+		fault_report(flow->lexer->at, column, "%s is no variable of this program that FOR can count; DEF makes one", name);
+		return NULL;
+	}
+	sinumerik_variables_mark(variable, 0);
+	return &variable->numbers[0];
 }
 
 /* 840D sl, "Count loop (FOR ... TO ..., ENDFOR)": the variable grows by 1 in each round. */
 static bool run_for(struct flow *flow)
 {
 	struct sinumerik_loop *loop = begin(flow, SINUMERIK_FOR);
-	double *value = NULL, first, last;
+	double *value = loop ? counter(flow) : NULL, first, last;
 	int column;
 
-	if (!loop || !counter(flow, &value) || !sinumerik_name_need(flow->lexer, '=', "the variable of FOR") ||
+	if (!value || !sinumerik_name_need(flow->lexer, '=', "the variable of FOR") ||
 	    !sinumerik_expr_number(flow->interp, flow->lexer, &first))
 		return false;
 	if (!sinumerik_name_take(flow->lexer, "TO"))
