@@ -90,7 +90,7 @@ size_t step_packing_pack(struct step_packing *packing, const struct motion_step 
 size_t step_packing_unpack(struct step_packing *packing, const void *in, struct motion_step *step)
 {
 	const struct packed_step *packed = in;
-	const axis_values *values = (const void *)(packed + 1);
+	const axis_values *values = (const void *)(packed + 1), exact = {{0}};
 	const unsigned left_out = packed->left_out;
 	struct motion_step *last = &packing->last;
 
@@ -109,7 +109,7 @@ size_t step_packing_unpack(struct step_packing *packing, const void *in, struct 
 	step->span.u1 = packed->u1;
 	step->span.q1 = *values++;
 	step->span.q0 = left_out & STARTS_AT_LAST ? last->span.q1 : *values++;
-	step->span.chord_error = left_out & CHORD_ERROR_ZERO ? (axis_values){{0}} : *values++;
+	step->span.chord_error = left_out & CHORD_ERROR_ZERO ? exact : *values++;
 	if (!(left_out & TOLERANCE_AS_LAST))
 		last->tolerance = *values++;
 	step->tolerance = last->tolerance;
