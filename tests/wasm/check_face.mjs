@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
-import {partsOf} from '../../src/web/app/modules.js';
+import {Modules, partsOf} from '../../src/web/app/modules.js';
 import {addFromDisk} from './disk.mjs';
 
 const folder = process.argv[2], viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
@@ -205,6 +205,31 @@ tests['a control needs the first module and its part alone, and says so without 
 	}
 };
 
+tests['a part of another build is refused'] = () => {
+	const bytes = fs.readFileSync(`${folder}/${PARTS[0]}`), build = /[0-9a-f]{8}(?=\.klartext\.)/;
+	const own = build.exec(bytes.toString('latin1'))[0], other = own.replace(/./g, (digit) => digit === '0' ? '1' : '0');
+	const changed = Buffer.from(bytes.toString('latin1').replaceAll(own, other), 'latin1');
+	assert.throws(() => new Fivecheck([modules[FIRST], new WebAssembly.Module(changed)]).check(exampleJob('clear')), /different versions/);
+};
+
+tests['what the server does not give is an error, and is loaded the next time'] = async () => {
+	const real = globalThis.fetch;
+	let given = false;
+	globalThis.fetch = async (address) => given ? new Response(fs.readFileSync(`${folder}/${String(address).split('/').pop()}`),
+		{headers: {'Content-Type': 'application/wasm'}}) : new Response('<html>', {status: 404});
+	try {
+		const loader = new Modules('http://127.0.0.1/');
+		await assert.rejects(loader.of('<machine><controller dialect="klartext"/></machine>'), /wasm cannot be loaded: the server answers 404/);
+		await assert.rejects(loader.load(PARTS[0]), /klartext.wasm cannot be loaded/);
+		await assert.rejects(loader.viewer(), /viewer.js cannot be loaded: the server answers 404/);
+		given = true;
+		assert.equal((await loader.of('<machine><controller dialect="klartext"/></machine>')).length, 2);
+		assert.equal(await loader.viewer(), viewer);
+	} finally {
+		globalThis.fetch = real;
+	}
+};
+
 tests['hostile files end with a status, and the next job is as before'] = () => {
 	const seeds = fs.readdirSync('tests/fuzz/seeds').sort(), machine = fs.readFileSync('machines/ac-trunnion/machine.xml');
 	const box = '<machine version="1"><base><body name="a" mesh="b.stl"/><axis name="X" type="linear" direction="1 0 0" rate_max="1">' +
@@ -236,7 +261,7 @@ tests['hostile files end with a status, and the next job is as before'] = () => 
 let failed = 0;
 for (const [name, test] of Object.entries(tests)) {
 	try {
-		test();
+		await test();
 	} catch (error) {
 		failed++;
 		console.log(`check_face: ${name}: ${error.stack}`);

@@ -35,10 +35,19 @@ export class Modules {
 		this.load(FIRST);
 	}
 
-	/** Each is loaded once. @param {string} name */
+	/** @param {string} name @returns {Promise<Response>} whose status is good */
+	async fetch(name) {
+		const response = await fetch(new URL(name, this.folder));
+		if (!response.ok)
+			throw new Error(`${name} cannot be loaded: the server answers ${response.status}`);
+		return response;
+	}
+
+	/** Each is loaded once, and again after a failure. @param {string} name */
 	load(name) {
-		const module = this.loaded.get(name) ?? WebAssembly.compileStreaming(fetch(new URL(name, this.folder)));
+		const module = this.loaded.get(name) ?? WebAssembly.compileStreaming(this.fetch(name));
 		this.loaded.set(name, module);
+		module.catch(() => this.loaded.delete(name));
 		return module;
 	}
 
@@ -50,6 +59,8 @@ export class Modules {
 
 	/** The script that reports carry. */
 	viewer() {
-		return this.script ??= fetch(new URL('viewer.js', this.folder)).then((response) => response.text());
+		this.script ??= this.fetch('viewer.js').then((response) => response.text());
+		this.script.catch(() => this.script = undefined);
+		return this.script;
 	}
 }

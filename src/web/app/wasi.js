@@ -31,6 +31,20 @@ function lacking() {
 	throw new Exit(LACKING);
 }
 
+/**
+ * The modules of one build have names for what they share that no other build has.
+ * @param {WebAssembly.Module} part
+ * @param {WebAssembly.Exports} first
+ */
+function addPart(part, first) {
+	try {
+		new WebAssembly.Instance(part, {first});
+	} catch (error) {
+		throw error instanceof WebAssembly.LinkError ?
+			new Error('fivecheck.wasm and its parts are of different versions: load all of them again', {cause: error}) : error;
+	}
+}
+
 /** @typedef {{ node: FileNode | Folder | null, position: number, append: boolean }} Descriptor */
 
 /**
@@ -75,7 +89,7 @@ export class Wasi {
 		}
 		this.instance = new WebAssembly.Instance(first, /** @type {any} */ (given));
 		for (const part of parts)
-			new WebAssembly.Instance(part, {first: this.instance.exports});
+			addPart(part, this.instance.exports);
 		this.memory = /** @type {WebAssembly.Memory} */ (this.instance.exports.memory);
 	}
 
