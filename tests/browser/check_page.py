@@ -267,6 +267,28 @@ def phone(bench):
 
 
 @test
+def lacking(bench):
+    """What the server does not have is named, and gives no verdict; once it is there again, the job runs."""
+    bench.site.missing = {"/fivecheck.wasm"}
+    page = bench.open("learn.html")
+    true("the page to learn with", "fivecheck.wasm cannot be loaded" in page.run("document.querySelector('#machine-name').textContent"))
+    page.close()
+    page = bench.open()
+    bench.example(page, "cb-head")
+    bench.check(page)
+    same("no verdict", [verdict in ("clear", "found") for _, verdict in page.run(VERDICTS)], [False, False])
+    true("its reason", "fivecheck.wasm cannot be loaded: the server answers 404" in page.run("document.querySelector('.program').textContent"))
+    bench.site.missing = {"/examples/examples/b-head-c-table/setup.xml"}
+    bench.check(page, 2)
+    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.example(page, "b-head-c-table", 2)
+    true("a file of an example", "setup.xml cannot be loaded" in page.run("document.querySelector('#job').textContent"))
+    same("nothing is half there", page.run("document.querySelector('#check').disabled"), True)
+    bench.site.missing = set()
+    page.close()
+
+
+@test
 def offline(bench):
     """After the first visit the page works without the network."""
     page = bench.open()

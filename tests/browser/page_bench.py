@@ -14,11 +14,17 @@ class Site:
 
     def __init__(self, folder):
         self.asked = []
+        self.missing = set()  # paths that are not there for now
         site = self
 
         class Handler(http.server.SimpleHTTPRequestHandler):
             extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
                               ".js": "text/javascript"}
+
+            def send_head(self):
+                if self.path not in site.missing:
+                    return super().send_head()
+                return self.send_error(404)
 
             def log_message(self, *_):
                 site.asked.append((self.command, self.path, int(self.headers.get("Content-Length") or 0)))

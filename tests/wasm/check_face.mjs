@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
+import {missingFiles, withMeshes} from '../../src/web/app/job_files.js';
 import {Modules, partsOf} from '../../src/web/app/modules.js';
+import {setupXml} from '../../src/web/app/setup_form.js';
 import {addFromDisk} from './disk.mjs';
 
 const folder = process.argv[2], viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
@@ -228,6 +230,43 @@ tests['what the server does not give is an error, and is loaded the next time'] 
 	} finally {
 		globalThis.fetch = real;
 	}
+};
+
+tests['a mesh stands for another of its name only where their folders do not contradict'] = () => {
+	const found = (mesh, ...paths) => {
+		const files = [{path: 'machine.xml', blob: 0, role: 'machine', text: `<body mesh="${mesh}"/>`}, ...paths.map((path) => ({path, blob: path, role: 'mesh', text: ''}))];
+		const blob = new Map(withMeshes(files)).get(mesh);
+		assert.deepEqual(missingFiles(files), blob ? [] : [mesh]);
+		return blob;
+	};
+	assert.equal(found('stl/head.stl', 'stl/head.stl', 'head.stl'), 'stl/head.stl');
+	assert.equal(found('stl/head.stl', 'head.stl'), 'head.stl');
+	assert.equal(found('head.stl', 'stl/head.stl'), 'stl/head.stl');
+	assert.equal(found('../stl/head.stl', 'mill/stl/head.stl'), 'mill/stl/head.stl');
+	assert.equal(found('stl/head.stl', 'fixtures/head.stl'), undefined);
+	assert.equal(found('stl/head.stl', 'oldstl/head.stl'), undefined);
+	assert.equal(found('head.stl', 'one/head.stl', 'two/head.stl'), undefined);
+};
+
+tests['a negative length of a holder is left to the check, which refuses it'] = () => {
+	const data = new FormData();
+	data.set('offset.name', 'G54');
+	for (const [name, value] of Object.entries({number: 1, length: 120, holderLength: -60, holderDiameter: 50, cutterLength: 40, cutterDiameter: 10}))
+		data.set(`t.${name}`, value);
+	const job = exampleJob('clear');
+	job.setup = 'own.xml';
+	job.files.add('own.xml', setupXml(data, ['X'], ['t']));
+	assert.match(fivecheck.check(job).messages, /length="-60" of <section>/);
+};
+
+tests['a page whose browser has no room to keep files gets what the network has'] = async () => {
+	const heard = {}, kept = {put: async () => { throw new Error('no room'); }, match: async () => new Response('old')};
+	const network = async () => new Response('new');
+	new Function('addEventListener', 'caches', 'fetch', fs.readFileSync('src/web/app/service_worker.js', 'utf8'))(
+		(name, listener) => heard[name] = listener, {open: async () => kept}, network);
+	let answer;
+	heard.fetch({request: {method: 'GET'}, respondWith: (given) => answer = given});
+	assert.equal(await (await answer).text(), 'new');
 };
 
 tests['hostile files end with a status, and the next job is as before'] = () => {

@@ -43,6 +43,14 @@ export async function jobFile(path, blob) {
 	return {path, blob, role: roleOf(path, text), text};
 }
 
+/** A file of an example of the page. @param {string} path */
+export async function exampleFile(path) {
+	const response = await fetch(`examples/${path}`);
+	if (!response.ok)
+		throw new Error(`${path} cannot be loaded: the server answers ${response.status}`);
+	return jobFile(path, await response.blob());
+}
+
 /** Files that a setup names as tool libraries are no programs. @param {JobFile[]} files */
 export function withLibraries(files) {
 	const setups = files.filter(({role}) => role === 'setup');
@@ -75,8 +83,21 @@ function namedIn({role, text}) {
 	return [...text.replace(/<!--[^]*?-->/g, '').matchAll(/\s(?:mesh|href)=(["'])([^"']+)\1/g)].map(([, , path]) => path);
 }
 
+/** Folders from somewhere up to a file: do they end alike? @param {string} a @param {string} b */
+function foldersAgree(a, b) {
+	const [one, other] = [a, b].map((path) => `/${folderOf(path).replace(/^(\.{0,2}\/)+/, '')}`.replace(/^\/$/, ''));
+	return one.endsWith(other) || other.endsWith(one);
+}
+
+/** The only file that may be the one that is named. @param {JobFile[]} files @param {string} named */
+function standIn(files, named) {
+	const found = files.filter(({path}) => nameOf(path) === nameOf(named) && foldersAgree(path, named));
+	return found.length === 1 ? found[0] : undefined;
+}
+
 /**
- * The files of a job. A mesh or tool library that an XML file names in a folder is also found where it was dropped without its folder.
+ * The files of a job. A mesh or tool library that an XML file names in a folder is also found where it was dropped without its
+ * folder, or with more folders around it.
  * @param {JobFile[]} files
  * @returns {[string, Blob][]}
  */
@@ -85,8 +106,8 @@ export function withMeshes(files) {
 	const all = new Map(files.map(({path, blob}) => [path, blob]));
 	for (const file of files) {
 		for (const named of namedIn(file)) {
-			const path = folderOf(file.path) + named, found = files.find((other) => nameOf(other.path) === nameOf(named));
-			if (!all.has(path) && found)
+			const path = folderOf(file.path) + named, found = all.has(path) ? undefined : standIn(files, named);
+			if (found)
 				all.set(path, found.blob);
 		}
 	}
@@ -95,6 +116,6 @@ export function withMeshes(files) {
 
 /** The names of files that machine and setup name and that are not here. @param {JobFile[]} files */
 export function missingFiles(files) {
-	const names = new Set(files.map(({path}) => nameOf(path)));
-	return [...new Set(files.flatMap(namedIn))].filter((path) => !names.has(nameOf(path)));
+	const all = new Set(withMeshes(files).map(([path]) => path));
+	return [...new Set(files.flatMap((file) => namedIn(file).filter((named) => !all.has(folderOf(file.path) + named))))];
 }

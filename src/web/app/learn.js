@@ -2,7 +2,7 @@
 /** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
 import {Client} from './client.js';
 import {Editor} from './editor.js';
-import {jobFile, withMeshes} from './job_files.js';
+import {exampleFile, jobFile, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {byId, element} from './page.js';
 import {SessionClient} from './session_client.js';
@@ -47,7 +47,7 @@ class LearnPage {
 		choose.addEventListener('change', async () => {
 			const files = await Promise.all([...(choose.files ?? [])].map((file) => jobFile(file.webkitRelativePath || file.name, file)));
 			choose.value = '';
-			this.open('', files);
+			this.told(this.open('', files));
 		});
 	}
 
@@ -55,20 +55,23 @@ class LearnPage {
 		const examples = await (await fetch('examples/index.json')).json();
 		for (const [name, paths] of Object.entries(examples)) {
 			const button = element('button', {type: 'button'}, name);
-			button.addEventListener('click', () => this.openExample(name, paths));
+			button.addEventListener('click', () => this.told(this.openExample(name, paths)));
 			byId('examples').append(button);
 		}
 		const [first] = Object.entries(examples);
 		if (first)
-			await this.openExample(...first);
+			await this.told(this.openExample(...first));
 		document.dispatchEvent(new Event('fivecheck-ready'));
+	}
+
+	/** What keeps a machine from being opened stands where its name would. @param {Promise<void>} opening */
+	async told(opening) {
+		await opening.catch((error) => byId('machine-name').textContent = String(error));
 	}
 
 	/** @param {string} name @param {string[]} paths */
 	async openExample(name, paths) {
-		const wanted = paths.filter((path) => !path.endsWith('.nc'));
-		const blobs = await Promise.all(wanted.map(async (path) => (await fetch(`examples/${path}`)).blob()));
-		await this.open(name, await Promise.all(wanted.map((path, i) => jobFile(path, blobs[i]))));
+		await this.open(name, await Promise.all(paths.filter((path) => !path.endsWith('.nc')).map(exampleFile)));
 	}
 
 	/** @param {string} name of the example, or '' @param {JobFile[]} files */

@@ -2,7 +2,7 @@
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
 import {readNumber, watchNumbers} from './fields.js';
-import {inOrder, isDrawing, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
+import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 import {SetupForm} from './setup_form.js';
@@ -84,8 +84,12 @@ class Page {
 
 	/** @param {string[]} paths */
 	async openExample(paths) {
-		const blobs = await Promise.all(paths.map(async (path) => (await fetch(`examples/${path}`)).blob()));
-		this.setFiles(await Promise.all(paths.map((path, i) => jobFile(path, blobs[i]))));
+		this.setFiles([]);
+		try {
+			this.setFiles(await Promise.all(paths.map(exampleFile)));
+		} catch (error) {
+			byId('job').replaceChildren(element('span', {className: 'lack'}, String(error)));
+		}
 		document.dispatchEvent(new Event('example-open'));
 	}
 

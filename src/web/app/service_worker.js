@@ -15,7 +15,7 @@ async function answer(request) {
 	try {
 		const fresh = await fetch(request);
 		if (fresh.ok)
-			await cache.put(request, fresh.clone());
+			await cache.put(request, fresh.clone()).catch(() => undefined);  // there may be no room
 		return fresh;
 	} catch (error) {
 		const kept = await cache.match(request);

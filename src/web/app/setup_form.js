@@ -60,7 +60,7 @@ function toolLine(data, row) {
 	const {text, number} = reader(data), shank = shankOf(data, row), of = (/** @type {string} */ name) => number(`${row}.${name}`);
 	const section = (/** @type {string} */ length, /** @type {string} */ diameter) => line('section', {length, diameter});
 	return line('tool', {number: of('number'), name: text(`${row}.name`), length: of('length')},
-		...(Number(of('holderLength')) > 0 ? [line('holder', {}, section(of('holderLength'), of('holderDiameter')))] : []),
+		...(Number(of('holderLength')) !== 0 ? [line('holder', {}, section(of('holderLength'), of('holderDiameter')))] : []),
 		...(shank > 0 ? [line('shank', {}, section(String(shank), of('cutterDiameter')))] : []),
 		line('cutter', {tip: text(`${row}.tip`)}, section(of('cutterLength'), of('cutterDiameter'))));
 }
