@@ -225,6 +225,11 @@ def own_machine(bench):
         same("the tool of the program", page.run("[...document.querySelectorAll('#tools [name$=number]')].map((e) => e.value)"), ["7"])
         same("offsets of the machine's axes", page.run("[...document.querySelectorAll('#offset-axes label:not([hidden])')].map((e) => e.textContent)"),
              ["X, mm", "Y, mm", "Z, mm", "A, degrees", "C, degrees"])
+        os.mkdir(os.path.join(work, "other"))
+        fixtures.stl_box(os.path.join(work, "other", "table.stl"), (-10, -10, 0), (10, 10, 20))
+        for folder, words in (("other", True), (".", True), (".", False)):
+            after(page, "files-shown", lambda: page.choose("#choose", [os.path.join(work, folder, "table.stl")]))
+            same("another mesh of the same name is told", "Another table.stl took the place" in page.run(job), words)
         page.choose(".mesh:has([name='fixture.mesh']) input[type=file]", [os.path.join(work, "vise.stl")])
         write(page, "setup")
         same("nothing is guessed", [fault.count("a number is missing") for fault in faults(page, "setup")], [3, 5])

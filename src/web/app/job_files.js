@@ -51,6 +51,14 @@ export async function exampleFile(path) {
 	return jobFile(path, await response.blob());
 }
 
+/** Do two files hold the same bytes? @param {Blob} a @param {Blob} b */
+export async function sameBytes(a, b) {
+	if (a.size !== b.size)
+		return false;
+	const [left, right] = (await Promise.all([a.arrayBuffer(), b.arrayBuffer()])).map((buffer) => new Uint8Array(buffer));
+	return left.every((byte, i) => byte === right[i]);
+}
+
 /** Files that a setup names as tool libraries are no programs. @param {JobFile[]} files */
 export function withLibraries(files) {
 	const setups = files.filter(({role}) => role === 'setup');

@@ -2,7 +2,7 @@
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
 import {readNumber, watchNumbers} from './fields.js';
-import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, nameOf, withLibraries, withMeshes} from './job_files.js';
+import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, nameOf, sameBytes, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 import {SetupForm} from './setup_form.js';
@@ -98,7 +98,11 @@ class Page {
 		const files = await Promise.all(found.map(([path, blob]) => jobFile(path, blob)));
 		const once = files.some(({role}) => role === 'machine') ? 'machine' : '', paths = new Set(files.map(({path}) => path));
 		const setup = files.some(({role}) => role === 'setup');
-		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && file.role !== once && !(setup && file.role === 'setup')), ...files]);
+		const replaced = await Promise.all(files.filter(({role}) => role === 'mesh').map(async ({path, blob}) => {
+			const old = this.files.find((file) => file.path === path);
+			return old && !await sameBytes(old.blob, blob) ? [path] : [];
+		}));
+		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && file.role !== once && !(setup && file.role === 'setup')), ...files], replaced.flat());
 	}
 
 	/** A file that a form wrote. @param {string} name @param {string} xml */
@@ -107,14 +111,14 @@ class Page {
 		byId('files').scrollIntoView();
 	}
 
-	/** @param {JobFile[]} files */
-	setFiles(files) {
+	/** @param {JobFile[]} files @param {string[]} replaced meshes that took the place of others of the same name */
+	setFiles(files, replaced = []) {
 		this.files = inOrder(withLibraries(files));
 		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text));
 		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
 			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
 		byId('empty').hidden = files.length === 0;
-		this.showLacks();
+		this.showLacks(replaced);
 		this.showButtons();
 		document.dispatchEvent(new Event('files-shown'));
 	}
@@ -131,11 +135,13 @@ class Page {
 		return this.files.filter((file) => file.role === role);
 	}
 
-	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. */
-	showLacks() {
+	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. @param {string[]} replaced */
+	showLacks(replaced) {
 		const missing = missingFiles(this.files), lacks = [], drawings = this.files.filter(({path}) => isDrawing(path));
 		if (drawings.length)
 			lacks.push(element('span', {className: 'lack'}, `Bodies are read from STL, OBJ and PLY files: export ${drawings.map(({path}) => path).join(', ')} as STL from the CAD system.`));
+		for (const path of replaced)
+			lacks.push(element('span', {className: 'lack'}, `Another ${path} took the place of the one that was here: all bodies that name ${path} have its shape now. Rename one of the two if they are different bodies.`));
 		if (missing.length)
 			lacks.push(element('span', {className: 'lack'}, `Not here yet: ${missing.join(', ')}. Drop them, too.`));
 		if (this.of('machine').length && !this.of('setup').length && !this.of('machine').some(({text}) => /<setup[\s>]/.test(text)))
