@@ -125,7 +125,8 @@ START_TEST(random_places)
 			    found >= truth - cylinder.radius * (1 - cos(PI / SIDES)) - 1e-3,
 			"case %ld: %.9g mm, not %.9g", n, found, truth);
 	}
-	require(apart > cases / 2 && apart < cases, "%ld apart", apart);
+	/* Of few cases all may be apart. */
+	require(apart > cases / 2 && (apart < cases || cases < 50), "%ld of %ld apart", apart, cases);
 }
 END_TEST
 
