@@ -18,7 +18,8 @@ struct solid_box {
 
 /*
  * The distance (mm); 0 where they meet. It is that of two points of them, so never too small; it exceeds the true
- * distance by at most a hundredth of it, or by a few hundredths of a mm where an edge grazes. The search ends early once it is below `enough`.
+ * distance by at most a hundredth of it, or by a few hundredths of a mm where an edge grazes. The search ends early
+ * once it is below `enough`.
  *
  * Method: alternating projections, which end at the nearest points of two convex sets (Cheney and Goldstein, 1959).
  */
