@@ -121,7 +121,8 @@ static double *counter(const struct flow *flow)
 		return NULL;
 	}
 	if (!variable || !variable->numbers || variable->dimensions > 0) {
-		fault_report(flow->lexer->at, column, "%s is no variable of this program that FOR can count; DEF makes one", name);
+		fault_report(flow->lexer->at, column,
+			     "%s is no variable of this program that FOR can count; DEF makes one", name);
 		return NULL;
 	}
 	sinumerik_variables_mark(variable, 0);
