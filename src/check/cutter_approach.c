@@ -25,8 +25,7 @@ static bool is_target(const struct scene *scene, size_t body)
 {
 	const struct body *b = scene->bodies[body].body;
 
-	return (b->role == ROLE_PART || b->role == ROLE_STOCK) && scene->bodies[body].bvh &&
-	       b->link == scene->machine->workholding.link;
+	return (b->role == ROLE_PART || b->role == ROLE_STOCK) && b->link == scene->machine->workholding.link;
 }
 
 static void add_targets(struct cutter_approach *approach, const struct scene *scene)
@@ -102,7 +101,7 @@ static void add_tools(struct cutter_approach *approach, const struct scene *scen
 		struct approach_tool *added = &approach->tools[approach->tool_count];
 
 		if (cutter->body->role != ROLE_CUTTER || !tool || tool->kind != TOOL_TURNS || tool->checked ||
-		    cutter->body->link != scene->machine->spindle.link || (!cutter->body->profile && !cutter->bvh))
+		    cutter->body->link != scene->machine->spindle.link)
 			continue;
 		added->cutter = cylinder_around(cutter);
 		added->cutter.base = xform_apply(&cutter->body->placement, added->cutter.base);

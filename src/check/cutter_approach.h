@@ -56,8 +56,8 @@ struct cutter_approach {
 };
 
 /*
- * The targets are the parts and the stock whose meshes have been read, the tools those that cut by turning and are not
- * marked checked="". `file` is the program. Without a scene (NULL) nothing is looked at. Call cutter_approach_release.
+ * The targets are the parts and the stock, the tools those that cut by turning and are not marked checked="". `file` is
+ * the program. Without a scene (NULL) nothing is looked at. Call cutter_approach_release.
  */
 void cutter_approach_init(struct cutter_approach *approach, const struct scene *scene, const char *file);
 void cutter_approach_release(struct cutter_approach *approach);

@@ -80,7 +80,7 @@ struct pair_check {
 	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 
-/* The check is all zero before. The meshes of the scene have been read (scene_build). */
+/* The check is all zero before. */
 void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, struct pair_measuring measuring);
 
 /*

@@ -12,7 +12,7 @@
  *
  * If the head is behind the gauge point and nothing ahead of it, the drawing confirms a spindle across Z, such as that
  * of an angle head: takes away DOUBT_SPINDLE_ACROSS, and with it what is said of the places that such a tool reaches
- * while the rotary axes are at 0. The meshes of the spindle's link must have been read.
+ * while the rotary axes are at 0.
  */
 void head_check(const struct scene *scene, struct doubts *doubts);
 

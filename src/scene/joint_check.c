@@ -44,8 +44,6 @@ static struct doubt nearest_of(struct scene *scene, int link)
 			if (other->role != ROLE_MACHINE || other->link == link ||
 			    !machine_link_is_on(scene->machine, link, other->link))
 				continue;
-			if (!scene->bodies[i].bvh || !scene->bodies[k].bvh)
-				return (struct doubt){.value = INFINITY};
 			distance = distance_at_home(scene, i, k, GAP_MOST);
 			if (distance >= nearest.value)
 				continue;

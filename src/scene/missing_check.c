@@ -47,18 +47,15 @@ static void check_links(const struct scene *scene, struct doubts *doubts)
 		doubts_add(doubts, &(struct doubt){.kind = DOUBT_BASE_BARE});
 }
 
-/* The extent of the machine's own bodies along a direction; 0: not all meshes have been read. */
+/* The extent of the machine's own bodies along a direction. */
 static double extent_along(const struct scene *scene, vec3 along)
 {
 	struct placed_box box = placed_box_empty();
 	vec3 size;
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		if (!is_own(scene, i))
-			continue;
-		if (!scene->bodies[i].bvh)
-			return 0;
-		box = placed_box_union(box, placed_box_of(scene, (int)i));
+		if (is_own(scene, i))
+			box = placed_box_union(box, placed_box_of(scene, (int)i));
 	}
 	size = vec3_sub(box.greatest, box.least);
 	return fabs(along.x) * size.x + fabs(along.y) * size.y + fabs(along.z) * size.z;

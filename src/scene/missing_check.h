@@ -15,8 +15,7 @@ bool missing_is_drawn(const struct scene *scene);
 
 /*
  * Appends the doubts about a machine that is drawn and has a spindle and a workholding, and about its setup's tools; of
- * other machines nothing is said. Elements marked checked="" are left out. Lengths of travels are compared with the
- * bodies only if all of their meshes have been read.
+ * other machines nothing is said. Elements marked checked="" are left out.
  */
 void missing_check(const struct scene *scene, struct doubts *doubts);
 

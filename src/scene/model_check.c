@@ -86,7 +86,7 @@ static double line_to_box(vec3 point, vec3 along, struct placed_box box)
 	return placed_box_distance(box, vec3_mad(point, low, along));
 }
 
-/* The box of all bodies of the machine that move with the link; false: there are none, or one has not been read. */
+/* The box of all bodies of the machine that move with the link; false: there are none. */
 static bool carried_box(const struct scene *scene, int link, struct placed_box *box)
 {
 	*box = placed_box_empty();
@@ -95,8 +95,6 @@ static bool carried_box(const struct scene *scene, int link, struct placed_box *
 
 		if (body->role != ROLE_MACHINE || !machine_link_is_on(scene->machine, body->link, link))
 			continue;
-		if (!scene->bodies[k].bvh)
-			return false;
 		*box = placed_box_union(*box, placed_box_of(scene, (int)k));
 	}
 	return !isinf(box->least.x);
@@ -119,18 +117,18 @@ static void check_turning(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* Only if all bodies were read can their size be measured. */
+/* A body that is marked checked="" may have any size, and all with it. */
 static void check_size(const struct scene *scene, struct doubts *doubts)
 {
 	struct placed_box box = placed_box_empty();
 	struct doubt doubt = {.limit = kinematics_longest_travel(scene->machine)};
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct scene_body *body = &scene->bodies[i];
+		const struct body *body = scene->bodies[i].body;
 
-		if (body->body->role != ROLE_MACHINE)
+		if (body->role != ROLE_MACHINE)
 			continue;
-		if (!body->bvh || body->body->checked)
+		if (body->checked)
 			return;
 		box = placed_box_union(box, placed_box_of(scene, (int)i));
 	}

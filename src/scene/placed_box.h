@@ -10,10 +10,7 @@ struct placed_box {
 	vec3 least, greatest;
 };
 
-/*
- * The bounds of the box around the body's mesh, which must have been read. If the body is turned they are larger than
- * the body.
- */
+/* The bounds of the box around the body's mesh. If the body is turned they are larger than the body. */
 struct placed_box placed_box_of(const struct scene *scene, int body);
 
 struct placed_box placed_box_union(struct placed_box a, struct placed_box b);

@@ -217,7 +217,7 @@ static void judge_edges(struct rings *rings)
 	free(ends);
 }
 
-/* Judges the circles of the bodies on a link until one is on the axis; false: a mesh is too large, or was not read. */
+/* Judges the circles of the bodies on a link until one is on the axis; false: a mesh is too large. */
 static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 {
 	for (size_t i = 0; i < scene->body_count && rings->nearest > MIDDLE_OFF; i++) {
@@ -225,7 +225,7 @@ static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 
 		if (body->body->link != link || body->body->role != ROLE_MACHINE)
 			continue;
-		if (!body->bvh || body->bvh->mesh.count > MESH_MOST)
+		if (body->bvh->mesh.count > MESH_MOST)
 			return false;
 		rings->count = 0;
 		add_walls(rings, body);

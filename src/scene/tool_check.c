@@ -38,7 +38,7 @@ static double end_of(const struct scene_body *b)
 	double end;
 
 	if (!b->body->profile)
-		return b->bvh ? b->bvh->half.z - b->bvh->origin.z : 0;
+		return b->bvh->half.z - b->bvh->origin.z;
 	end = -b->body->profile->top;
 	for (size_t i = 0; i < b->body->profile->count; i++)
 		end += b->body->profile->sections[i].length;
@@ -50,7 +50,7 @@ static void check_aside(const struct scene *scene, int body, size_t item, struct
 	const struct scene_body *b = &scene->bodies[body];
 	struct doubt doubt = {.kind = DOUBT_TOOL_ASIDE, .item = item, .body = body};
 
-	if (b->body->profile || !b->bvh || b->body->role == ROLE_CUTTER)
+	if (b->body->profile || b->body->role == ROLE_CUTTER)
 		return;
 	doubt.value = math_hypot(b->bvh->origin.x, b->bvh->origin.y);
 	if (doubt.value > ASIDE_MOST * fmax(b->bvh->half.x, b->bvh->half.y))

@@ -7,7 +7,7 @@
 
 /*
  * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE and DOUBT_RADIUS_OFFSET, tool by tool. Tools that the
- * setup marks checked="" are left out. The meshes of tools that are drawn as meshes must have been read.
+ * setup marks checked="" are left out.
  */
 void tool_check(const struct scene *scene, struct doubts *doubts);
 
