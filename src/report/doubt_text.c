@@ -1,399 +1,303 @@
 #include "report/doubt_text.h"
 
+#include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "machine/kinematics_check.h"
 #include "report/format/format_units.h"
 
-static const char letters[] = "XYZ";
+#define AXIS_CHECKED "<axis name=\"{axis}\" checked=\"reason\">"
+#define OR_AXIS_CHECKED ", or say why it is right: " AXIS_CHECKED
+#define TURN_AXIS_ROUND "; turn its direction round" OR_AXIS_CHECKED
+#define OR_CHECKED ", or give it checked=\"reason\""
+#define HAS_NO_UNITS "(STL has none: units=\"inch\", \"cm\" or \"m\")"
+#define GAUGE_AT_ORIGIN "a mesh has the gauge point at its origin and the tip toward -Z"
 
-static void add_name(struct strbuf *out, const struct scene *scene, int body)
+/* What each kind says; {words} in braces are those of `fields`. */
+static const char *const texts[] = {
+	[DOUBT_LEFT_HANDED] = "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
+			      "exchanged; check the directions, or give one of the axes checked=\"reason\"",
+	[DOUBT_TURNED] = "X Y Z of the tool against the work are not those of the drawing: check the letters, or give "
+			 "one of the axes checked=\"reason\"",
+	[DOUBT_PARALLEL] = "axes {axis} and {other} both move the tool along one line against the work; only X and U, "
+			   "Y and V, Z and W may do that: check their directions, or give one of them "
+			   "checked=\"reason\"",
+	[DOUBT_LETTER] = "axis {axis} {moves} {found letter}, not {letter}: check its name and its direction"
+			 OR_AXIS_CHECKED,
+	[DOUBT_SIGN] = "axis {axis}: a positive value moves the {goer} toward -{letter} against the work"
+		       TURN_AXIS_ROUND,
+	[DOUBT_ROTARY_SIGN] = "axis {axis}: a positive value turns the {turner} left-handed about {letter} against the "
+			      "work (ISO 841: right-handed; an axis that turns the work has the opposite direction)"
+			      TURN_AXIS_ROUND,
+	[DOUBT_IDLE] = "axis {axis} moves neither the tool nor the work: the axis that should be nested in it is "
+		       "beside it; check the nesting of the axes" OR_AXIS_CHECKED,
+	[DOUBT_TURNS_ITSELF] = "axis {axis} only turns the tool about the tool's own line, because it is nested in "
+			       "{other}: check which of them carries the other" OR_AXIS_CHECKED,
+	[DOUBT_RATE_LOW] = "axis {axis} has a rate_max of only {axis value} {unit} a minute: check its units"
+			   OR_AXIS_CHECKED,
+	[DOUBT_RADIANS] = "axis {axis} has a travel of only {axis value} degrees: limits are degrees, not radians; "
+			  "check them, or say why they are right: " AXIS_CHECKED,
+	[DOUBT_ROTARY_MISSES] = "axis {axis} turns about a line that misses all that it carries by {value} mm: check "
+				"its location and its direction, or give the axis checked=\"reason\"",
+	[DOUBT_ROTARY_BESIDE] = "no circle of what axis {axis} turns, or of what carries it, has its middle on the "
+				"axis: the nearest one, {limit 5} mm wide, is {value} mm beside it; check the "
+				"location, or give the axis checked=\"reason\"",
+	[DOUBT_SPINDLE_ACROSS] = "axis {axis} does not move the tool along the spindle (all axes at 0): check the "
+				 "direction of both, or give <spindle checked=\"reason\">",
+	[DOUBT_SPINDLE_TOWARD] = "axis {axis}: a positive value moves the tool where its tip points, into the work: "
+				 "check the direction of the axis and of the spindle, or give "
+				 "<spindle checked=\"reason\">",
+	[DOUBT_SPINDLE_IN_HEAD] = "the spindle points into its own head: {body} reaches {value} mm ahead of the gauge "
+				  "point: turn the direction of <spindle> round (from the gauge point to the tip)"
+				  OR_CHECKED,
+	[DOUBT_SPINDLE_AWAY] = "the spindle points away from the work: the workholding is at least {value} mm behind "
+			       "the gauge point, wherever the axes stand: check direction and location of <spindle> "
+			       "and <workholding>, or give one of them checked=\"reason\"",
+	[DOUBT_SPINDLE_BESIDE] = "no circle of the bodies that move with the spindle has its middle on the spindle's "
+				 "line: the nearest one, {limit 5} mm wide, is {value} mm beside it; check the "
+				 "location and the direction of <spindle>" OR_CHECKED,
+	[DOUBT_SPINDLE_FAR] = "the spindle's gauge point is {value} mm away from the nearest body that moves with it "
+			      "({body}): check its location and the units of the mesh, or give "
+			      "<spindle checked=\"reason\">",
+	[DOUBT_WORKHOLDING_BESIDE] = "the tool comes no nearer than {value} mm to the workholding sideways: check the "
+				     "location of <workholding>, of <spindle> and the limits, or give one of them "
+				     "checked=\"reason\"",
+	[DOUBT_WORKHOLDING_FAR] = "the workholding is {value} mm away from the nearest body that moves with it "
+				  "({body}): check its location and the units of the mesh, or give "
+				  "<workholding checked=\"reason\">",
+	[DOUBT_BODIES_SMALL] = "all bodies of the machine together are {value} mm large, but its longest travel is "
+			       "{limit} mm: the meshes may have other units than the file (<body units=\"inch\">, "
+			       "\"cm\" or \"m\")",
+	[DOUBT_BODIES_LARGE] = "all bodies of the machine together are {value} mm large, but its longest travel is "
+			       "{limit} mm: the meshes may have other units than the file (<body units=\"inch\">, "
+			       "\"cm\" or \"m\")",
+	[DOUBT_SPINDLE_BARE] = "no body moves with the spindle, so that no head is checked: a <body> is missing or on "
+			       "another axis, or give <spindle checked=\"reason\">",
+	[DOUBT_WORKHOLDING_BARE] = "no body moves with the workholding, so that no table is checked: a <body> is "
+				   "missing or on another axis, or give <workholding checked=\"reason\">",
+	[DOUBT_BASE_BARE] = "no body stands still, so that no bed is checked: a <body> of <base> is missing or on an "
+			    "axis, or give <base checked=\"reason\">",
+	[DOUBT_GAP] = "{body} and {against} are about {value} mm apart at home, and nothing else joins axis {axis} to "
+		      "what carries it: a <body> is missing, drawn elsewhere or in other units" OR_AXIS_CHECKED,
+	[DOUBT_EXCUSED_APART] = "{body} and {against} are excused as neighbours, but are about {value} mm apart: "
+				"adjacent_within=\"\" of <pairs> is too large; lower it, and name pairs of a joint "
+				"with <pair ... check=\"never\" reason=\"\"/>",
+	[DOUBT_TRAVEL_LONG] = "axis {axis} has a travel of {value 5} mm, but all bodies together reach over {limit 5} "
+			      "mm along it: check its limits and the units of the meshes" OR_AXIS_CHECKED,
+	[DOUBT_TRAVEL_ENDLESS] = "axis {axis} has no end of its travel, though other linear axes have: no position of "
+				 "it is refused, and a limit_min or limit_max may be missing" OR_AXIS_CHECKED,
+	[DOUBT_FLOATS] = "{body} touches nothing that could hold it: {value} mm to {against}; check its location and "
+			 "units" OR_CHECKED,
+	[DOUBT_SINKS] = "{body} stands {value} mm deep in {against}; check its location, rotation and units" OR_CHECKED,
+	[DOUBT_PART_LARGE] = "{body} is {value 5} mm large, but the machine's longest travel is {limit 5} mm; check "
+			     "its units" OR_CHECKED,
+	[DOUBT_PART_SMALL] = "{body} is only {value} mm large, but the machine's longest travel is {limit 5} mm; check "
+			     "its units " HAS_NO_UNITS OR_CHECKED,
+	[DOUBT_PART_BELOW_CUTTERS] = "{body} is only {value} mm large, less than the thinnest cutter ({limit} mm); "
+				     "check its units " HAS_NO_UNITS OR_CHECKED,
+	[DOUBT_OUT_OF_STOCK] = "{body} stands {value} mm out of {against}, from which it is cut; check location, size "
+			       "and units of both" OR_CHECKED,
+	[DOUBT_PART_BESIDE] = "{body} is out of reach: the tip of every tool stays {value} mm away from it, wherever "
+			      "the axes stand; check its location and the limits" OR_CHECKED,
+	[DOUBT_TOOL_SHORT] = "tool {tool} cannot reach the part: its tip stays {value} mm above it; check the tool's "
+			     "length and the limits" OR_CHECKED,
+	[DOUBT_TOOL_LONG] = "tool {tool} is {value 5} mm long, more than the travel along the spindle ({limit 5} mm); "
+			    "check its length and units" OR_CHECKED,
+	[DOUBT_TOOL_TINY] = "tool {tool} is only {value} mm long, though the travel along the spindle is {limit 5} mm; "
+			    "check its length and units" OR_CHECKED,
+	[DOUBT_TOOL_BELOW] = "tool {tool} is too long: even at its highest position its tip is {value} mm below all "
+			     "that is set up; check its length and units" OR_CHECKED,
+	[DOUBT_TOOL_BARE] = "tool {tool} {others} no <holder>, which is what collides first; describe it" OR_CHECKED,
+	[DOUBT_HOLDER_TURNED] = "tool {tool} has a holder that is only {value} mm thick at the gauge line, but {limit} "
+				"mm farther down: sections stack from the gauge line to the tip; check their order"
+				OR_CHECKED,
+	[DOUBT_TOOL_ENDS] = "tool {tool} is {limit 5} mm long, but its bodies end {value} mm below the gauge line: "
+			    GAUGE_AT_ORIGIN "; check its place, direction and units" OR_CHECKED,
+	[DOUBT_TOOL_ASIDE] = "tool {tool} is drawn beside the spindle's line: the middle of {body} is {value} mm off "
+			     "it; " GAUGE_AT_ORIGIN OR_CHECKED,
+	[DOUBT_RADIUS_OFFSET] = "tool {tool} has a diameter of {limit} mm, but the radius of its D is {value} mm: "
+				"check that it is no diameter" OR_CHECKED,
+	[DOUBT_LENGTH_OFFSET] = "tool {tool} is {limit 5} mm long, but its length offset is {value 5} mm: with G43 its "
+				"tip is {difference} mm from where the program takes it to be; check length_offset"
+				OR_CHECKED,
+	[DOUBT_OFFSET_OUTSIDE] = "work offset {offset} has {axis} {position} {unit}, outside the axis' travel "
+				 "({limit_min} to {limit_max} {unit}); check its values, their signs and units"
+				 OR_CHECKED,
+	[DOUBT_OFFSET_FAR] = "work offset {offset} is {value} mm away from all that is set up (which is {limit} mm "
+			     "large); check its values, their signs and units" OR_CHECKED,
+};
+
+typedef void field_fn(struct strbuf *out, const struct scene *scene, const struct doubt *doubt);
+
+static const struct axis *axis_of(const struct scene *scene, const struct doubt *doubt)
 {
-	format_units_add_plain(out, scene->bodies[body].body->name);
+	return &scene->machine->axes[doubt->axis];
 }
 
-/* Where the drawn direction is, and how to silence the doubt about an axis. */
-static void add_way_out(struct strbuf *out, const struct axis *axis)
+/* A number in the unit of the doubt's axis. */
+static void add_in_unit(struct strbuf *out, const struct scene *scene, const struct doubt *doubt, double value)
 {
-	strbuf_addf(out, "; turn its direction round, or say why it is right: <axis name=\"%s\" checked=\"reason\">",
-		    axis->name);
+	strbuf_addf(out, "%.6g", format_units_value(axis_of(scene, doubt)->slot, value));
 }
 
-static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_axis(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	const struct axis *axis = &scene->machine->axes[doubt->axis];
-	const struct axis *other = &scene->machine->axes[doubt->other];
-	int side = kinematics_side(scene->machine, axis);
-
-	switch (doubt->kind) {
-	case DOUBT_PARALLEL:
-		strbuf_addf(out,
-			    "axes %s and %s both move the tool along one line against the work; only X and U, Y and V, "
-			    "Z and W may do that: check their directions, or give one of them checked=\"reason\"",
-			    axis->name, other->name);
-		break;
-	case DOUBT_LETTER:
-		strbuf_addf(out, "axis %s %s %c, not %c: check its name and its direction, or say why it is right: "
-				 "<axis name=\"%s\" checked=\"reason\">",
-			    axis->name, axis->rotary ? "turns about" : "moves along", letters[doubt->other],
-			    letters[axis->slot % 3], axis->name);
-		break;
-	case DOUBT_SIGN:
-		strbuf_addf(out, "axis %s: a positive value moves the %s toward -%c against the work", axis->name,
-			    side > 0 ? "tool" : "work so that the tool goes", letters[axis->slot % 3]);
-		add_way_out(out, axis);
-		break;
-	case DOUBT_ROTARY_SIGN:
-		strbuf_addf(out,
-			    "axis %s: a positive value turns the %s left-handed about %c against the work (ISO 841: "
-			    "right-handed; an axis that turns the work has the opposite direction)",
-			    axis->name, side > 0 ? "tool" : "work so that the tool turns", letters[axis->slot % 3]);
-		add_way_out(out, axis);
-		break;
-	case DOUBT_IDLE:
-		strbuf_addf(out,
-			    "axis %s moves neither the tool nor the work: the axis that should be nested in it is "
-			    "beside it; check the nesting of the axes, or say why it is right: <axis name=\"%s\" "
-			    "checked=\"reason\">",
-			    axis->name, axis->name);
-		break;
-	case DOUBT_TURNS_ITSELF:
-		strbuf_addf(out,
-			    "axis %s only turns the tool about the tool's own line, because it is nested in %s: check "
-			    "which of them carries the other, or say why it is right: <axis name=\"%s\" "
-			    "checked=\"reason\">",
-			    axis->name, other->name, axis->name);
-		break;
-	case DOUBT_RATE_LOW:
-		strbuf_addf(out,
-			    "axis %s has a rate_max of only %.4g %s a minute: check its units, or say why it is right: "
-			    "<axis name=\"%s\" checked=\"reason\">",
-			    axis->name, format_units_value(axis->slot, doubt->value), format_units_unit(axis->slot),
-			    axis->name);
-		break;
-	case DOUBT_RADIANS:
-		strbuf_addf(out,
-			    "axis %s has a travel of only %.4g degrees: limits are degrees, not radians; check them, "
-			    "or say why they are right: <axis name=\"%s\" checked=\"reason\">",
-			    axis->name, format_units_value(axis->slot, doubt->value), axis->name);
-		break;
-	case DOUBT_ROTARY_MISSES:
-		strbuf_addf(
-		    out,
-		    "axis %s turns about a line that misses all that it carries by %.4g mm: check its location and "
-		    "its direction, or give the axis checked=\"reason\"",
-		    axis->name, doubt->value);
-		break;
-	case DOUBT_ROTARY_BESIDE:
-		strbuf_addf(
-		    out,
-		    "no circle of what axis %s turns, or of what carries it, has its middle on the axis: the nearest "
-		    "one, %.5g mm wide, is %.4g mm beside it; check the location, or give the axis checked=\"reason\"",
-		    axis->name, doubt->limit, doubt->value);
-		break;
-	case DOUBT_SPINDLE_ACROSS:
-		strbuf_addf(
-		    out,
-		    "axis %s does not move the tool along the spindle (all axes at 0): check the direction of both, or "
-		    "give <spindle checked=\"reason\">",
-		    axis->name);
-		break;
-	default:
-		strbuf_addf(out,
-			    "axis %s: a positive value moves the tool where its tip points, into the work: check the "
-			    "direction of the axis and of the spindle, or give <spindle checked=\"reason\">",
-			    axis->name);
-		break;
-	}
+	strbuf_addf(out, "%s", axis_of(scene, doubt)->name);
 }
 
-static void add_place_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_other(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	switch (doubt->kind) {
-	case DOUBT_SPINDLE_IN_HEAD:
-		strbuf_addf(out, "the spindle points into its own head: ");
-		add_name(out, scene, doubt->body);
-		strbuf_addf(
-		    out,
-		    " reaches %.4g mm ahead of the gauge point: turn the direction of <spindle> round (from the gauge "
-		    "point to the tip), or give it checked=\"reason\"",
-		    doubt->value);
-		break;
-	case DOUBT_SPINDLE_AWAY:
-		strbuf_addf(
-		    out,
-		    "the spindle points away from the work: the workholding is at least %.4g mm behind the gauge "
-		    "point, "
-		    "wherever the axes stand: check direction and location of <spindle> and <workholding>, or give "
-		    "one of them checked=\"reason\"",
-		    doubt->value);
-		break;
-	case DOUBT_SPINDLE_BESIDE:
-		strbuf_addf(out,
-			    "no circle of the bodies that move with the spindle has its middle on the spindle's "
-			    "line: the nearest one, %.5g mm wide, is %.4g mm beside it; check the location and the "
-			    "direction of <spindle>, or give it checked=\"reason\"",
-			    doubt->limit, doubt->value);
-		break;
-	case DOUBT_SPINDLE_FAR:
-		strbuf_addf(out, "the spindle's gauge point is %.4g mm away from the nearest body that moves with it (",
-			    doubt->value);
-		add_name(out, scene, doubt->body);
-		strbuf_addf(out,
-			    "): check its location and the units of the mesh, or give <spindle checked=\"reason\">");
-		break;
-	case DOUBT_WORKHOLDING_FAR:
-		strbuf_addf(out, "the workholding is %.4g mm away from the nearest body that moves with it (",
-			    doubt->value);
-		add_name(out, scene, doubt->body);
-		strbuf_addf(
-		    out, "): check its location and the units of the mesh, or give <workholding checked=\"reason\">");
-		break;
-	case DOUBT_WORKHOLDING_BESIDE:
-		strbuf_addf(out,
-			    "the tool comes no nearer than %.4g mm to the workholding sideways: check the location of "
-			    "<workholding>, of <spindle> and the limits, or give one of them checked=\"reason\"",
-			    doubt->value);
-		break;
-	case DOUBT_BODIES_SMALL:
-	case DOUBT_BODIES_LARGE:
-		strbuf_addf(out,
-			    "all bodies of the machine together are %.4g mm large, but its longest travel is %.4g mm: "
-			    "the meshes may have other units than the file (<body units=\"inch\">, \"cm\" or \"m\")",
-			    doubt->value, doubt->limit);
-		break;
-	default:
-		break;
-	}
+	strbuf_addf(out, "%s", scene->machine->axes[doubt->other].name);
 }
 
-static void add_travel_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_letter(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	const char *name = scene->machine->axes[doubt->axis].name;
+	strbuf_addf(out, "%c", "XYZ"[axis_of(scene, doubt)->slot % 3]);
+}
 
-	if (doubt->kind == DOUBT_TRAVEL_ENDLESS)
-		strbuf_addf(out,
-			    "axis %s has no end of its travel, though other linear axes have: no position of it is "
-			    "refused, and a limit_min or limit_max may be missing",
-			    name);
+static void add_found_letter(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	(void)scene;
+	strbuf_addf(out, "%c", "XYZ"[doubt->other]);
+}
+
+static void add_moves(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%s", axis_of(scene, doubt)->rotary ? "turns about" : "moves along");
+}
+
+static bool carries_tool(const struct scene *scene, const struct doubt *doubt)
+{
+	return kinematics_side(scene->machine, axis_of(scene, doubt)) > 0;
+}
+
+static void add_goer(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%s", carries_tool(scene, doubt) ? "tool" : "work so that the tool goes");
+}
+
+static void add_turner(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%s", carries_tool(scene, doubt) ? "tool" : "work so that the tool turns");
+}
+
+static void add_unit(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%s", format_units_unit(axis_of(scene, doubt)->slot));
+}
+
+static void add_axis_value(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%.4g", format_units_value(axis_of(scene, doubt)->slot, doubt->value));
+}
+
+static void add_position(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_in_unit(out, scene, doubt, doubt->value);
+}
+
+static void add_limit_min(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_in_unit(out, scene, doubt, axis_of(scene, doubt)->limit_min);
+}
+
+static void add_limit_max(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_in_unit(out, scene, doubt, axis_of(scene, doubt)->limit_max);
+}
+
+static void add_body(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	format_units_add_plain(out, scene->bodies[doubt->body].body->name);
+}
+
+static void add_against(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	format_units_add_plain(out, scene->bodies[doubt->against].body->name);
+}
+
+static void add_tool(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "%d", scene->setup->tools[doubt->item].number);
+}
+
+static void add_others(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	(void)scene;
+	if (doubt->value > 0)
+		strbuf_addf(out, "and %.0f more have", doubt->value);
 	else
-		strbuf_addf(out, "axis %s has a travel of %.5g mm, but all bodies together reach over %.5g mm along it: "
-				 "check its limits and the units of the meshes",
-			    name, doubt->value, doubt->limit);
-	strbuf_addf(out, ", or say why it is right: <axis name=\"%s\" checked=\"reason\">", name);
+		strbuf_addf(out, "has");
 }
 
-static void add_joint_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_offset(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	add_name(out, scene, doubt->body);
-	strbuf_addf(out, " and ");
-	add_name(out, scene, doubt->against);
-	if (doubt->kind == DOUBT_EXCUSED_APART) {
-		strbuf_addf(out,
-			    " are excused as neighbours, but are about %.4g mm apart: adjacent_within=\"\" of <pairs> "
-			    "is too large; lower it, and name pairs of a joint with <pair ... check=\"never\" "
-			    "reason=\"\"/>",
-			    doubt->value);
-		return;
-	}
-	strbuf_addf(out,
-		    " are about %.4g mm apart at home, and nothing else joins axis %s to what carries it: a <body> is "
-		    "missing, drawn elsewhere or in other units, or say why it is right: <axis name=\"%s\" "
-		    "checked=\"reason\">",
-		    doubt->value, scene->machine->axes[doubt->axis].name, scene->machine->axes[doubt->axis].name);
+	strbuf_addf(out, "%s", scene->setup->offsets[doubt->item].name);
 }
 
-static void add_missing_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_value(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	switch (doubt->kind) {
-	case DOUBT_SPINDLE_BARE:
-		strbuf_addf(out, "no body moves with the spindle, so that no head is checked: a <body> is missing or on "
-				 "another axis, or give <spindle checked=\"reason\">");
-		break;
-	case DOUBT_WORKHOLDING_BARE:
-		strbuf_addf(out, "no body moves with the workholding, so that no table is checked: a <body> is missing "
-				 "or on another axis, or give <workholding checked=\"reason\">");
-		break;
-	case DOUBT_BASE_BARE:
-		strbuf_addf(out, "no body stands still, so that no bed is checked: a <body> of <base> is missing or on "
-				 "an axis, or give <base checked=\"reason\">");
-		break;
-	case DOUBT_GAP:
-	case DOUBT_EXCUSED_APART:
-		add_joint_doubt(out, scene, doubt);
-		break;
-	default:
-		add_travel_doubt(out, scene, doubt);
-		break;
-	}
+	(void)scene;
+	strbuf_addf(out, "%.4g", doubt->value);
 }
 
-static void add_checked_body(struct strbuf *out)
+static void add_value_5(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	strbuf_addf(out, ", or give it checked=\"reason\"");
+	(void)scene;
+	strbuf_addf(out, "%.5g", doubt->value);
 }
 
-static void add_part_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_limit(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	add_name(out, scene, doubt->body);
-	switch (doubt->kind) {
-	case DOUBT_FLOATS:
-		strbuf_addf(out, " touches nothing that could hold it: %.4g mm to ", doubt->value);
-		add_name(out, scene, doubt->against);
-		strbuf_addf(out, "; check its location and units");
-		break;
-	case DOUBT_SINKS:
-		strbuf_addf(out, " stands %.4g mm deep in ", doubt->value);
-		add_name(out, scene, doubt->against);
-		strbuf_addf(out, "; check its location, rotation and units");
-		break;
-	case DOUBT_OUT_OF_STOCK:
-		strbuf_addf(out, " stands %.4g mm out of ", doubt->value);
-		add_name(out, scene, doubt->against);
-		strbuf_addf(out, ", from which it is cut; check location, size and units of both");
-		break;
-	case DOUBT_PART_LARGE:
-		strbuf_addf(out, " is %.5g mm large, but the machine's longest travel is %.5g mm; check its units",
-			    doubt->value, doubt->limit);
-		break;
-	case DOUBT_PART_SMALL:
-		strbuf_addf(out,
-			    " is only %.4g mm large, but the machine's longest travel is %.5g mm; check its units (STL "
-			    "has none: "
-			    "units=\"inch\", \"cm\" or \"m\")",
-			    doubt->value, doubt->limit);
-		break;
-	case DOUBT_PART_BELOW_CUTTERS:
-		strbuf_addf(
-		    out,
-		    " is only %.4g mm large, less than the thinnest cutter (%.4g mm); check its units (STL has none: "
-		    "units=\"inch\", \"cm\" or \"m\")",
-		    doubt->value, doubt->limit);
-		break;
-	default:
-		strbuf_addf(out,
-			    " is out of reach: the tip of every tool stays %.4g mm away from it, wherever the axes "
-			    "stand; check "
-			    "its location and the limits",
-			    doubt->value);
-		break;
-	}
-	add_checked_body(out);
+	(void)scene;
+	strbuf_addf(out, "%.4g", doubt->limit);
 }
 
-static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_limit_5(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	strbuf_addf(out, "tool %d ", scene->setup->tools[doubt->item].number);
-	switch (doubt->kind) {
-	case DOUBT_TOOL_BARE:
-		if (doubt->value > 0)
-			strbuf_addf(out, "and %.0f more have", doubt->value);
-		else
-			strbuf_addf(out, "has");
-		strbuf_addf(out, " no <holder>, which is what collides first; describe it");
-		break;
-	case DOUBT_HOLDER_TURNED:
-		strbuf_addf(out,
-			    "has a holder that is only %.4g mm thick at the gauge line, but %.4g mm farther down: "
-			    "sections stack from the gauge line to the tip; check their order",
-			    doubt->value, doubt->limit);
-		break;
-	case DOUBT_TOOL_ENDS:
-		strbuf_addf(out,
-			    "is %.5g mm long, but its bodies end %.4g mm below the gauge line: a mesh has the gauge "
-			    "point at its origin and the tip toward -Z; check its place, direction and units",
-			    doubt->limit, doubt->value);
-		break;
-	case DOUBT_TOOL_ASIDE:
-		strbuf_addf(out, "is drawn beside the spindle's line: the middle of ");
-		add_name(out, scene, doubt->body);
-		strbuf_addf(out,
-			    " is %.4g mm off it; a mesh has the gauge point at its origin and the tip toward -Z",
-			    doubt->value);
-		break;
-	case DOUBT_RADIUS_OFFSET:
-		strbuf_addf(out,
-			    "has a diameter of %.4g mm, but the radius of its D is %.4g mm: check that it is "
-			    "no diameter",
-			    doubt->limit, doubt->value);
-		break;
-	case DOUBT_TOOL_SHORT:
-		strbuf_addf(
-		    out,
-		    "cannot reach the part: its tip stays %.4g mm above it; check the tool's length and the limits",
-		    doubt->value);
-		break;
-	case DOUBT_TOOL_BELOW:
-		strbuf_addf(
-		    out,
-		    "is too long: even at its highest position its tip is %.4g mm below all that is set up; check its "
-		    "length and units",
-		    doubt->value);
-		break;
-	case DOUBT_TOOL_LONG:
-		strbuf_addf(
-		    out,
-		    "is %.5g mm long, more than the travel along the spindle (%.5g mm); check its length and units",
-		    doubt->value, doubt->limit);
-		break;
-	case DOUBT_TOOL_TINY:
-		strbuf_addf(
-		    out,
-		    "is only %.4g mm long, though the travel along the spindle is %.5g mm; check its length and units",
-		    doubt->value, doubt->limit);
-		break;
-	default:
-		strbuf_addf(out,
-			    "is %.5g mm long, but its length offset is %.5g mm: with G43 its tip is %.4g mm from where "
-			    "the program "
-			    "takes it to be; check length_offset",
-			    doubt->limit, doubt->value, fabs(doubt->value - doubt->limit));
-		break;
-	}
-	add_checked_body(out);
+	(void)scene;
+	strbuf_addf(out, "%.5g", doubt->limit);
 }
 
-static void add_offset_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+static void add_difference(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	const struct work_offset *offset = &scene->setup->offsets[doubt->item];
+	(void)scene;
+	strbuf_addf(out, "%.4g", fabs(doubt->value - doubt->limit));
+}
 
-	if (doubt->kind == DOUBT_OFFSET_OUTSIDE) {
-		const struct axis *axis = &scene->machine->axes[doubt->axis];
-		const char *unit = format_units_unit(axis->slot);
+static const struct {
+	const char *name;
+	field_fn *add;
+} fields[] = {
+	{"axis", add_axis}, {"other", add_other}, {"letter", add_letter}, {"found letter", add_found_letter},
+	{"moves", add_moves}, {"goer", add_goer}, {"turner", add_turner}, {"unit", add_unit},
+	{"axis value", add_axis_value}, {"position", add_position}, {"limit_min", add_limit_min},
+	{"limit_max", add_limit_max}, {"body", add_body}, {"against", add_against}, {"tool", add_tool},
+	{"others", add_others}, {"offset", add_offset}, {"value", add_value}, {"value 5", add_value_5},
+	{"limit", add_limit}, {"limit 5", add_limit_5}, {"difference", add_difference},
+};
 
-		strbuf_addf(out, "work offset %s has %s %.6g %s, outside the axis' travel (%.6g to %.6g %s)",
-			    offset->name, axis->name, format_units_value(axis->slot, doubt->value), unit,
-			    format_units_value(axis->slot, axis->limit_min),
-			    format_units_value(axis->slot, axis->limit_max), unit);
-	} else {
-		strbuf_addf(out, "work offset %s is %.4g mm away from all that is set up (which is %.4g mm large)",
-			    offset->name, doubt->value, doubt->limit);
-	}
-	strbuf_addf(out, "; check its values, their signs and units");
-	add_checked_body(out);
+static field_fn *find_field(const char *name, size_t length)
+{
+	for (size_t i = 0; i < sizeof(fields) / sizeof(*fields); i++)
+		if (strlen(fields[i].name) == length && !memcmp(fields[i].name, name, length))
+			return fields[i].add;
+	assert(!"a word in braces that is none of the fields");
+	return NULL;
 }
 
 void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
-	if (doubt->kind == DOUBT_LEFT_HANDED)
-		strbuf_addf(out,
-			    "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
-			    "exchanged; check the directions, or give one of the axes checked=\"reason\"");
-	else if (doubt->kind == DOUBT_TURNED)
-		strbuf_addf(
-		    out,
-		    "X Y Z of the tool against the work are not those of the drawing: check the letters, or give one "
-		    "of the axes checked=\"reason\"");
-	else if (doubt->kind <= DOUBT_SPINDLE_TOWARD)
-		add_axis_doubt(out, scene, doubt);
-	else if (doubt->kind <= DOUBT_BODIES_LARGE)
-		add_place_doubt(out, scene, doubt);
-	else if (doubt->kind <= DOUBT_TRAVEL_ENDLESS)
-		add_missing_doubt(out, scene, doubt);
-	else if (doubt->kind <= DOUBT_PART_BESIDE)
-		add_part_doubt(out, scene, doubt);
-	else if (doubt->kind <= DOUBT_LENGTH_OFFSET)
-		add_tool_doubt(out, scene, doubt);
-	else
-		add_offset_doubt(out, scene, doubt);
+	const char *text = texts[doubt->kind];
+
+	for (;;) {
+		const size_t plain = strcspn(text, "{"), field = strcspn(text + plain, "}");
+
+		strbuf_add(out, text, plain);
+		if (text[plain] == '\0')
+			return;
+		find_field(text + plain + 1, field - 1)(out, scene, doubt);
+		text += plain + field + 1;
+	}
 }
