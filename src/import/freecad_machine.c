@@ -437,7 +437,7 @@ static void take_control(struct reading *r, const json_t *root)
 	/* The name of a post-processor is a good guess; the comment of the machine file still asks. */
 	for (int i = 0; post && dialect_names[i]; i++)
 		if (!strcmp(post, dialect_names[i]))
-			r->machine->description.controller.dialect = i;
+			r->machine->description.controller.told.dialect = i;
 }
 
 static bool read_machine(struct reading *r, const json_t *root)

@@ -200,7 +200,7 @@ static void add_controller(struct strbuf *out, const struct import_machine *mach
 		    "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n"
 		    "       rate) or any (not known: every way between start and end is checked). -->\n");
 	strbuf_addf(out, "  <controller");
-	xml_text_attribute(out, "dialect", dialect_names[controller->dialect]);
+	xml_text_attribute(out, "dialect", dialect_names[controller->told.dialect]);
 	xml_text_attribute(out, "rapid", machine->rapid_known ? "linear" : "any");
 	strbuf_addf(out, "/>\n");
 }

@@ -177,7 +177,7 @@ static void refuse(struct description_file *file, const struct controller_descri
 	for (size_t i = 0; i < count; i++) {
 		if (answers[i].given)
 			description_fault(file, described->at, answers[i].name, "%s of <controller>: %s %s",
-					  answers[i].name, dialect_rows[described->dialect].title, answers[i].why);
+					  answers[i].name, dialect_rows[described->told.dialect].title, answers[i].why);
 	}
 }
 
@@ -186,24 +186,25 @@ static void refuse(struct description_file *file, const struct controller_descri
 /* Questions of a control whose programs have frames, edges of tools, and planes that a cycle or a PLANE swivels. */
 static void check_frames(struct description_file *file, const struct controller_description *described)
 {
-	const struct dialect_row *row = &dialect_rows[described->dialect];
+	const struct dialect_row *row = &dialect_rows[described->told.dialect];
 	const bool frames = row->has_frames, planes = row->has_planes;
+	const struct controller *told = &described->told;
 	const struct needless answers[] = {
-		{described->orientation_interpolation && !frames && !row->has_tool_vectors, "orientation_interpolation",
+		{told->orientation_interpolation && !frames && !row->has_tool_vectors, "orientation_interpolation",
 		 NO_PARAMETER},
-		{described->rotation_order && !frames, "rotation_order", NO_PARAMETER},
-		{described->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},
-		{described->frames_outlive_traori && !frames, "frames_outlive_traori", NO_PARAMETER},
-		{described->length_along_z && !frames, "tool_length_axis", NO_PARAMETER},
-		{described->swivel_axis && !frames, "swivel_axis", NO_PARAMETER},
-		{described->orientation_pole && !frames, "orientation_pole", NO_PARAMETER},
-		{described->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},
-		{described->increments_after_shift && !frames, "increments_after_shift", NO_PARAMETER},
-		{described->cycle_19_angles && !planes, "cycle_19_angles", NO_PARAMETER},
-		{described->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
-		{described->tool_def && !planes, "tool_def", NO_PARAMETER},
-		{described->plane_retract && !planes, "plane_retract", NO_PARAMETER},
-		{described->swivel_pole && !planes && !frames, "swivel_pole", NO_PARAMETER},
+		{told->rotation_order && !frames, "rotation_order", NO_PARAMETER},
+		{told->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},
+		{told->frames_outlive_traori && !frames, "frames_outlive_traori", NO_PARAMETER},
+		{told->length_along_z && !frames, "tool_length_axis", NO_PARAMETER},
+		{told->swivel_axis && !frames, "swivel_axis", NO_PARAMETER},
+		{told->orientation_pole && !frames, "orientation_pole", NO_PARAMETER},
+		{told->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},
+		{told->increments_after_shift && !frames, "increments_after_shift", NO_PARAMETER},
+		{told->cycle_19_angles && !planes, "cycle_19_angles", NO_PARAMETER},
+		{told->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
+		{told->tool_def && !planes, "tool_def", NO_PARAMETER},
+		{told->plane_retract && !planes, "plane_retract", NO_PARAMETER},
+		{told->swivel_pole && !planes && !frames, "swivel_pole", NO_PARAMETER},
 	};
 
 	REFUSE(file, described, answers);
@@ -212,42 +213,43 @@ static void check_frames(struct description_file *file, const struct controller_
 /* Questions of a control whose builder has set parameters. */
 static void check_parameters(struct description_file *file, const struct controller_description *described)
 {
+	const struct controller *told = &described->told;
 	const char *modes = "always starts with G21, G90 and G17";
 	const struct needless answers[] = {
 		{described->least_input.given, "least_input", "has no least input increment"},
-		{described->length_moves, "length_offset_moves", "moves no axis when the length offset changes"},
-		{described->g53_with_g91, "g53_with_g91", "refuses G53 while G91 is in force"},
-		{described->length_after_reference, "length_after_reference", "keeps the length offset"},
+		{told->length_moves, "length_offset_moves", "moves no axis when the length offset changes"},
+		{told->g53_with_g91, "g53_with_g91", "refuses G53 while G91 is in force"},
+		{told->length_after_reference, "length_after_reference", "keeps the length offset"},
 		{described->overrun.given, "unidirectional_overrun", "has no G60"},
 		{described->arc_radius_tolerance.given, "arc_radius_tolerance", NO_PARAMETER},
-		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
-		{described->m6_with_t, "m6_with_t", "loads the T beside M6"},
-		{described->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
-		{described->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
-		{described->semicolon, "semicolon", "has comments behind ';'"},
-		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
-		{described->cycle_repeats, "cycle_repeats", NO_PARAMETER},
-		{described->colon, "colon", "has no program numbers behind ':'"},
+		{told->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
+		{told->m6_with_t, "m6_with_t", "loads the T beside M6"},
+		{told->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
+		{told->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
+		{told->semicolon, "semicolon", "has comments behind ';'"},
+		{told->power_on_motion, "power_on_motion", "starts without G0 or G1"},
+		{told->cycle_repeats, "cycle_repeats", NO_PARAMETER},
+		{told->colon, "colon", "has no program numbers behind ':'"},
 	}, others[] = {
-		{described->comp_start, "cutter_comp_start", "always starts cutter compensation in one way"},
-		{described->comp_corner, "cutter_comp_corner", "always rounds outside corners"},
-		{described->power_on_units, "power_on_units", modes},
-		{described->power_on_distance, "power_on_distance", modes},
-		{described->power_on_plane, "power_on_plane", modes},
+		{told->comp_start, "cutter_comp_start", "always starts cutter compensation in one way"},
+		{told->comp_corner, "cutter_comp_corner", "always rounds outside corners"},
+		{told->power_on_units, "power_on_units", modes},
+		{told->power_on_distance, "power_on_distance", modes},
+		{told->power_on_plane, "power_on_plane", modes},
 	};
 
 	REFUSE(file, described, answers);
-	if (described->comp_d != COMP_D_UNKNOWN)
+	if (told->comp_d != COMP_D_UNKNOWN)
 		description_fault(file, described->at, "cutter_comp_d",
 				  "cutter_comp_d of <controller>: D of %s is the number of a tool",
-				  dialect_rows[described->dialect].title);
+				  dialect_rows[described->told.dialect].title);
 	REFUSE(file, described, others);
 }
 
 /* Refuses settings for which, by the dialect's row, the control has no parameter. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
-	const struct dialect_row *row = &dialect_rows[described->dialect];
+	const struct dialect_row *row = &dialect_rows[described->told.dialect];
 
 	check_frames(file, described);
 	if (row->has_parameters)
@@ -265,7 +267,7 @@ static void check_dialect(struct description_file *file, const struct controller
 static void apply_preset(struct description_file *file, const struct controller_description *described,
 			 struct controller *controller)
 {
-	const struct dialect_row *row = &dialect_rows[described->dialect];
+	const struct dialect_row *row = &dialect_rows[described->told.dialect];
 	const struct control_preset *preset;
 	char names[128];
 
@@ -311,48 +313,14 @@ void controller_build(struct machine_description *described, struct machine *mac
 	struct builder_macro *macros;
 	struct mcode *mcodes;
 
+	*to = from->told;
 	to->unit = described->unit;
 	if (!from->at)
 		return;
-	to->dialect = from->dialect;
-	to->rapid = from->rapid;
-	to->tcp_zero_offset = from->tcp_zero_offset;
-	to->tcp_zero_given = from->tcp_zero_given;
 	to->path_tolerance = from->path_tolerance.value;
 	to->least_input = from->least_input.value;
-	to->length_moves = from->length_moves;
-	to->g53_with_g91 = from->g53_with_g91;
 	to->overrun = from->overrun.value;
 	to->arc_radius_tolerance = from->arc_radius_tolerance.value;
-	to->m6_with_move = from->m6_with_move;
-	to->m6_with_t = from->m6_with_t;
-	to->length_under_g68 = from->length_under_g68;
-	to->polar_axis = from->polar_axis;
-	to->semicolon = from->semicolon;
-	to->colon = from->colon;
-	to->comp_d = from->comp_d;
-	to->comp_start = from->comp_start;
-	to->comp_corner = from->comp_corner;
-	to->length_after_reference = from->length_after_reference;
-	to->power_on_units = from->power_on_units;
-	to->power_on_distance = from->power_on_distance;
-	to->power_on_plane = from->power_on_plane;
-	to->power_on_motion = from->power_on_motion;
-	to->cycle_repeats = from->cycle_repeats;
-	to->rotation_order = from->rotation_order;
-	to->cycle_19_angles = from->cycle_19_angles;
-	to->cycle_11_axes = from->cycle_11_axes;
-	to->orientation_interpolation = from->orientation_interpolation;
-	to->edge_after_tool_change = from->edge_after_tool_change;
-	to->frames_outlive_traori = from->frames_outlive_traori;
-	to->length_along_z = from->length_along_z;
-	to->swivel_axis = from->swivel_axis;
-	to->swivel_pole = from->swivel_pole;
-	to->plane_retract = from->plane_retract;
-	to->tool_def = from->tool_def;
-	to->orientation_pole = from->orientation_pole;
-	to->increments_after_shift = from->increments_after_shift;
-	to->power_on_work_offset = from->power_on_work_offset;
 	check_ranges(file, from);
 	check_dialect(file, from);
 	apply_preset(file, from, to);
@@ -362,7 +330,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->mcodes = mcodes;
 	macros = arena_alloc(&machine->arena, from->macro_count * sizeof(*macros));
 	for (size_t i = 0; i < from->macro_count; i++)
-		build_macro(file, &from->macros[i], &machine->arena, dialect_rows[from->dialect].has_frames, macros,
+		build_macro(file, &from->macros[i], &machine->arena, dialect_rows[from->told.dialect].has_frames, macros,
 			    &to->macro_count);
 	to->macros = macros;
 	variable_build(described, machine);

@@ -89,46 +89,12 @@ struct place_description {
 
 struct controller_description {
 	const void *at;	/* NULL: the file says nothing of it */
-	int dialect;	/* row of control/dialects.h */
-	enum rapid rapid;
-	bool tcp_zero_offset;
-	enum answer tcp_zero_given;
+	struct controller told;	/* what single words answer; nothing of what stands below is in it yet */
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
-	enum power_on_units power_on_units;
-	enum power_on_distance power_on_distance;
-	enum power_on_plane power_on_plane;
-	enum power_on_motion power_on_motion;
-	enum cycle_repeats cycle_repeats;
-	enum answer length_moves;
-	enum length_after_reference length_after_reference;
-	enum g53_with_g91 g53_with_g91;
 	struct optional_number overrun;	/* of G60 */
 	struct optional_number arc_radius_tolerance;
-	enum m6_with_move m6_with_move;
-	enum m6_with_t m6_with_t;
-	enum length_under_g68 length_under_g68;
-	int polar_axis;	/* a slot; 0: not given */
-	enum semicolon semicolon;
-	enum colon colon;
 	const char *preset;	/* or NULL */
-	enum comp_d comp_d;
-	enum comp_start comp_start;
-	enum comp_corner_form comp_corner;
-	enum rotation_order rotation_order;
-	enum cycle_19_angles cycle_19_angles;
-	enum cycle_11_axes cycle_11_axes;
-	enum orientation_interpolation orientation_interpolation;
-	enum edge_after_tool_change edge_after_tool_change;
-	enum answer frames_outlive_traori;
-	enum answer length_along_z;
-	enum increments_after_shift increments_after_shift;
-	int power_on_work_offset;	/* 1: G500, 2: G54 and so on; 0: not given */
-	int swivel_axis;	/* a slot; 0: not given */
-	enum swivel_pole swivel_pole;
-	enum plane_retract plane_retract;
-	enum tool_def tool_def;
-	enum orientation_pole orientation_pole;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct macro_description *macros;

@@ -117,7 +117,7 @@ static void build_one(struct description_file *file, const struct variable_descr
 void variable_build(struct machine_description *described, struct machine *machine)
 {
 	const struct controller_description *from = &described->controller;
-	const struct dialect_row *row = &dialect_rows[from->dialect];
+	const struct dialect_row *row = &dialect_rows[from->told.dialect];
 	struct controller *to = &machine->controller;
 	struct control_variable *variables = arena_alloc(&machine->arena, from->variable_count * sizeof(*variables));
 

@@ -151,7 +151,7 @@ static bool write_machine(const struct request *request, struct import_machine *
 	strbuf_addf(&page, "%s/axes.html", request->output);
 	if (request->dialect >= 0) {
 		machine->dialect_known = true;
-		machine->description.controller.dialect = request->dialect;
+		machine->description.controller.told.dialect = request->dialect;
 	}
 	good = import_output_write(machine, request->output, request->file, request->diag) &&
 	       load(request, strbuf_text(&path)) &&
