@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "control/dialects.h"
 #include "machine/machine_build.h"
 #include "machine/xml/body_xml.h"
 #include "machine/xml/controller_xml.h"
