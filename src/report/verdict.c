@@ -329,3 +329,8 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 		return false;
 	return cautions[i](out, v);
 }
+
+bool verdict_caution_is_doubt(int i)
+{
+	return i != CAUTION_EXCUSED && i != CAUTION_WAIVED && i != CAUTION_ACCEPTED && i != CAUTION_SHARD;
+}

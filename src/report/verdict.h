@@ -62,6 +62,12 @@ enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = CAUTION_DOUBT + VERDICT_DOUBTS + 1
 /* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
 
+/*
+ * Does the i-th caution doubt what the verdict takes for granted? The others tell what a person has excused, accepted or
+ * waived, or left to another run.
+ */
+bool verdict_caution_is_doubt(int i);
+
 /* How many pairs of the scene have this status. */
 size_t verdict_pairs(const struct scene *scene, enum pair_status status);
 

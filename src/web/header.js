@@ -18,11 +18,19 @@ export function headline(model) {
 /** @param {Model} model @param {() => void} showHelp */
 export function headerView(model, showHelp) {
 	const kind = model.verdict === 'clear' ? 'good' : model.failing ? 'bad' : 'doubt';
-	const remarks = model.cautions;
+	const {doubts} = model, remarks = model.cautions.filter((text) => !doubts.includes(text));
 	return h(`header.${kind}`, {},
 		h('div.verdict', {}, h('h1', {}, headline(model)), h('p', {}, model.sentence.startsWith(model.program) ? model.sentence : `${model.program}: ${model.sentence}`)),
 		remarks.length ? h('details.cautions', {}, h('summary', {}, `${remarks.length} ${remarks.length === 1 ? 'remark' : 'remarks'}`), h('ul', {}, ...remarks.map((text) => h('li', {}, text)))) : null,
 		h('div.header-buttons', {},
 			h('button.print', {onclick: () => print()}, 'Print'),
-			h('button', {onclick: showHelp, 'aria-label': 'Keys and help', title: 'Keys and help (?)'}, '?')));
+			h('button', {onclick: showHelp, 'aria-label': 'Keys and help', title: 'Keys and help (?)'}, '?')),
+		doubts.length ? doubtsView(doubts) : null);
+}
+
+/** What the verdict takes for granted, and what speaks against it: the first of them can be read at once. @param {string[]} doubts */
+function doubtsView(doubts) {
+	const many = doubts.length > 1;
+	return h('details.doubts', {}, h('summary', {}, h('b', {}, many ? `${grouped(doubts.length)} doubts about what this verdict takes for granted. ` : 'A doubt about what this verdict takes for granted. '),
+		h('span.first-doubt', {}, doubts[0])), h('ul', {}, ...doubts.map((text) => h('li', {}, text))));
 }

@@ -123,11 +123,15 @@
  * @property {string} sentence
  * @property {boolean} failing
  * @property {string[]} cautions
+ * @property {string[]} doubts	those of them that doubt what the verdict takes for granted
  * @property {{file: string|null, line: number|null, text: string}[]} errors
  * @property {{kind: string, file: string, sha256: string|null}[]} files
  * @property {Axis[]} axes
  * @property {string[]} readOut	letters of the axes as a control shows them
  * @property {string[]} links	names
+ * @property {{link: number, location: Vec3, direction: Vec3}} spindle	its gauge point, and the way to the tip of a tool
+ * @property {number} workholding	the link that carries the work
+ * @property {Map<number, number>} lengths	of the tools of the setup by number, mm
  * @property {Body[]} bodies
  * @property {Pair[]} pairs
  * @property {Finding[]} findings

@@ -37,13 +37,14 @@ export async function readReport() {
 	/** @type {Model} */
 	const model = {
 		version: head.fivecheck, machine: head.machine.name, program: head.program,
-		verdict: head.verdict.word, sentence: head.verdict.sentence, failing: head.verdict.failing, cautions: head.verdict.cautions,
+		verdict: head.verdict.word, sentence: head.verdict.sentence, failing: head.verdict.failing, cautions: head.verdict.cautions, doubts: head.verdict.doubts,
 		errors: head.errors, files: head.files,
 		axes: head.machine.axes.map((/** @type {any} */ axis) => ({
 			letter: axis.name, title: axis.title, rotary: axis.type === 'rotary', parent: axis.parent, direction: axis.direction,
 			location: axis.location, min: axis.limit_min, max: axis.limit_max,
 		})),
-		links: head.machine.links, readOut: head.read_out, bodies, pairs: head.pairs, findings: head.findings, leftOut: head.findings_left_out || 0,
+		links: head.machine.links, spindle: head.machine.spindle, workholding: head.machine.workholding,
+		lengths: new Map((head.tools || []).map((/** @type {any} */ {number, length}) => [number, length])), readOut: head.read_out, bodies, pairs: head.pairs, findings: head.findings, leftOut: head.findings_left_out || 0,
 		path, sources, clearance, planes, tools: [], operations: [], setup: readSetup(head), statistics: head.statistics || [], sensitivity: head.sensitivity || [], accuracy: head.accuracy,
 	};
 	model.tools = toolChanges(path, head.tools || []);

@@ -9,7 +9,7 @@ import {PlacedBodies} from './placed_bodies.js';
 import {mix, sceneColour} from './palette.js';
 import {planeAt, planeExtra} from './proof.js';
 import {Scene} from './scene.js';
-import {toolTrace} from './tool_path.js';
+import {toolTrace, whereItWorks} from './tool_path.js';
 import {add, dot, norm, place, placeBack, scale, sub, unit} from './vec.js';
 import {bestDirection, inTheWay, normalOf} from './viewpoint.js';
 
@@ -192,11 +192,19 @@ export class Stage {
 			goal.fit(point, radius, this.aspect());
 		} else {
 			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
-			const work = bodies.length ? this.placed.around(bodies) : this.placed.around(this.placed.all());
+			const work = this.workArea() ?? this.placed.around(bodies.length ? bodies : this.placed.all());
 			// A small tool without a part would fill the view, and tell nothing.
 			goal.fit(work.centre, Math.max(work.radius, 0.1 * this.size), this.aspect());
 		}
 		this.fly(goal, atOnce);
+	}
+
+	/** Where nothing is found: around the way of the tool. */
+	workArea() {
+		const trace = this.model.findings.length ? null : this.way();
+		if (!trace) return null;
+		const {centre, radius} = whereItWorks(trace);
+		return {centre: place(this.placed.links[trace.link], centre), radius: 1.3 * radius};
 	}
 
 	place() {
@@ -320,9 +328,14 @@ export class Stage {
 		}
 	}
 
+	/** The way of the tool. */
+	way() {
+		return this.traced === undefined ? this.traced = toolTrace(this.model) : this.traced;
+	}
+
 	/** @returns {import('./scene.js').Extra[]} */
 	traceLines() {
-		const trace = this.traced === undefined ? this.traced = toolTrace(this.model) : this.traced;
+		const trace = this.way();
 		if (!trace) return [];
 		const matrix = this.placed.links[trace.link];
 		return [

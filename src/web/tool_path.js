@@ -2,7 +2,7 @@
 // tool_path.js - the way of the tool's tip as the workpiece sees it: lines that turn with the table.
 
 import {linkPoses} from './kinematics.js';
-import {dot, place, placeBack, sub} from './vec.js';
+import {add, norm, place, placeBack, scale, sub} from './vec.js';
 
 /** @typedef {import('./model.js').Model} Model */
 /** @typedef {import('./model.js').Vec3} Vec3 */
@@ -10,56 +10,52 @@ import {dot, place, placeBack, sub} from './vec.js';
 
 /** Points of the whole program: as many as one sees. */
 const POINTS = 6000;
+/** How much larger than the feeds alone a picture of the whole way may be. */
+const MOST_RAPID = 3;
 
-/** The point of a tool that is farthest from its holder, and the link that carries it. @param {Model} model @param {number} tool */
-function tipOf({bodies}, tool) {
-	const parts = bodies.filter((body) => body.tool === tool && body.mesh.positions.length);
-	const middle = (/** @type {Float32Array} */ p) => /** @type {Vec3} */ ([0, 1, 2].map((k) => {
-		let low = Infinity, high = -Infinity;
-		for (let i = k; i < p.length; i += 3) {
-			low = Math.min(low, p[i]);
-			high = Math.max(high, p[i]);
-		}
-		return (low + high) / 2;
-	}));
-	if (parts.length < 2) return null;
-	const start = middle(parts[0].mesh.positions), end = middle(parts[parts.length - 1].mesh.positions);
-	const along = sub(end, start);
-	const {positions} = parts[parts.length - 1].mesh;
-	let farthest = -Infinity;
-	for (let i = 0; i < positions.length; i += 3) {
-		farthest = Math.max(farthest, dot(along, sub([positions[i], positions[i + 1], positions[i + 2]], start)));
-	}
-	const share = farthest / (dot(along, along) || 1);
-	/** @type {Vec3} */
-	const tip = [start[0] + along[0] * share, start[1] + along[1] * share, start[2] + along[2] * share];
-	return {tip, link: parts[0].link};
-}
-
-/** @param {Model} model @returns {Trace|null} null: there is no work, or no tool */
-export function toolTrace(model) {
-	const work = model.bodies.find((body) => body.role === 'part') || model.bodies.find((body) => body.role === 'fixture');
-	if (!work || !model.path.duration) return null;
-	const tips = new Map();
-	const times = model.path.instants(POINTS);
+/** @param {Model} model @returns {Trace|null} null: no tool moves */
+export function toolTrace({path, axes, spindle, workholding, lengths}) {
 	/** @type {number[][]} */
 	const [feed, rapid] = [[], []];
 	/** @type {Vec3|null} */
 	let last = null;
 	let lastTool = -1;
-	for (const time of times) {
-		const {values, tool, motion} = model.path.pose(time);
-		if (!tips.has(tool)) tips.set(tool, tipOf(model, tool));
-		const tip = tips.get(tool);
-		if (!tip) {
+	for (const time of path.duration ? path.instants(POINTS) : []) {
+		const {values, tool, motion} = path.pose(time);
+		const length = lengths.get(tool);
+		if (length === undefined) {
 			last = null;
 			continue;
 		}
-		const links = linkPoses(model.axes, values);
-		const point = placeBack(links[work.link], place(links[tip.link], tip.tip));
+		const links = linkPoses(axes, values);
+		const tip = place(links[spindle.link], add(spindle.location, scale(spindle.direction, length)));
+		const point = placeBack(links[workholding], tip);
 		if (last && tool === lastTool) (motion === 1 || motion === 4 ? rapid : feed).push(...last, ...point);
 		last = point;
 		lastTool = tool;
 	}
-	return {feed: Float32Array.from(feed), rapid: Float32Array.from(rapid), link: work.link};
+	return feed.length || rapid.length ? {feed: Float32Array.from(feed), rapid: Float32Array.from(rapid), link: workholding} : null;
+}
+
+/** A sphere around points: the middle and half the diagonal of their box. @param {Float32Array[]} lists @returns {{centre: Vec3, radius: number}} */
+function sphereAround(...lists) {
+	/** @type {Vec3[]} */
+	const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+	for (const points of lists) {
+		points.forEach((value, i) => {
+			low[i % 3] = Math.min(low[i % 3], value);
+			high[i % 3] = Math.max(high[i % 3], value);
+		});
+	}
+	return {centre: scale(add(low, high), 0.5), radius: norm(sub(high, low)) / 2};
+}
+
+/**
+ * What to look at of a way, in the frame of the work: all of it, or what is fed alone where long rapids would make that small.
+ * @param {Trace} trace
+ */
+export function whereItWorks({feed, rapid}) {
+	const whole = sphereAround(feed, rapid);
+	const fed = feed.length ? sphereAround(feed) : whole;
+	return whole.radius > MOST_RAPID * fed.radius ? fed : whole;
 }

@@ -72,6 +72,41 @@ def clear(bench):
 
 
 @test
+def doubts(bench):
+    """What speaks against the premises of a clear verdict is read beside it, without a click; what a person has settled is not."""
+    machine, setup, _ = fixtures.boxes(bench.work)
+    program = os.path.join(bench.work, "beside.nc")
+    with open(program, "w", encoding="utf-8") as file:
+        file.write("G21 G90 G94 G64\nT1 M6\nG53 G0 Z-10\nG53 G1 X80 F900\nG53 G1 Y80 Z-30\nM2\n")
+    path, findings = bench.report("doubts", machine, setup, program)
+    same("findings", findings, [])
+    for name, options in (("doubts-desk", {}), ("doubts-phone", {**PHONE, "dark": True})):
+        page = bench.open(path, **options)
+        true("clear", page.run("document.querySelector('.app h1').textContent").startswith("Clear"))
+        true("the doubt is read at once", page.run("""(() => {
+            const doubt = document.querySelector('.doubts .first-doubt'), {top, bottom} = document.querySelector('header').getBoundingClientRect();
+            const mine = doubt.getBoundingClientRect();
+            return doubt.textContent.startsWith('G64') && mine.height > 10 && mine.top > top && mine.bottom < bottom + 30;
+        })()"""))
+        same("it is no remark", page.run("document.querySelectorAll('.cautions li').length"), 0)
+        same("sideways", page.run("document.documentElement.scrollWidth"), page.run("innerWidth"))
+        # No part stands there: the way of the tool is what is looked at, all of it.
+        ways = page.run("""(({camera, canvas, placed}, trace) => [trace.feed.length, [...trace.feed, ...trace.rapid].filter((_, i) => i % 3 === 0).length,
+            Array.from({length: (trace.feed.length + trace.rapid.length) / 3}, (_, i) => {
+                const all = [...trace.feed, ...trace.rapid], m = placed.links[trace.link], [x, y, z] = all.slice(3 * i, 3 * i + 3);
+                const p = [0, 1, 2].map((r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]);
+                const [u, v] = camera.project(p, canvas.clientWidth, canvas.clientHeight);
+                return u >= 0 && v >= 0 && u <= canvas.clientWidth && v <= canvas.clientHeight;
+            })])(fivecheck.stage, fivecheck.stage.way())""")
+        true("there is a way", ways[0] > 0)
+        same("points of the way beside the picture", ways[2].count(False), 0)
+        bench.done(page, name)
+    page = bench.open(bench.example("cb-head", "clear")[0])
+    same("neighbours are no doubt", page.run("[document.querySelectorAll('.doubts').length, document.querySelectorAll('.cautions li').length]"), [0, 1])
+    bench.done(page)
+
+
+@test
 def other_examples(bench):
     """The contact is seen on the other machines, too."""
     for name in ("b-head-c-table", "cb-head"):

@@ -22,14 +22,15 @@
  *   report        1, this version. A viewer refuses what it does not know.
  *   fivecheck     version of the program, "0.1.0"
  *   program       name of the NC program as it was given
- *   verdict       {word, sentence, cautions: [text], failing: bool, waived, left_out}
- *                 word: "clear" "passed" "found" "accepted" "incomplete" (report/verdict.h); failing: does it fail the
+ *   verdict       {word, sentence, cautions: [text], doubts: [text], failing: bool, waived, left_out}
+ *                 doubts: those of the cautions that doubt what the verdict takes for granted (report/verdict.h);
+ *                 word: "clear" "passed" "found" "accepted" "incomplete"; failing: does it fail the
  *                 run; waived, left_out: numbers of findings that a waiver, or --fail-on, excuses
  *   errors        [{file, line, column, text}]: why the check is incomplete
  *   files         [{kind, file, sha256}]: what was read; sha256 null: unknown
  *   options       {method, step, tolerance, clearance, all, dialect, ...} as in the header of --format=ndjson
  *   shard         null, or {part, parts, of}: only a part was checked
- *   machine       {name, file, axes: [axis], links: [name]}
+ *   machine       {name, file, axes: [axis], links: [name], spindle: {link, location: [3], direction: [3]}, workholding}
  *     axis        {name, title|null, type: "linear"|"rotary", parent, direction: [3], location: [3], limit_min|null,
  *                 limit_max|null, rate_max (per minute), home}. Axes are in the order of the machine file: a carrying
  *                 axis before the carried one.
@@ -38,6 +39,8 @@
  *                 translation by value * direction, or a right-handed rotation by value about `direction` through
  *                 `location`. A vertex v of a body on link k is at pose(k) * v: meshes are in machine coordinates with
  *                 all axes at 0.
+ *     spindle     its gauge point, and the way from there to the tip of a tool; workholding: the link that carries the
+ *                 work
  *   read_out      names of the axes in the order in which a control shows them (X Y Z A B C U V W)
  *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then
  *                 tools

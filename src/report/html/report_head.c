@@ -23,6 +23,7 @@ static json_t *verdict_json(const struct html_contents *report)
 	json_put(object, "word", json_string(word));
 	json_put(object, "sentence", json_text(strbuf_text(&text)));
 	json_put(object, "cautions", ndjson_cautions(verdict));
+	json_put(object, "doubts", ndjson_doubts(verdict));
 	json_put(object, "failing",
 		 json_boolean(!strcmp(word, "found") || !strcmp(word, "incomplete") || program->failing_warning));
 	json_put(object, "waived", json_integer(verdict ? verdict->waived : 0));

@@ -48,6 +48,16 @@ static json_t *axis_of(const struct axis *axis)
 	return object;
 }
 
+static json_t *spindle_of(const struct spindle *spindle)
+{
+	json_t *object = json_object();
+
+	json_put(object, "link", json_integer(spindle->link));
+	json_put(object, "location", json_point(spindle->location));
+	json_put(object, "direction", json_point(spindle->direction));
+	return object;
+}
+
 static json_t *machine_of(const struct machine *machine)
 {
 	json_t *object = json_object(), *axes = json_array(), *links = json_array();
@@ -60,6 +70,8 @@ static json_t *machine_of(const struct machine *machine)
 	json_put(object, "file", json_text(machine->path));
 	json_put(object, "axes", axes);
 	json_put(object, "links", links);
+	json_put(object, "spindle", spindle_of(&machine->spindle));
+	json_put(object, "workholding", json_integer(machine->workholding.link));
 	return object;
 }
 

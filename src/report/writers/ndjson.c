@@ -166,18 +166,29 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	ndjson_finding(out, run->scene->machine, finding, style);
 }
 
-json_t *ndjson_cautions(const struct verdict *verdict)
+/* All cautions, or those alone that doubt what the verdict takes for granted. */
+static json_t *cautions_of(const struct verdict *verdict, bool doubts_alone)
 {
 	json_t *array = json_array();
 	struct strbuf text = {0};
 
 	for (int i = 0; verdict && i < VERDICT_CAUTIONS; i++) {
 		strbuf_clear(&text);
-		if (verdict_add_caution(&text, verdict, i))
+		if ((!doubts_alone || verdict_caution_is_doubt(i)) && verdict_add_caution(&text, verdict, i))
 			json_push(array, json_text(strbuf_text(&text)));
 	}
 	strbuf_release(&text);
 	return array;
+}
+
+json_t *ndjson_cautions(const struct verdict *verdict)
+{
+	return cautions_of(verdict, false);
+}
+
+json_t *ndjson_doubts(const struct verdict *verdict)
+{
+	return cautions_of(verdict, true);
 }
 
 json_t *ndjson_errors(const struct report_program *program)

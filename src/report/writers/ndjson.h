@@ -21,6 +21,9 @@ void ndjson_put_limit(json_t *object, const struct finding *finding);
 /* The cautions of a verdict (NULL: none) as an array of strings, which the caller releases. */
 json_t *ndjson_cautions(const struct verdict *verdict);
 
+/* Likewise those of them that doubt what the verdict takes for granted (verdict_caution_is_doubt). */
+json_t *ndjson_doubts(const struct verdict *verdict);
+
 /* Why the check of a program is incomplete, as an array of objects, which the caller releases. */
 json_t *ndjson_errors(const struct report_program *program);
 
