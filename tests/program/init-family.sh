@@ -82,5 +82,10 @@ complete --body W=w.stl
 complete --dialect siemens
 complete --direction A=0,0,0
 complete --rates X=0
+complete --inclination A=0
+complete --inclination A=180
+complete --inclination C=30
+complete --inclination X=30
+complete --inclination A=30 --direction A=1,0,1
 complete --nonsense
 complete --title "A=$(printf '\377')"

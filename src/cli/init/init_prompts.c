@@ -62,7 +62,7 @@ static void add_oblique(struct prompts *list, const struct machine_plan *plan)
 {
 	const int slot = machine_plan_tilted(plan);
 
-	if (slot < 0 || plan->axes[slot].has_direction)
+	if (slot < 0 || plan->axes[slot].has_direction || plan->axes[slot].has_inclination)
 		return;
 	add(list, slot == SLOT_C,
 	    (struct prompt){PLAN_DIRECTION, slot,

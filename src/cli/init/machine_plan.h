@@ -32,8 +32,8 @@ enum machine_plan_key {
 	PLAN_OUTPUT = 'o',
 	PLAN_FAMILY = 256,
 	PLAN_ROTARY, PLAN_HEAD, PLAN_TABLE, PLAN_LIMITS, PLAN_LOCATION, PLAN_SPINDLE,
-	PLAN_SPINDLE_DIRECTION, PLAN_WORKHOLDING, PLAN_DIRECTION, PLAN_RATES, PLAN_HOME, PLAN_TITLE, PLAN_BODY,
-	PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID,
+	PLAN_SPINDLE_DIRECTION, PLAN_WORKHOLDING, PLAN_DIRECTION, PLAN_INCLINATION, PLAN_RATES, PLAN_HOME, PLAN_TITLE,
+	PLAN_BODY, PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID,
 	PLAN_KEY_END
 };
 
@@ -41,8 +41,9 @@ enum machine_plan_key {
 struct machine_plan_axis {
 	bool has_limits, has_min, has_max;	/* has_limits alone: the user said that there is no limit */
 	double min, max;
-	bool has_location, has_direction, has_rate, has_home;
+	bool has_location, has_direction, has_inclination, has_rate, has_home;
 	vec3 location, direction;
+	double inclination;	/* of A and B: from Z towards X and Y, as the head turns; 90: the usual A and B */
 	double rate, home;
 	const char *title;	/* or NULL */
 };

@@ -51,8 +51,8 @@ static void join_rotary(struct machine_plan *plan)
 
 static bool is_told(const struct machine_plan_axis *axis)
 {
-	return axis->has_limits || axis->has_location || axis->has_direction || axis->has_rate || axis->has_home ||
-	       axis->title;
+	return axis->has_limits || axis->has_location || axis->has_direction || axis->has_inclination ||
+	       axis->has_rate || axis->has_home || axis->title;
 }
 
 static bool check_axis(const struct machine_plan *plan, int slot, struct diag *diag)
@@ -143,6 +143,21 @@ static void add_usual_bodies(struct machine_plan *plan)
 	}
 }
 
+/* One word for where an axis points; C and the linear axes have no inclination. */
+static bool check_inclinations(const struct machine_plan *plan, struct diag *diag)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const struct machine_plan_axis *axis = &plan->axes[slot];
+
+		if (!axis->has_inclination || (!axis->has_direction && (slot == SLOT_A || slot == SLOT_B)))
+			continue;
+		diag_error(diag, nowhere, "--inclination of %c: %s", AXIS_LETTERS[slot],
+			   axis->has_direction ? "its --direction is given as well" : "only A and B have one");
+		return false;
+	}
+	return true;
+}
+
 /* C stands along Z already. */
 static bool check_tilted(const struct machine_plan *plan, struct diag *diag)
 {
@@ -163,7 +178,7 @@ bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 		if (!check_axis(plan, slot, diag))
 			return false;
 	}
-	if (!join_linear(plan, diag) || !check_tilted(plan, diag))
+	if (!join_linear(plan, diag) || !check_inclinations(plan, diag) || !check_tilted(plan, diag))
 		return false;
 	join_rotary(plan);
 	add_usual_bodies(plan);

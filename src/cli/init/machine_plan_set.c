@@ -17,6 +17,9 @@ static bool set_axis_value(struct machine_plan_axis *axis, int key, const char *
 		return machine_plan_read_limits(axis, text, length);
 	case PLAN_HOME:
 		return axis->has_home = machine_plan_read_number(&axis->home, text, length);
+	case PLAN_INCLINATION:
+		return axis->has_inclination = machine_plan_read_number(&axis->inclination, text, length) &&
+					       axis->inclination > 0 && axis->inclination < 180;
 	default:
 		return axis->has_rate = machine_plan_read_number(&axis->rate, text, length) && axis->rate >= 1e-3;
 	}
@@ -120,6 +123,7 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 		return plan->has_table = machine_plan_read_chain(&plan->table, text, false);
 	case PLAN_LIMITS:
 	case PLAN_HOME:
+	case PLAN_INCLINATION:
 	case PLAN_RATES:
 		return set_list(plan, key, text);
 	case PLAN_LOCATION:
@@ -160,6 +164,8 @@ static const char *hint_of(int key)
 		return ": two of A, B and C";
 	case PLAN_RATES:
 		return ": more than 0, within 100000";
+	case PLAN_INCLINATION:
+		return ": more than 0, less than 180";
 	case PLAN_DIRECTION:
 	case PLAN_SPINDLE_DIRECTION:
 		return ": not all three are 0";

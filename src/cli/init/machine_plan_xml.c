@@ -1,5 +1,6 @@
 #include "cli/init/machine_plan_xml.h"
 
+#include "base/math/math_functions.h"
 #include "base/xml_text.h"
 #include "control/dialects.h"
 #include "machine/machine.h"
@@ -38,6 +39,12 @@ static vec3 direction_of(const struct machine_plan *plan, int slot)
 
 	if (plan->axes[slot].has_direction)
 		return plan->axes[slot].direction;
+	if (plan->axes[slot].has_inclination) {
+		double across = sense * math_sin_degrees(plan->axes[slot].inclination);
+
+		return (vec3){k == 0 ? across : 0, k == 1 ? across : 0,
+			      sense * math_cos_degrees(plan->axes[slot].inclination)};
+	}
 	/* Halfway between its own coordinate axis and Z, as usual heads and tables nutate. */
 	if (slot == machine_plan_tilted(plan))
 		return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, sense};
@@ -84,7 +91,8 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	bool rotary = slot_is_rotary(slot);
 
 	add_jog(out, plan, slot, depth);
-	if (rotary && slot == machine_plan_tilted(plan) && !axis->has_direction) {
+	if (rotary && slot == machine_plan_tilted(plan) && !axis->has_direction &&
+	    !axis->has_inclination) {
 		indent(out, depth);
 		strbuf_addf(out,
 			    "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
