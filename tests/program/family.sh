@@ -42,4 +42,8 @@ look 'G21 G90\n#<_supa>=5\n#<go_gotof>=1\nM2\n'
 look '%\nO1\nPOPEN\nDPRNT[SUPA*GOTOF]\nPCLOS\nG21 G90\nM30\n%\n'
 look '(PROC PART, X=IC(5), MSG, CR=5)\nG21 G90\nG0 X1.\nM30\n'
 look 'PROCESS SHEET 5\nPROC 10 DEEP HOLES\n%\nG21 G90\n#1=ACOS[0.5] (GOTOF)\n#<_cr>=5\nG43.41\nM30\n%\n'
+sed 's|<base>|<controller dialect="klartext"/><base>|' m.xml >klartext.xml
+printf '0 BEGIN PGM P MM\n1 * - MILL / DM=8 CR=0 TL=50\n2 L X+1 R0 FMAX\n3 END PGM P MM\n' >p.h
+fivecheck -q --parse-only klartext.xml p.h >said 2>&1
+echo "klartext $?"
 look '(BEGIN PGM, TRAORI, G187)\nG21 G90\nG0 X1.\nM30\n'

@@ -291,6 +291,23 @@ START_TEST(cycle_11)
 }
 END_TEST
 
+/* The machine file says that increments count from where the axis stands: 1 + 5, turned; M140 ended at 150. */
+START_TEST(increments_after_shift)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.increments_after_shift = INCREMENTS_FROM_POSITION;
+	ck_assert_msg(klartext_run(&c, "L X+1 Y+2 Z+3 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 C+10\n"
+				       "L IX+5 IC+20 FMAX\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL IX+5 FMAX\n"
+				       "CC IX+0 IY+3\nLP PR+0 PA+0 FMAX\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "rapid 1 2 3 0 0\nrapid 6 2 3 0 20\nrapid 6 7 3 0 20\nrapid 3 7 3 0 20\n");
+	case_release(&c);
+}
+END_TEST
+
 START_TEST(without_setup)
 {
 	struct gcode_case c;
@@ -378,6 +395,7 @@ int main(void)
 	tcase_add_test(tcase, rotary_ways);
 	tcase_add_test(tcase, cycle_19);
 	tcase_add_test(tcase, cycle_11);
+	tcase_add_test(tcase, increments_after_shift);
 	tcase_add_test(tcase, without_setup);
 	tcase_add_test(tcase, blocks);
 	tcase_add_test(tcase, block_limit);

@@ -247,26 +247,32 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
 	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first"},
+	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
+	 "axis stands"},
 	{"M140 MB50\nL IZ-1 FMAX\n",
 	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give Z as an absolute "
-	 "coordinate first"},
+	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
+	 "axis stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC IX+5 IY+0\n",
 	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first"},
+	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
+	 "axis stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC\n",
 	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first"},
+	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
+	 "axis stands"},
 	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nLP IPR+5 PA+0 FMAX\n",
 	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
-	 "coordinate first"},
+	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
+	 "axis stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+10\nL IC+5 FMAX\n",
 	 "p.nc:4:3: error: an increment of C after its datum was shifted: from where the control counts "
-	 "is not known here; give C as an absolute coordinate first"},
+	 "is not known here; give C as an absolute coordinate first, or increments_after_shift=\"stay\" to the machine's "
+	 "<controller> if it counts from where the axis stands"},
 };
 
 START_TEST(fault_table)

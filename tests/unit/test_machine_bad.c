@@ -153,6 +153,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: cycle_19_angles of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' cycle_11_axes='all'/><base/>"),
      "m.xml:2: error: cycle_11_axes of <controller>: Haas has no such parameter\n"},
+    {MACHINE("<controller dialect='haas' increments_after_shift='stay'/><base/>"),
+     "m.xml:2: error: increments_after_shift of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
      "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
     {MACHINE("<controller><tool_change X='1'/></controller><base/>"),

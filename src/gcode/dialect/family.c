@@ -203,6 +203,9 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 	const char *words = block + (*block == 'N');
 
 	words += strspn(words, "0123456789");
+	/* A structuring block of Klartext ("36 * - TOOL: DM=8 CR=0") is a title: its text says nothing. */
+	if (*words == '*')
+		return false;
 	switch (sign->match) {
 	case MATCH_START:
 		return starts_with(words, sign->text) || starts_with(line, sign->text);

@@ -104,10 +104,12 @@ bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
 	const double by = slot == SLOT_X ? off.x : slot == SLOT_Y ? off.y : off.z;
 
 	return fabs(by) <= SAME_COORDINATE ||
+	       interp->config->controller.increments_after_shift == INCREMENTS_FROM_POSITION ||
 	       fault(&interp->at, column,
 		     "an increment of %c after a change of coordinates or a move that was not programmed in them: from "
-		     "where the "
-		     "control counts is not known here; give %c as an absolute coordinate first",
+		     "where the control counts is not known here; give %c as an absolute coordinate first, or "
+		     "increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the axis "
+		     "stands",
 		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 }
 

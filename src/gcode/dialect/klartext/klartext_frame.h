@@ -15,7 +15,8 @@ vec3 klartext_frame_point(const struct interp *interp);
 
 /*
  * Increments count from the position that was programmed last. Where coordinates have changed since, or the control has
- * moved the axis by itself, it is not known what that means. False: so it is for this axis, which was reported.
+ * moved the axis by itself, increments_after_shift="stay" of the machine file says that they count from where the axis
+ * stands. False: it is not known for this axis, which was reported.
  */
 bool klartext_frame_check_increment(struct interp *interp, int slot, int column);
 

@@ -53,11 +53,13 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 	double value = words->value[slot], plain;
 
 	if (words->increments & 1U << slot) {
-		if (klartext_of(interp)->shifted[slot])
+		if (klartext_of(interp)->shifted[slot] &&
+		    interp->config->controller.increments_after_shift != INCREMENTS_FROM_POSITION)
 			return fault(
 			    &interp->at, words->column[slot],
 			    "an increment of %c after its datum was shifted: from where the control counts is not "
-			    "known here; give %c as an absolute coordinate first",
+			    "known here; give %c as an absolute coordinate first, or increments_after_shift=\"stay\" to "
+			    "the machine's <controller> if it counts from where the axis stands",
 			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		others->v[slot] += value;
 		return true;
