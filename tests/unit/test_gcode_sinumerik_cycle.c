@@ -117,6 +117,12 @@ static const struct program programs[] = {
 	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,0)\nG0 X0 Y1 Z0\n",
 	 "rapid 0 0 0 -30 0\norient 0 -0.5 0.866025404\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
+	/* Angles of zero turn the axes home, and nothing is swivelled; a shift is a plane, too. */
+	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nG500 G0 X1 C5\nTRAORI\nG500 X2\n",
+	 "rapid 0 0 0 -30 0\norient 0 0 1\nrapid 0 0 0 0 0\nrapid 1 0 0 0 5\ntcp on length 0 zero A0 C0\n"
+	 "rapid 2 -0.0871557427 0 0 5 tcp\n"},
+	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,1,0,0,0,0,0,0,0,0,-1)\nG500 G0 X1\n",
+	 "rapid 0 0 0 -30 0\norient 0 0 1\nrapid 0 0 0 0 0\ntcp on length 0 zero A0 C0\nrapid 2 0 0 0 0 tcp\n"},
 	{"TRAORI\nG500 G0 X10 Y0 Z5\nC90\nX0\nTRAFOOF\nX1 Y1 Z1\n",
 	 "tcp on length 0 zero A0 C0\nrapid 10 0 5 0 0 tcp\nrapid 10 0 5 0 90 tcp\n"
 	 "rapid 0 0 5 0 90 tcp\ntcp off length 0 zero A0 C0\nrapid 1 1 1 0 90\n"},

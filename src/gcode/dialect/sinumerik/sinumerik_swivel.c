@@ -365,6 +365,23 @@ static bool lay_flat(const struct swivel *s, bool deletes_frames)
 	return sinumerik_frame_changed(s->interp, s->column);
 }
 
+/*
+ * Angles and shifts of zero, with which programs take a plane back and turn the axes home: the plane is that of the
+ * machine, and nothing is swivelled. The rotary axes then stand at zero exactly.
+ */
+static bool is_home(const struct sinumerik_frame *plane, axis_values *rotary)
+{
+	if (!is_none(plane))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (fabs(rotary->v[slot]) > radians(SAME_DEGREES))
+			return false;
+	}
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		rotary->v[slot] = 0;
+	return true;
+}
+
 static bool turn_axes(const struct swivel *s, const axis_values *rotary)
 {
 	slot_values target = s->interp->state.position;
@@ -430,6 +447,7 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	struct sinumerik_frame plane;
 	long way, status, mode, direction;
 	axis_values rotary;
+	bool home;
 
 	/* Without arguments, or with the swivel data "0", it takes the plane back and moves no axis. */
 	if (sinumerik->tool_frame)
@@ -442,10 +460,14 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	    !find_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
 	if (!lay_flat(&s, true) || !sinumerik_target_check_rotary_zero(interp, column) ||
-	    !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
-	    (direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
+	    !find_position(&s, &plane, direction, &rotary) || !retract(&s, way))
+		return false;
+	home = is_home(&plane, &rotary);
+	if ((direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
 		return false;
 	sinumerik_frame_moved(interp);
+	if (home && direction)
+		return true;
 	sinumerik_frame_place(interp);
 	sinumerik->swivel = plane;
 	sinumerik->swivelled = true;
