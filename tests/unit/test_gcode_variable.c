@@ -120,10 +120,18 @@ static const struct kept refused[] = {
 	{&dialect_sinumerik, {{.name = "AX_", .typed = true, .type = CONTROL_AXIS, .text = "W", .number = NAN}}, "G500\n",
 	 "AX_: the value of the machine file is no axis of the machine"},
 	{&dialect_sinumerik, {VALUE("$P_GG[1]", 1)}, "G500\nG0 X=$P_GG[1]\n",
-	 "the value of $P_GG[1] is known to the control alone"},
+	 "<variable name=\"$P_GG[1]\"> of the machine file: the setup and the program determine it, and the machine "
+	 "file cannot"},
+	{&dialect_sinumerik, {VALUE("$P_UIFR[1,X,TR]", 10)}, "G500\n",
+	 "<variable name=\"$P_UIFR[1,X,TR]\"> of the machine file: the setup and the program determine it, and the "
+	 "machine file cannot"},
+	{&dialect_sinumerik, {VALUE("$TC_DP3[1,1]", 10)}, "G500\n",
+	 "<variable name=\"$TC_DP3[1,1]\"> of the machine file: the setup and the program determine it, and the machine "
+	 "file cannot"},
 	/* what the program itself may have written there */
 	{&dialect_sinumerik, {VALUE("$AC_MARKER[1]", 1)}, "G500\n$AC_MARKER[1]=2\nG0 X=$AC_MARKER[1]\n",
-	 "the value of $AC_MARKER[1] is known to the control alone"},
+	 "<variable name=\"$AC_MARKER[1]\"> of the machine file: the setup and the program determine it, and the machine "
+	 "file cannot"},
 	{&dialect_klartext, {VALUE("ID270NR1IDX1", 1)}, KLARTEXT("L X+1 FMAX\n"),
 	 "<variable name=\"ID270NR1IDX1\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
 	 "230, 350), such as ID50 NR3 IDX1"},

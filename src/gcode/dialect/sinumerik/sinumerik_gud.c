@@ -12,6 +12,18 @@
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 
+/* 840D sl, system variables: of the program ($P_), of axes ($AA_, $VA_) and of the channel ($AC_) while it runs. */
+static bool changes(const char *name)
+{
+	static const char *const running[] = {"$P_", "$AA_", "$VA_", "$AC_"};
+
+	for (size_t i = 0; i < sizeof(running) / sizeof(running[0]); i++) {
+		if (!strncmp(name, running[i], strlen(running[i])))
+			return true;
+	}
+	return false;
+}
+
 /* -------------------------------------------------------------- the machine file's */
 
 static bool set_value(struct interp *interp, struct sinumerik_variable *variable, size_t element,
@@ -133,11 +145,23 @@ static bool check_parameter(struct interp *interp, const struct control_variable
 	       fault(&interp->at, 1, "%s: the value of the machine file is no number", from->name);
 }
 
+/* Lengths and radii of tools come from the setup, and so do work offsets ($P_UIFR); the rest changes. */
+static bool check_system(struct interp *interp, const char *name)
+{
+	const bool of_tool = !strncmp(name, "$TC_DP3[", 8) || !strncmp(name, "$TC_DP6[", 8);
+
+	return (!of_tool && !changes(name)) ||
+	       fault(&interp->at, 1,
+		     "<variable name=\"%s\"> of the machine file: the setup and the program determine it, and the machine "
+		     "file cannot",
+		     name);
+}
+
 /* What needs no type of its own: elements, parameters and system variables. */
 static bool set_untyped(struct interp *interp, const struct control_variable *variable)
 {
 	if (variable->name[0] == '$')
-		return true;
+		return check_system(interp, variable->name);
 	return is_parameter(variable->name) ? check_parameter(interp, variable) : set_element(interp, variable);
 }
 
@@ -215,18 +239,6 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 		     "makes it",
 		     name, name, type_of(lexer), sizes[dimensions],
 		     reads && dimensions == 0 ? " value=\"\"" : "");
-}
-
-/* 840D sl, system variables: of the program ($P_), of axes ($AA_, $VA_) and of the channel ($AC_) while it runs. */
-static bool changes(const char *name)
-{
-	static const char *const running[] = {"$P_", "$AA_", "$VA_", "$AC_"};
-
-	for (size_t i = 0; i < sizeof(running) / sizeof(running[0]); i++) {
-		if (!strncmp(name, running[i], strlen(running[i])))
-			return true;
-	}
-	return false;
 }
 
 bool sinumerik_gud_system(struct interp *interp, const char *name, int column, double *value)
