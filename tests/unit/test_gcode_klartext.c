@@ -68,6 +68,7 @@ static const struct klartext_program lexis[] = {
 	{"CYCL DEF 247 DATUM SETTING Q339=1\nL X+1 FMAX\n",
 	 "rapid 1 0 0 0 0\n"},
 	/* Posts that write blanks behind a sign. */
+	{"Q13=20\nQL1=4\nL X + Q13 Y - QL1 FMAX\nL X + Q13 IY -  Q13 FMAX\n", "rapid 20 -4 0 0 0\nrapid 20 -24 0 0 0\n"},
 	{"L X + 10 Y- 5,5 IZ - 2 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X + 5\nL X+0 FMAX\n",
 	 "rapid 10 -5.5 -2 0 0\nrapid 5 -5.5 -2 0 0\n"},
 };

@@ -179,7 +179,14 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 
 /* ------------------------------------------------------------------ values */
 
-/* "X + 10", as some posts write it: the digits behind the blanks of a sign, or 0. */
+/* A parameter: "Q1", "QL2" */
+static bool is_q(const char *text)
+{
+	return klartext_upper(text[0]) == 'Q' &&
+	       ((text[1] >= '0' && text[1] <= '9') || (text[1] && strchr("LlRr", text[1])));
+}
+
+/* "X + 10", "Z + Q13", as some posts write it: what stands behind the blanks of a sign, or 0. */
 static size_t behind_sign(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer), *text = lexer->at->text;
@@ -189,7 +196,9 @@ static size_t behind_sign(struct lexer *lexer)
 		return 0;
 	while (text[position] == ' ' || text[position] == '\t')
 		position++;
-	return position > lexer->position + 1 && text[position] >= '0' && text[position] <= '9' ? position : 0;
+	if (position == lexer->position + 1)
+		return 0;
+	return (text[position] >= '0' && text[position] <= '9') || is_q(text + position) ? position : 0;
 }
 
 bool klartext_value_follows(struct lexer *lexer)
@@ -199,19 +208,17 @@ bool klartext_value_follows(struct lexer *lexer)
 
 	if (byte == '+' || byte == '-')
 		byte = *++text;
-	if (klartext_upper(byte) == 'Q')
-		return (text[1] >= '0' && text[1] <= '9') || strchr("LlRr", text[1] ? text[1] : ' ');
-	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
+	return is_q(text) || (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
 }
 
 bool klartext_value(struct lexer *lexer, double *value)
 {
 	char byte = lexer_peek(lexer);
-	const size_t digits = behind_sign(lexer);
+	const size_t behind = behind_sign(lexer);
 	bool negative = byte == '-';
 
-	if (digits) {
-		lexer->position = digits;
+	if (behind) {
+		lexer->position = behind;
 		if (!klartext_value(lexer, value))
 			return false;
 		*value = negative ? -*value : *value;
