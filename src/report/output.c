@@ -10,6 +10,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/mem.h"
+
+/* Bytes. Measured: a table of 34 MB takes a quarter of the system's time that it takes in pieces of 4096 bytes. */
+enum { BUFFER_SIZE = 1 << 18 };
+
 /*
  * Opens a file without a name in the folder of `target`: an interrupted run leaves nothing behind. -1: the system or
  * the file system cannot do that.
@@ -100,6 +105,10 @@ static bool open_file(struct output *out, const char *path)
 	if (!out->target)
 		return false;
 	out->file = open_beside(out, status.st_mode & 0666);
+	if (out->file) {
+		out->buffer = mem_alloc(BUFFER_SIZE);
+		setvbuf(out->file, out->buffer, _IOFBF, BUFFER_SIZE);
+	}
 	return out->file != NULL;
 }
 
@@ -149,6 +158,7 @@ static void release(struct output *out)
 {
 	free(out->target);
 	free(out->temporary);
+	free(out->buffer);
 	*out = (struct output){0};
 }
 

@@ -15,6 +15,7 @@ struct output {
 	const char *name;	/* for messages; borrowed */
 	char *target;	/* the file that output_commit replaces; NULL: `file` is written in place */
 	char *temporary;	/* name of the new file until then; NULL: it has no name yet */
+	char *buffer;	/* of `file`, owned; NULL: the library's own */
 	int error;	/* errno of the first write that failed; 0: none */
 };
 

@@ -93,20 +93,22 @@ static void add_place(struct block_tables *tables, struct strbuf *row, const cha
 	strbuf_add(row, ",", 1);
 }
 
-/* The fields with the names of the pair's bodies, which are written once for the whole table. */
-static const struct strbuf *names_of(struct block_tables *tables, const struct scene *scene, size_t pair)
+/* The fields of the pair, which are written once for the whole table. */
+static struct pair_fields *fields_of(struct block_tables *tables, const struct scene *scene, size_t pair)
 {
 	const struct scene_pair *p = &scene->pairs[pair];
+	struct pair_fields *fields;
 
-	if (!tables->names) {
-		tables->names = mem_zalloc(scene->pair_count, sizeof(*tables->names));
-		tables->name_count = scene->pair_count;
+	if (!tables->pairs) {
+		tables->pairs = mem_zalloc(scene->pair_count, sizeof(*tables->pairs));
+		tables->pair_count = scene->pair_count;
 	}
-	if (!tables->names[pair].length) {
-		add_text(&tables->names[pair], scene->bodies[p->a].body->name);
-		add_text(&tables->names[pair], scene->bodies[p->b].body->name);
+	fields = &tables->pairs[pair];
+	if (!fields->names.length) {
+		add_text(&fields->names, scene->bodies[p->a].body->name);
+		add_text(&fields->names, scene->bodies[p->b].body->name);
 	}
-	return &tables->names[pair];
+	return fields;
 }
 
 /* mm with four digits behind the point, rounded down, so that the printed number is proved, too. */
@@ -120,26 +122,31 @@ static void add_rounded_down(struct strbuf *row, double mm)
 		strbuf_addf(row, "%.4f", units / 1e4);
 }
 
-/* The cap is the same in nearly all rows. */
-static const struct strbuf *text_of_cap(struct block_tables *tables, double mm)
+/* The end of a row with the cap, from the names on: nearly all rows have the same cap. */
+static const struct strbuf *capped_end(struct block_tables *tables, struct pair_fields *fields, double mm)
 {
-	if (!tables->cap_text.length || !same_double(tables->cap, mm)) {
-		strbuf_clear(&tables->cap_text);
-		strbuf_addf(&tables->cap_text, "%.10g", mm);
-		tables->cap = mm;
+	for (size_t i = 0; i < tables->pair_count && !same_double(tables->cap, mm); i++)
+		strbuf_clear(&tables->pairs[i].capped);
+	tables->cap = mm;
+	if (!fields->capped.length) {
+		add_all(&fields->capped, &fields->names);
+		strbuf_addf(&fields->capped, "%.10g,1\n", mm);
 	}
-	return &tables->cap_text;
+	return &fields->capped;
 }
 
 static void add_clearance(struct block_tables *tables, const struct scene *scene, const struct pair_clearance *least)
 {
+	struct pair_fields *fields = fields_of(tables, scene, least->pair);
+
 	add_all(&tables->row, &tables->place);
-	add_all(&tables->row, names_of(tables, scene, least->pair));
-	if (least->capped)
-		add_all(&tables->row, text_of_cap(tables, least->clearance));
-	else
-		add_rounded_down(&tables->row, least->clearance);
-	strbuf_add(&tables->row, least->capped ? ",1\n" : ",0\n", 3);
+	if (least->capped) {
+		add_all(&tables->row, capped_end(tables, fields, least->clearance));
+		return;
+	}
+	add_all(&tables->row, &fields->names);
+	add_rounded_down(&tables->row, least->clearance);
+	strbuf_add(&tables->row, ",0\n", 3);
 }
 
 static void add_clearances(struct block_tables *tables, const struct scene *scene, const char *program,
@@ -188,12 +195,13 @@ void block_tables_discard(struct block_tables *tables)
 	output_discard(&tables->timing);
 	strbuf_release(&tables->row);
 	strbuf_release(&tables->place);
-	strbuf_release(&tables->cap_text);
 	release_field(&tables->program);
 	release_field(&tables->file);
-	for (size_t i = 0; i < tables->name_count; i++)
-		strbuf_release(&tables->names[i]);
-	free(tables->names);
-	tables->names = NULL;
-	tables->name_count = 0;
+	for (size_t i = 0; i < tables->pair_count; i++) {
+		strbuf_release(&tables->pairs[i].names);
+		strbuf_release(&tables->pairs[i].capped);
+	}
+	free(tables->pairs);
+	tables->pairs = NULL;
+	tables->pair_count = 0;
 }

@@ -15,14 +15,20 @@ struct table_field {
 	struct strbuf text, field;
 };
 
+/* What the rows of one pair have in common. */
+struct pair_fields {
+	struct strbuf names;	/* of its bodies, the comma behind them included */
+	struct strbuf capped;	/* the whole end of a row with the cap, from the names on; empty: not written yet */
+};
+
 /* All zero is none. */
 struct block_tables {
 	struct output clearance, timing;
-	struct strbuf row, place, cap_text;	/* of the present row, block and cap */
-	double cap;	/* mm */
+	struct strbuf row, place;	/* of the present row and block */
+	double cap;	/* mm: in the rows' ends that are written already */
 	struct table_field program, file;	/* of the last block */
-	struct strbuf *names;	/* owned: of each pair of the scene, the fields with its bodies' names; NULL: none yet */
-	size_t name_count;
+	struct pair_fields *pairs;	/* owned: of each pair of the scene; NULL: none yet */
+	size_t pair_count;
 };
 
 /*
