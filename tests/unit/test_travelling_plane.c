@@ -123,54 +123,60 @@ static double true_gap(const struct scene_of_two *s, size_t link, vec3 n, const 
 struct made {
 	struct travelling_plane plane;
 	vec3 n;
-	bool rings;
+	struct corner_runs *corners[2];
+	struct mesh_part parts[2];
+	struct profile profiles[2];
+	bool rings[2];
 };
+
+/* Body A or B at the pose, as the plane has it. */
+static struct convex shape_at(const struct made *made, const struct plane_pose *pose, int body)
+{
+	const size_t joint = body ? pose->bodies->chain->count - 1 : 0;
+
+	return made->rings[body] ? convex_of_profile(&made->profiles[body], pose->location[joint],
+						     pose->direction[joint])
+				 : convex_of_mesh(&made->parts[body], &pose->places[body]);
+}
 
 static struct made make_plane(struct scene_of_two *s)
 {
 	const struct chain *chain = &s->duo.chain;
 	const struct body_pair *pair = &s->duo.pair;
+	const struct bvh *bvhs[2] = {pair->a, pair->b};
 	struct random *random = &s->random;
-	size_t link = (size_t)random_below(random, (int)chain->count + 1), last = chain->count - 1;
+	size_t link = (size_t)random_below(random, (int)chain->count + 1), next[2] = {0, chain->count - 1};
 	struct made made = {.n = random_unit(random)};
 	const struct leaf root = {0, 0};
-	struct profile profiles[2];
 	struct plane_pose pose;
-	struct corner_runs *corners[2];
-	struct mesh_part parts[2];
 	struct convex a, b;
-	xform places[2];
 	double gap;
 	long visits = 0;
 
 	plane_pose_init(&pose, pair, &s->at);
-	places[0] = pair->place_a;
-	places[1] = xform_mul(&pose.state.pose, &pair->place_b);
-	corners[0] = corner_runs_new(pair->a);
-	corners[1] = corner_runs_new(pair->b);
-	parts[0] = mesh_part_of(pair->a, corners[0], root);
-	parts[1] = mesh_part_of(pair->b, corners[1], root);
-	a = convex_of_mesh(&parts[0], &places[0]);
-	b = convex_of_mesh(&parts[1], &places[1]);
-	if (link > 0 && chain->joints[0].rotary && random_below(random, 2)) {
-		profile_init(&profiles[0], pair->a, root, &pair->place_a, chain->joints[0].location,
-			     chain->joints[0].direction);
-		a = convex_of_profile(&profiles[0], pose.state.location[0], pose.state.direction[0]);
-		made.rings = true;
-	}
-	if (link <= last && chain->joints[last].rotary && random_below(random, 2)) {
-		profile_init(&profiles[1], pair->b, root, &pair->place_b, chain->joints[last].location,
-			     chain->joints[last].direction);
-		b = convex_of_profile(&profiles[1], pose.state.location[last], pose.state.direction[last]);
-		made.rings = true;
+	for (int body = 0; body < 2; body++) {
+		const struct joint *joint = &chain->joints[next[body]];
+
+		made.corners[body] = corner_runs_new(bvhs[body]);
+		made.parts[body] = mesh_part_of(bvhs[body], made.corners[body], root);
+		made.rings[body] = (body ? link < chain->count : link > 0) && joint->rotary && random_below(random, 2);
+		if (made.rings[body])
+			profile_init(&made.profiles[body], bvhs[body], root, body ? &pair->place_b : &pair->place_a,
+				     joint->location, joint->direction);
 	}
 	if (random_below(random, 3) == 0)
-		made.n = pose.state.direction[random_below(random, (int)chain->count)];
+		made.n = pose.direction[random_below(random, (int)chain->count)];
+	a = shape_at(&made, &pose, 0);
+	b = shape_at(&made, &pose, 1);
 	gap = travelling_plane_gap(&pose, &a, &b, made.n, &visits);
 	travelling_plane_init(&made.plane, &pose, &a, &b, made.n, link, gap, &visits);
-	corner_runs_release(corners[0]);
-	corner_runs_release(corners[1]);
 	return made;
+}
+
+static void release_plane(struct made *made)
+{
+	corner_runs_release(made->corners[0]);
+	corner_runs_release(made->corners[1]);
 }
 
 /* A bound may be off by what long double itself is, and no more. */
@@ -185,7 +191,7 @@ START_TEST(the_gap_is_never_smaller_than_the_bound)
 
 		scene_init(&s, 1, n);
 		made = make_plane(&s);
-		rings += made.rings;
+		rings += made.rings[0] || made.rings[1];
 		for (int m = 0; m < 3; m++) {
 			struct plane_motion motion = random_motion(&s);
 			double rest = travelling_plane_rest(&made.plane, &s.duo.chain, &motion);
@@ -198,9 +204,10 @@ START_TEST(the_gap_is_never_smaller_than_the_bound)
 				require(gap >= rest - 1e-12, "case %ld: gap %.15g, bound %.15g", n, gap, rest);
 				most = fmax(most, start - gap);
 			}
-			if (!made.rings && start - rest > 1e-2)
+			if (!made.rings[0] && !made.rings[1] && start - rest > 1e-2)
 				tightest = fmax(tightest, most / (start - rest));
 		}
+		release_plane(&made);
 		duo_release(&s.duo);
 	}
 	require(tightest > 0.99, "slack: %g", tightest);
@@ -208,7 +215,90 @@ START_TEST(the_gap_is_never_smaller_than_the_bound)
 }
 END_TEST
 
-/* What the planes of cells prove holds at every position, against the distance of all pairs of triangles. */
+/* The gap that is left at q along the normal that has travelled there, a rounding of it taken off. */
+static double gap_left_at(const struct scene_of_two *s, const struct made *made, const axis_values *q)
+{
+	struct plane_pose pose;
+	struct convex a, b;
+	long visits = 0;
+
+	plane_pose_init(&pose, &s->duo.pair, q);
+	a = shape_at(made, &pose, 0);
+	b = shape_at(made, &pose, 1);
+	return travelling_plane_gap(&pose, &a, &b, travelling_plane_normal(&made->plane, &pose), &visits) -
+	       pose.rounding;
+}
+
+/* Takes the motion away from where the plane was measured. */
+static void carry_off(struct scene_of_two *s, struct plane_motion *motion)
+{
+	const double step = random_size(&s->random, 1e-3, 100);
+
+	for (size_t i = 0; i < s->duo.chain.count; i++) {
+		const struct joint *joint = &s->duo.chain.joints[i];
+		const double off = step * (joint->rotary ? 0.01 : 1) * random_in(&s->random, -1, 1);
+
+		motion->q0.v[joint->slot] += off;
+		motion->q1.v[joint->slot] += off;
+	}
+}
+
+/* Straight motions that begin near the place where the plane was measured, or far from it. */
+START_TEST(the_gap_between_two_ends_is_never_smaller_than_the_bound)
+{
+	double tightest = 0;
+	long bulging = 0;
+
+	for (long n = 0; n < random_cases(1500); n++) {
+		struct scene_of_two s;
+		struct made made;
+
+		scene_init(&s, 4, n);
+		made = make_plane(&s);
+		for (int m = 0; m < 3; m++) {
+			struct plane_motion motion = random_motion(&s);
+			double gap0, gap1, bound, least = INFINITY, ends;
+
+			motion.straight = true;
+			if (random_below(&s.random, 2))
+				carry_off(&s, &motion);
+			gap0 = gap_left_at(&s, &made, &motion.q0);
+			gap1 = gap_left_at(&s, &made, &motion.q1);
+			bound = travelling_plane_between(&made.plane, &s.duo.chain, &motion, gap0, gap1);
+			ends = fmin(gap0, gap1);
+			for (int i = 0; i < SAMPLES; i++) {
+				axis_values q = random_position(&s, &motion);
+				double gap = true_gap(&s, made.plane.link, made.n, &q);
+
+				require(gap >= bound - 1e-12, "case %ld: gap %.15g, bound %.15g", n, gap, bound);
+				least = fmin(least, gap);
+			}
+			if (ends - bound > 1e-2) {
+				bulging++;
+				tightest = fmax(tightest, (ends - least) / (ends - bound));
+			}
+		}
+		release_plane(&made);
+		duo_release(&s.duo);
+	}
+	require(tightest > 0.9, "slack: %g", tightest);
+	require(bulging > random_cases(1500) / 10, "%ld motions were not as good as straight", bulging);
+}
+END_TEST
+
+/* At every position of the motion, by the distance of all pairs of triangles. */
+static void require_apart(struct scene_of_two *s, const struct plane_motion *motion, double needed, long n)
+{
+	for (int i = 0; i < SAMPLES; i++) {
+		axis_values at = random_position(s, motion);
+		xform pose = duo_pose(&s->duo, &at, &at, 0, NULL);
+		double d = brute_distance(s->duo.a, s->duo.b, &pose, needed + 1);
+
+		require(d > needed - 1e-12, "case %ld: %.15g proved, %.15g is", n, needed, d);
+	}
+}
+
+/* What the planes of cells prove holds at every position. */
 START_TEST(what_cells_cover_is_apart)
 {
 	long covered = 0, divided = 0, copies = 0, cases = random_cases(80);
@@ -230,23 +320,52 @@ START_TEST(what_cells_cover_is_apart)
 				continue;
 			covered++;
 			divided += cells.cell_count > 1;
-			for (int i = 0; i < SAMPLES; i++) {
-				axis_values at = random_position(&s, &motion);
-				xform pose = duo_pose(&s.duo, &at, &at, 0, NULL);
-				double d = brute_distance(s.duo.a, s.duo.b, &pose, needed + 1);
-
-				require(d > needed - 1e-12, "case %ld: %.15g proved, %.15g is", n, needed, d);
-			}
+			require_apart(&s, &motion, needed, n);
 			plane_cells_copy(&copy, &cells);
-			copies += plane_cells_cover(&copy, &motion, needed);
+			copies += plane_cells_cover(&copy, &motion, needed) ==
+				  plane_cells_cover(&cells, &motion, needed);
 			plane_cells_release(&copy);
 		}
 		plane_cells_release(&cells);
 		duo_release(&s.duo);
 	}
-	require(copies == covered, "%ld motions covered, %ld by copies", covered, copies);
+	require(copies == covered, "of %ld motions that were covered, copies cover %ld as well", covered, copies);
 	/* Few cases divide: a tenth of the usual number need not have one. */
 	require(covered > 2 * cases && (divided > 0 || cases < 80), "covered %ld, divided %ld", covered, divided);
+}
+END_TEST
+
+/* Along a path a plane is measured again at each end; then the gaps at both ends prove a step, too. */
+START_TEST(what_the_ends_of_steps_prove_is_apart)
+{
+	long proved = 0, by_ends = 0, cases = random_cases(80);
+
+	for (long n = 0; n < cases; n++) {
+		struct scene_of_two s;
+		struct plane_cells cells;
+
+		scene_init(&s, 5, n);
+		plane_cells_init(&cells, &s.duo.pair);
+		for (int m = 0; m < 12; m++) {
+			const xform pose = duo_pose(&s.duo, &s.at, &s.at, 0, NULL);
+			const double needed = 0.99 * brute_distance(s.duo.a, s.duo.b, &pose, INFINITY);
+			struct plane_motion motion = random_motion(&s);
+
+			motion.straight = true;
+			motion.q0 = s.at;
+			for (int k = 0; k < SLOT_COUNT; k++)
+				motion.q1.v[k] = 0.5 * s.at.v[k] + 0.5 * motion.q1.v[k];
+			s.at = motion.q1;
+			if (!(needed > 0) || !plane_cells_search(&cells, &motion.q1, &motion, needed))
+				continue;
+			proved++;
+			by_ends += !plane_cells_cover(&cells, &motion, needed);
+			require_apart(&s, &motion, needed, n);
+		}
+		plane_cells_release(&cells);
+		duo_release(&s.duo);
+	}
+	require(proved > 2 * cases && by_ends > cases / 16, "proved %ld, by the ends %ld", proved, by_ends);
 }
 END_TEST
 
@@ -313,7 +432,7 @@ START_TEST(motion_across_the_normal_is_free)
 	duo_init(&duo, &chain, &meshes[0], &meshes[1], &places[0], &places[1]);
 	at.v[SLOT_Z] = 21;
 	plane_pose_init(&pose, &duo.pair, &at);
-	places[1] = pose.state.pose;
+	places[1] = pose.places[1];
 	corners[0] = corner_runs_new(duo.a);
 	corners[1] = corner_runs_new(duo.b);
 	parts[0] = mesh_part_of(duo.a, corners[0], root);
@@ -393,7 +512,9 @@ int main(void)
 	TCase *tcase = tcase_create("planes");
 
 	tcase_add_test(tcase, the_gap_is_never_smaller_than_the_bound);
+	tcase_add_test(tcase, the_gap_between_two_ends_is_never_smaller_than_the_bound);
 	tcase_add_test(tcase, what_cells_cover_is_apart);
+	tcase_add_test(tcase, what_the_ends_of_steps_prove_is_apart);
 	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
 	tcase_add_test(tcase, normal_goes_with_its_link);

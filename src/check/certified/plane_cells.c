@@ -7,6 +7,7 @@
 #include "base/ablation.h"
 #include "base/mem.h"
 #include "base/minmax.h"
+#include "check/certified/plane_search.h"
 
 /*
  * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells
@@ -14,31 +15,8 @@
  */
 enum { CELLS_MOST = 48, PLANES_KEPT = 4 };
 
-/* A plane that lasts for so many motions like the one at hand is good enough: no other shape of the parts is tried. */
-#define LIFE_ENOUGH 8
-
-/*
- * The same of a kept plane that is measured again. Where it lasts for a part of the motion only, other planes seldom last
- * longer: it pays more to halve the motion. Measured: 0.3 to 0.6 perform alike; 1 takes a quarter longer.
- */
-#define LIFE_AGAIN 0.3
-
 /* The cell of the whole bodies is searched again after so many searches of the front at most. */
 enum { WHOLE_BACKOFF_MAX = 64 };
-
-struct plane_part {
-	int body;	/* 0: A, 1: B */
-	struct mesh_part mesh;
-	bool has_profile;
-	struct profile profile;	/* about the joint next to the body */
-	size_t first_child, child_count;	/* parts; 0: not divided yet */
-};
-
-/* A plane between two parts. */
-struct kept_plane {
-	struct travelling_plane plane;
-	bool rings[2];	/* A, B: the profile was measured in place of the part */
-};
 
 struct plane_cell {
 	size_t part[2];
@@ -212,128 +190,12 @@ double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *mo
 
 /* ------------------------------------------------------------------ search */
 
-struct search {
-	struct plane_cells *cells;
-	const struct plane_motion *motion;
-	double needed;
-	struct plane_pose pose;
-	xform places[2];	/* of both meshes, in the coordinates of A's link */
-	struct kept_plane best;
-	double life;	/* of the best plane: how many motions like this one it lasts; below 0: there is none */
-};
-
-/* Keeps the plane with normal n that travels with the link, if it lasts longer than the best one. */
-static void try_plane(struct search *search, const struct convex *a, const struct convex *b, vec3 n, size_t link,
-		      double gap)
+static bool search_cell(struct plane_cells *cells, struct plane_search *search, size_t at)
 {
-	const struct chain *chain = search->cells->bodies->chain;
-	struct travelling_plane plane;
-	double lost, life;
+	const struct plane_cell *cell = &cells->cells[at];
 
-	travelling_plane_init(&plane, &search->pose, a, b, n, link, gap, &search->cells->visits);
-	lost = gap - travelling_plane_rest(&plane, chain, search->motion);
-	life = lost > 0 ? (gap - search->needed) / lost : INFINITY;
-	if (life > search->life || (isinf(life) && gap > search->best.plane.gap)) {
-		search->life = life;
-		search->best = (struct kept_plane){plane, {a->profile != NULL, b->profile != NULL}};
-	}
-}
-
-/* Tries the normal with every link that makes a difference. */
-static void try_normal(struct search *search, const struct convex *a, const struct convex *b, vec3 n)
-{
-	const struct chain *chain = search->cells->bodies->chain;
-	double gap = travelling_plane_gap(&search->pose, a, b, n, &search->cells->visits);
-
-	if (!(gap > search->needed))
-		return;
-	for (size_t link = 0; link <= chain->count; link++) {
-		/* A link behind a linear joint is as good as the one before it. */
-		if (link && !chain->joints[link - 1].rotary)
-			continue;
-		if ((a->profile && link == 0) || (b->profile && link == chain->count))
-			continue;
-		try_plane(search, a, b, n, link, gap);
-	}
-}
-
-/* Tries the direction between the parts, and the joints' axes. */
-static void try_shapes(struct search *search, const struct convex *a, const struct convex *b)
-{
-	const struct chain *chain = search->cells->bodies->chain;
-	struct convex_search between;
-
-	if (convex_direction(a, b, &between, &search->cells->visits))
-		try_normal(search, a, b, between.direction);
-	for (size_t i = 0; i < chain->count; i++) {
-		vec3 d = search->pose.state.direction[i];
-		double most = INFINITY;
-
-		if (vec3_dot(d, vec3_sub(b->centre, a->centre)) < 0)
-			d = vec3_scale(-1, d);
-		for (int k = 0; k < between.count; k++)
-			most = fmin(most, vec3_dot(d, between.seen[k]));
-		if (most > search->needed)
-			try_normal(search, a, b, d);
-	}
-}
-
-static struct convex mesh_of(const struct search *search, const struct plane_part *part)
-{
-	return convex_of_mesh(&part->mesh, &search->places[part->body]);
-}
-
-static struct convex rings_of(const struct search *search, const struct plane_part *part)
-{
-	const struct chain_state *state = &search->pose.state;
-	size_t joint = part->body ? search->cells->bodies->chain->count - 1 : 0;
-
-	return convex_of_profile(&part->profile, state->location[joint], state->direction[joint]);
-}
-
-static struct convex shape_of(const struct search *search, const struct plane_part *part, bool rings)
-{
-	return rings ? rings_of(search, part) : mesh_of(search, part);
-}
-
-/* Measures the cell's newest plane again, where its link has taken it. */
-static void try_again(struct search *search, const struct plane_cell *cell)
-{
-	const struct kept_plane *kept = &cell->kept[cell->newest];
-	struct convex a = shape_of(search, &search->cells->parts[cell->part[0]], kept->rings[0]);
-	struct convex b = shape_of(search, &search->cells->parts[cell->part[1]], kept->rings[1]);
-	vec3 n = travelling_plane_normal(&kept->plane, &search->pose);
-	double gap = travelling_plane_gap(&search->pose, &a, &b, n, &search->cells->visits);
-
-	if (gap > search->needed)
-		try_plane(search, &a, &b, n, kept->plane.link, gap);
-}
-
-static void search_cell(struct search *search, const struct plane_cell *cell)
-{
-	const struct plane_part *of_a = &search->cells->parts[cell->part[0]];
-	const struct plane_part *of_b = &search->cells->parts[cell->part[1]];
-	struct convex mesh_a = mesh_of(search, of_a), mesh_b = mesh_of(search, of_b), rings_a, rings_b;
-
-	search->life = -1;
-	search->best.plane.gap = 0;
-	if (cell->count) {
-		try_again(search, cell);
-		if (search->life > LIFE_AGAIN)
-			return;
-	}
-	if (of_a->has_profile) {
-		rings_a = rings_of(search, of_a);
-		try_shapes(search, &rings_a, &mesh_b);
-	}
-	if (of_b->has_profile && !(search->life > LIFE_ENOUGH)) {
-		rings_b = rings_of(search, of_b);
-		try_shapes(search, &mesh_a, &rings_b);
-		if (of_a->has_profile && search->cells->bodies->chain->count > 1)
-			try_shapes(search, &rings_a, &rings_b);
-	}
-	if (!(search->life > 1))
-		try_shapes(search, &mesh_a, &mesh_b);
+	return plane_search_between(search, &cells->parts[cell->part[0]], &cells->parts[cell->part[1]],
+				    cell->count ? &cell->kept[cell->newest] : NULL);
 }
 
 static void keep_plane(struct plane_cell *cell, const struct kept_plane *plane)
@@ -386,37 +248,36 @@ static bool divide_cell(struct plane_cells *cells, size_t at)
 }
 
 /* Finds a plane for the cell or divides it; false: neither helps over the motion. */
-static bool renew_cell(struct search *search, size_t at)
+static bool renew_cell(struct plane_cells *cells, struct plane_search *search, size_t at)
 {
-	struct plane_cells *cells = search->cells;
+	const bool proved = search_cell(cells, search, at);
 
-	search_cell(search, &cells->cells[at]);
-	if (search->life >= 0) {
-		keep_plane(&cells->cells[at], &search->best);
-		return search->life > 1;
-	}
-	return divide_cell(cells, at);
+	if (search->life < 0)
+		return divide_cell(cells, at);
+	keep_plane(&cells->cells[at], &search->best);
+	return proved;
 }
 
 /* The cell of the whole bodies: false also if the front has to be looked at. */
-static bool renew_whole(struct search *search)
+static bool renew_whole(struct plane_cells *cells, struct plane_search *search)
 {
-	struct plane_cell *whole = &search->cells->cells[0];
+	struct plane_cell *whole = &cells->cells[0];
+	bool proved;
 
 	if (whole->divided && whole->idle > 0) {
 		whole->idle--;
 		return false;
 	}
-	search_cell(search, whole);
+	proved = search_cell(cells, search, 0);
 	if (search->life >= 0) {
 		keep_plane(whole, &search->best);
 		whole->backoff = 0;
 	}
-	if (search->life > 1)
+	if (proved)
 		return true;
 	if (search->life < 0 && !whole->divided)
-		divide_cell(search->cells, 0);
-	whole = &search->cells->cells[0];
+		divide_cell(cells, 0);
+	whole = &cells->cells[0];
 	whole->backoff = whole->backoff < WHOLE_BACKOFF_MAX ? 2 * whole->backoff + 1 : WHOLE_BACKOFF_MAX;
 	whole->idle = whole->backoff;
 	return false;
@@ -425,7 +286,8 @@ static bool renew_whole(struct search *search)
 bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			double needed)
 {
-	struct search search = {.cells = cells, .motion = motion, .needed = needed};
+	struct plane_search search = {
+		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
 	const struct body_pair *bodies = cells->bodies;
 
 	if (chain_is_rigid(bodies->chain))
@@ -438,9 +300,7 @@ bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const s
 		add_cell(cells, 0, 1);
 	}
 	plane_pose_init(&search.pose, bodies, q);
-	search.places[0] = bodies->place_a;
-	search.places[1] = xform_mul(&search.pose.state.pose, &bodies->place_b);
-	if (renew_whole(&search))
+	if (renew_whole(cells, &search))
 		return true;
 	if (!cells->cells[0].divided)
 		return false;
@@ -449,7 +309,7 @@ bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const s
 
 		if (cell->divided || cell_covers(cell, bodies->chain, motion, needed))
 			continue;
-		if (!renew_cell(&search, i)) {
+		if (!renew_cell(cells, &search, i)) {
 			move_to_front(cells, i);
 			return false;
 		}

@@ -45,7 +45,10 @@ bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *mot
  */
 double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most);
 
-/* As plane_cells_cover; measures new planes at q in the cells where no kept plane does. */
+/*
+ * Do planes prove the motion, new ones at q in the cells where no kept plane does? It may take their gaps at both ends
+ * of the motion: then the planes that are kept need not cover it.
+ */
 bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			double needed);
 

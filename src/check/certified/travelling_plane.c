@@ -3,37 +3,55 @@
 #include <math.h>
 
 #include "base/minmax.h"
+#include "base/same_double.h"
 #include "check/step.h"
 #include "geom/tolerance.h"
 
 void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q)
 {
 	const struct chain *chain = bodies->chain;
+	xform at = xform_identity(), in_a;
 	double turned = 0;
 
 	pose->bodies = bodies;
 	pose->q = *q;
-	chain_state_init(&pose->state, chain, q, &bodies->ball_a, &bodies->ball_b);
-	pose->turned[0] = mat3_identity();
+	pose->turned[0] = at.rotation;
 	for (size_t i = 0; i < chain->count; i++) {
 		const struct joint *joint = &chain->joints[i];
+		const double value = q->v[joint->slot];
 
-		pose->turned[i + 1] = pose->turned[i];
+		pose->direction[i] = mat3_apply(&at.rotation, joint->direction);
+		pose->location[i] = at.translation;
 		if (joint->rotary) {
-			mat3 turn = mat3_turn(joint->direction, q->v[joint->slot]);
+			const xform turn = xform_turn(joint->location, joint->direction, value);
 
-			pose->turned[i + 1] = mat3_mul(&pose->turned[i], &turn);
+			pose->location[i] = xform_apply(&at, joint->location);
+			at = i ? xform_mul(&at, &turn) : turn;
+			/* As in body_pair_rounding. */
+			turned += fabs(value);
+		} else {
+			at.translation = vec3_mad(at.translation, value, pose->direction[i]);
 		}
-		/* As in body_pair_rounding. */
-		turned += joint->rotary ? fabs(q->v[joint->slot]) : 0;
+		pose->turned[i + 1] = at.rotation;
 	}
+	pose->places[0] = bodies->place_a;
+	pose->places[1] = xform_mul(&at, &bodies->place_b);
+	in_a = xform_mul(&bodies->to_a, &pose->places[1]);
 	pose->slack = POSE_ROUNDING * (1 + turned / 64);
-	pose->rounding = body_pair_rounding(bodies, q, body_pair_pose(bodies, q).translation);
+	pose->rounding = body_pair_rounding(bodies, q, in_a.translation);
 }
 
 vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct plane_pose *pose)
 {
 	return vec3_unit(mat3_apply(&pose->turned[plane->link], plane->normal));
+}
+
+bool travelling_plane_is_at(const struct travelling_plane *plane, const struct chain *chain, const axis_values *q)
+{
+	for (size_t i = 0; i < chain->count; i++)
+		if (!same_double(plane->at[i], q->v[chain->joints[i].slot]))
+			return false;
+	return true;
 }
 
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
@@ -46,7 +64,7 @@ double travelling_plane_gap(const struct plane_pose *pose, const struct convex *
 static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part,
 		       size_t i, vec3 n, long *visits)
 {
-	vec3 axis = pose->state.direction[i], location = pose->state.location[i];
+	vec3 axis = pose->direction[i], location = pose->location[i];
 	vec3 lever = vec3_cross(n, axis);
 	double from = vec3_dot(lever, location);
 
@@ -63,6 +81,7 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 	const struct chain *chain = pose->bodies->chain;
 
 	plane->gap = gap;
+	plane->rounding = pose->rounding;
 	plane->link = link;
 	plane->normal = mat3_apply_transposed(&pose->turned[link], n);
 	for (size_t i = 0; i < chain->count; i++) {
@@ -72,7 +91,7 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 		plane->at[i] = pose->q.v[chain->joints[i].slot];
 		plane->low[i] = plane->high[i] = plane->turn[i] = plane->lever[i] = 0;
 		if (!chain->joints[i].rotary) {
-			double along = vec3_dot(n, pose->state.direction[i]);
+			double along = vec3_dot(n, pose->direction[i]);
 
 			plane->low[i] = along - pose->slack;
 			plane->high[i] = along + pose->slack;
@@ -159,4 +178,80 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 	 */
 	return plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate) -
 	       (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;
+}
+
+/* One body's joints, outward from the link. */
+struct outward {
+	size_t count, joints[SLOT_COUNT];
+};
+
+static struct outward outward_of(const struct travelling_plane *plane, const struct chain *chain, int body)
+{
+	struct outward out = {.count = body ? chain->count - plane->link : plane->link};
+
+	for (size_t k = 0; k < out.count; k++)
+		out.joints[k] = body ? plane->link + k : plane->link - 1 - k;
+	return out;
+}
+
+/* A joint over a straight motion. */
+struct joint_way {
+	double dq;	/* of the motion */
+	double error;	/* its chord error */
+	double off;	/* from where the plane was measured, the error included */
+};
+
+/*
+ * mm: how far a point of one body may be behind the chord between its ends, along n. *lost receives what the chord
+ * errors take.
+ */
+static double bulge_of(const struct travelling_plane *plane, const struct chain *chain, const struct outward *out,
+		       const struct joint_way *ways, double *lost)
+{
+	double lever[SLOT_COUNT], outer = 0, turned = 0, turning = 0, sum = 0;
+
+	for (size_t k = out->count; k-- > 0;) {
+		const size_t i = out->joints[k];
+
+		/* 1: so that u is dq for linear joints, too. What has dropped out moves nothing. */
+		lever[k] = !chain->joints[i].rotary ? 1 : plane->turn[i] > 0 ? plane->lever[i] + outer : 0;
+		outer += ways[i].off * lever[k];
+	}
+	for (size_t k = 0; k < out->count; k++) {
+		const size_t i = out->joints[k];
+		const double u = ways[i].dq * lever[k], turn = plane->turn[i] + turned;
+
+		sum += 2 * turning * u;
+		if (!chain->joints[i].rotary) {
+			*lost += ways[i].error * (larger(fabs(plane->low[i]), fabs(plane->high[i])) + turned);
+			continue;
+		}
+		*lost += ways[i].error * turn * lever[k];
+		sum += ways[i].dq * turn * u;
+		turning += ways[i].dq * turn;
+		turned += plane->turn[i] * ways[i].off;
+	}
+	return sum / 8;
+}
+
+double travelling_plane_between(const struct travelling_plane *plane, const struct chain *chain,
+				const struct plane_motion *motion, double gap0, double gap1)
+{
+	struct joint_way ways[SLOT_COUNT];
+	double bulge = 0, lost = 0;
+
+	for (size_t i = 0; i < chain->count; i++) {
+		const int slot = chain->joints[i].slot;
+		const double q0 = motion->q0.v[slot], q1 = motion->q1.v[slot], error = motion->chord_error.v[slot];
+
+		ways[i].dq = fabs(q1 - q0);
+		ways[i].error = error;
+		ways[i].off = larger(fabs(q0 - plane->at[i]), fabs(q1 - plane->at[i])) + error;
+	}
+	for (int body = 0; body < 2; body++) {
+		const struct outward out = outward_of(plane, chain, body);
+
+		bulge += bulge_of(plane, chain, &out, ways, &lost);
+	}
+	return smaller(gap0, gap1) - (bulge + lost) * BOUND_SLACK;
 }

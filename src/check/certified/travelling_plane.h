@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_CHECK_CERTIFIED_TRAVELLING_PLANE_H
 #define FIVECHECK_CHECK_CERTIFIED_TRAVELLING_PLANE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/axes.h"
@@ -40,6 +41,7 @@ struct position_errors;
  */
 struct travelling_plane {
 	double gap;	/* mm at `at`, rounding taken off */
+	double rounding;	/* mm: what was taken off; as much again if the normal, too, was rounded there */
 	double at[SLOT_COUNT];	/* mm, radians; by joint of the chain, as all that follow */
 	double low[SLOT_COUNT], high[SLOT_COUNT];	/* mm per mm or radian */
 	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or dropped out */
@@ -52,10 +54,13 @@ struct travelling_plane {
 struct plane_pose {
 	const struct body_pair *bodies;
 	axis_values q;
-	struct chain_state state;
 	double rounding;	/* mm: of a gap or a lever at q, meshes included */
 	double slack;	/* of a product of unit vectors at q */
-	mat3 turned[SLOT_COUNT + 1];	/* of each link k: its coordinates -> those of A's link, directions only */
+	/* All that follows is in the coordinates of A's link. */
+	xform places[2];	/* of both meshes */
+	mat3 turned[SLOT_COUNT + 1];	/* of each link k: from its own coordinates, directions only */
+	vec3 direction[SLOT_COUNT];	/* of each joint */
+	vec3 location[SLOT_COUNT];	/* of each rotary joint's axis */
 };
 
 void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q);
@@ -69,6 +74,9 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 
 /* The unit normal of a plane that was measured elsewhere, as its link stands at the pose. */
 vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct plane_pose *pose);
+
+/* Was the plane measured at q? */
+bool travelling_plane_is_at(const struct travelling_plane *plane, const struct chain *chain, const axis_values *q);
 
 /* mm: the gap along n at the pose, rounding taken off. */
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
@@ -88,6 +96,24 @@ axis_values plane_motion_middle(const struct plane_motion *motion);
 /* mm: no path displacement (motion_bound.h) of the bodies is larger at any position of the motion. */
 double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
 			 const struct position_errors *errors);
+
+/*
+ * mm: the gap is larger than this, at every position of a straight motion, at whose ends gap0 and gap1 are left, from
+ * which the rounding of a normal has been taken off, too.
+ *
+ * With both bodies' points on chords the gap along n would be concave, and so least at an end. A point's path has
+ *
+ *	n.x'' = sum over rotary j of dq_j^2 (n' x a_j).(a_j x w) + 2 sum over i < j, i rotary, of dq_i (n' x a_i).v_j
+ *
+ * where v_j is what joint j does to the point. So it leaves its chord along n by at most an eighth of
+ *
+ *	sum dq_j^2 turn_j lever_j + 2 sum dq_i turn_i u_j,	u_j = dq_j lever_j (rotary) or dq_j (linear),
+ *
+ * with the joints numbered as above; dq is the whole motion's. turn and lever are as they are at `at`, and what the
+ * joints between it and the motion can add: to turn_j the inner ones, to lever_j the outer ones.
+ */
+double travelling_plane_between(const struct travelling_plane *plane, const struct chain *chain,
+				const struct plane_motion *motion, double gap0, double gap1);
 
 /* mm: the gap is larger than this, at every position of the motion. */
 double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,

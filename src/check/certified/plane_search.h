@@ -1,0 +1,47 @@
+/* plane_search.h - the search for a travelling plane that keeps a part of one body apart from a part of another. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_PLANE_SEARCH_H
+#define FIVECHECK_CHECK_CERTIFIED_PLANE_SEARCH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "check/certified/travelling_plane.h"
+
+/* A part of a body. */
+struct plane_part {
+	int body;	/* 0: A, 1: B */
+	struct mesh_part mesh;
+	bool has_profile;
+	struct profile profile;	/* about the joint next to the body */
+	size_t first_child, child_count;	/* parts; 0: not divided yet */
+};
+
+/* A plane between two parts. */
+struct kept_plane {
+	struct travelling_plane plane;
+	bool rings[2];	/* A, B: the profile was measured in place of the part */
+};
+
+/* The caller fills in what comes before the first empty line, and makes the pose; the rest is 0. Borrows everything. */
+struct plane_search {
+	const struct body_pair *bodies;
+	const struct plane_motion *motion;
+	double needed;	/* mm: the plane must leave a larger gap throughout the motion */
+	long *visits;	/* counts the node pairs that the search is worth */
+	struct plane_pose pose;	/* where planes are measured */
+
+	struct plane_pose ends[2];	/* of a straight motion, once they are asked for */
+	bool has_end[2];
+	struct kept_plane best;
+	double life;	/* of the best plane: how many motions like this one it lasts; below 0: there is none */
+	bool held;	/* the best plane's gaps at both ends prove the motion, even if it does not last for one */
+};
+
+/*
+ * Does a plane prove the motion? It is search->best. False: there may be one that does for a part of the motion: then
+ * life is at least 0. `last`: a kept plane between the parts, which is tried first; NULL: none.
+ */
+bool plane_search_between(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+			  const struct kept_plane *last);
+
+#endif
