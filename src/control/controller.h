@@ -41,7 +41,7 @@ enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
  * A block has T and M6, and the T of an earlier block still waits: M6 loads the T of its own block, or the earlier one.
  * The other T is then the one that is selected.
  */
-enum m6_with_t { M6_WITH_T_UNKNOWN, M6_LOADS_OWN_T, M6_LOADS_T_BEFORE };
+enum m6_with_t { M6_WITH_T_UNKNOWN, M6_LOADS_OWN_T, M6_LOADS_T_BEFORE, M6_LOADS_FIRST_T };
 
 /* What ';' does in a line, and what ':' with a number at its head is. */
 enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLOCK };

@@ -379,7 +379,8 @@ static const struct {
 	 "p.nc:1:1: error: G71: turning cycle of lathes (other controls mean millimetres: write G21) is not supported yet\n"
 	 "    G71 U2. R1.\n    ^\n"},
 	{F, "T01 T02 M06\n",
-	 "p.nc:1:5: error: the word T stands twice in the block, at columns 1 and 5\n    T01 T02 M06\n        ^\n"},
+	 "p.nc:1:5: error: the word T stands twice in the block, at columns 1 and 5; if M6 loads the first and the second waits for the next "
+	 "M6, m6_with_t=\"first\" in the machine's <controller> says so\n    T01 T02 M06\n        ^\n"},
 	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported yet\n    M34\n    ^\n"},
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block needs M99 P\n    [1 EQ 1] G0 X1.\n            "

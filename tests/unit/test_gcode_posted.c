@@ -307,6 +307,17 @@ START_TEST(t_beside_m6)
 	init(&c, &dialect_fanuc);
 	c.config.controller.m6_with_t = M6_LOADS_T_BEFORE;
 	expect_fault(&c, "M6 T2\n", "M6, but no T has selected a tool");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_FIRST_T;
+	c.config.controller.tool_change.given = true;
+	case_expect(&c, "T1 T2 M6\nM6\nT3\nM6 T1\nT2 T3 M6\nM6\nM30\n",
+		    "tool 1\ntool 2\ntool 1\ntool 2\ntool 3\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_FIRST_T;
+	expect_fault(&c, "T1 T2\n", "two T in a block without M6");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_FIRST_T;
+	expect_fault(&c, "T1 T2 T3 M6\n", "the word T stands twice in the block, at columns 1 and 7");
 }
 END_TEST
 

@@ -212,7 +212,7 @@ static const struct question {
     {"arc_radius_tolerance=\"", "arc_radius_tolerance=\"\" (parameter 3410)",
      NUMBER(arc_radius_tolerance, 1e6)},
     {"m6_with_move=\"", "m6_with_move=\"after\" or \"before\"", CHOICE(m6_with_move, M6_AFTER_MOVE)},
-    {"m6_with_t=\"", "m6_with_t=\"own\" or \"before\"", CHOICE(m6_with_t, M6_LOADS_OWN_T)},
+    {"m6_with_t=\"", "m6_with_t=\"own\", \"before\" or \"first\"", CHOICE(m6_with_t, M6_LOADS_FIRST_T)},
     {"semicolon=\"", "semicolon=\"comment\" or \"block-end\"", CHOICE(semicolon, SEMICOLON_STARTS_COMMENT)},
     {"colon=\"", "colon=\"program\" or \"block\"", CHOICE(colon, COLON_BLOCK)},
     {"cutter_comp_d=\"", "cutter_comp_d=\"radius\" or \"diameter\"", CHOICE(comp_d, COMP_D_RADIUS)},

@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/tool_table.h"
@@ -26,7 +27,7 @@ static bool choose_own(struct interp *interp, int before)
 		state->selected_next = own;
 		return true;
 	}
-	if (answer == M6_LOADS_OWN_T || before < 0 || before == state->tool || before == own)
+	if (answer == M6_LOADS_OWN_T || answer == M6_LOADS_FIRST_T || before < 0 || before == state->tool || before == own)
 		return true;
 	if (!interp->cautioned_t)
 		caution(
@@ -35,6 +36,23 @@ static bool choose_own(struct interp *interp, int before)
 		    "T%d; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
 		    own, before, own, before);
 	interp->cautioned_t = true;
+	return true;
+}
+
+/* "T1 T2 M6" of Mazak's EIA programs: the first is loaded, and the second waits for the next M6. */
+static bool choose_next(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	if (!block->has_next_tool)
+		return true;
+	if (block->m[M_TOOL] != 6)
+		return fault(&interp->at, block->next_tool_column, "two T in a block without M6");
+	if (!(block->next_tool >= 0 && block->next_tool <= INT_MAX) ||
+	    !same_double(floor(block->next_tool), block->next_tool))
+		return fault(&interp->at, block->next_tool_column, "T%.10g: the number of a tool is whole here",
+			     block->next_tool);
+	interp->state.selected_next = (int)block->next_tool;
 	return true;
 }
 
@@ -55,7 +73,7 @@ bool tool_change_select(struct interp *interp)
 	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
 			   "whether T changes the tool or selects it for M6") &&
 	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected) &&
-	       choose_own(interp, before);
+	       choose_own(interp, before) && choose_next(interp);
 }
 
 /* "the setup defines no tool T5", unless it does, or there is no setup. */

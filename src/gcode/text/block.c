@@ -20,6 +20,7 @@ void block_clear(struct block *block)
 	block->motion = CODE_NONE;
 	block->idle = CODE_NONE;
 	block->corner = '\0';
+	block->has_next_tool = false;
 	block->vectors = false;
 	block->plain = false;
 	for (int i = 0; i < G_GROUPS; i++)
@@ -203,6 +204,28 @@ static bool check_axis_words(const struct block *block, const struct line_place 
 	return true;
 }
 
+/* The letter stands in the block already. */
+static bool repeat_value(struct block *block, const struct line_place *at, const struct word *word,
+			 const struct gcode_config *config, struct block_cautions *cautions)
+{
+	const int first = block->column[word->letter - 'A'];
+	const bool asks = word->letter == 'T' && config->dialect->traits.m6_loads_own_t == ANSWER_NO;
+
+	if (!config->read.last_duplicate_wins)
+		return fault(at, word->column, "the word %c stands twice in the block, at columns %d and %d%s",
+			     word->letter, first, word->column,
+			     asks ? "; if M6 loads the first and the second waits for the next M6, m6_with_t=\"first\" "
+				    "in the machine's <controller> says so"
+				  : "");
+	if (!cautions->duplicate)
+		caution(at, word->column,
+			"the word %c stands twice in the block, at columns %d and %d; the last one is taken, here and "
+			"further on",
+			word->letter, first, word->column);
+	cautions->duplicate = true;
+	return true;
+}
+
 static bool add_value(struct block *block, const struct line_place *at, const struct word *word,
 		      const struct gcode_config *config, struct block_cautions *cautions)
 {
@@ -210,15 +233,14 @@ static bool add_value(struct block *block, const struct line_place *at, const st
 	const uint32_t bit = letter_bit(word->letter);
 
 	if (block_has(block, word->letter)) {
-		if (!config->read.last_duplicate_wins)
-			return fault(at, word->column, "the word %c stands twice in the block, at columns %d and %d",
-				     word->letter, block->column[index], word->column);
-		if (!cautions->duplicate)
-			caution(at, word->column,
-				"the word %c stands twice in the block, at columns %d and %d; the last one is taken, "
-				"here and further on",
-				word->letter, block->column[index], word->column);
-		cautions->duplicate = true;
+		if (word->letter == 'T' && config->controller.m6_with_t == M6_LOADS_FIRST_T && !block->has_next_tool) {
+			block->has_next_tool = true;
+			block->next_tool = word->value;
+			block->next_tool_column = word->column;
+			return true;
+		}
+		if (!repeat_value(block, at, word, config, cautions))
+			return false;
 	}
 	block->letters |= bit;
 	block->points = word->point ? block->points | bit : block->points & ~bit;

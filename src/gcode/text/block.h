@@ -26,6 +26,9 @@ struct block {
 	bool corner_point;	/* its number has a decimal point */
 	double corner_value;
 	int corner_column;
+	bool has_next_tool;	/* "T1 T2 M6" where the machine file lets M6 load the first: the second, for the next M6 */
+	double next_tool;
+	int next_tool_column;
 	int idle, idle_column;	/* a G-code of GROUP_NONE, in tenths, or CODE_NONE */
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];

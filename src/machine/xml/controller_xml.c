@@ -129,7 +129,7 @@ static void read_parameters(struct xml_reader *xml, const xmlNode *node, struct 
 	told->cycle_repeats = ANSWER("cycle_repeats", "K", "L");
 	told->g53_with_g91 = ANSWER("g53_with_g91", "absolute", "incremental");
 	told->m6_with_move = ANSWER("m6_with_move", "after", "before");
-	told->m6_with_t = ANSWER("m6_with_t", "own", "before");
+	told->m6_with_t = ANSWER("m6_with_t", "own", "before", "first");
 	told->length_under_g68 = ANSWER("length_under_g68", "turned", "straight");
 	told->polar_axis = rotary_slot(ANSWER("polar_axes", "XA", "XB", "XC"));
 	told->semicolon = ANSWER("semicolon", "comment", "block-end");
