@@ -151,6 +151,8 @@ enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_MOD
 #define GROUP_NONE (-1)
 /* A statement of its own, which is read before the block is, such as a macro call. */
 #define GROUP_STATEMENT (-2)
+/* An M-code of no group that has words of its own, as the machine's own M-codes have: P, Q and the like. */
+#define GROUP_OUTPUT (-3)
 
 /* What becomes of a code or of a word of a language: fivecheck-gcode(5) and --explain tell it. */
 enum code_state {

@@ -338,6 +338,23 @@ START_TEST(words_of_builder_codes)
 }
 END_TEST
 
+/* Haas mill operator's manual, M-codes: they move no axis, and some have words. */
+START_TEST(haas_outputs)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_haas);
+	case_expect(&c,
+		    "M138 P500 Q10\nM49 P1 Q3\nM161 P100\nM163 P50\nM160\nM36 M48\nM80\nM95 (05:30)\nM158\n"
+		    "G0 X1. M130\nM30\n",
+		    "rapid 1 0 0 0 0\n");
+	init(&c, &dialect_haas);
+	expect_fault(&c, "M104\n", "p.nc:1:1: error: M104: move of the probe's arm is not supported yet");
+	init(&c, &dialect_haas);
+	expect_fault(&c, "M48 P1\n", "no code in the block uses the word P");
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {t_beside_m6, words_of_builder_codes, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};

@@ -180,7 +180,9 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 		return fault(at, word->column, "M%d stands at the start of its block", number);
 	if (code->state == CODE_REFUSED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
-	if (code->group == GROUP_NONE)
+	if (code->group == GROUP_OUTPUT)
+		block->m_ignored = true;
+	if (code->group == GROUP_OUTPUT || code->group == GROUP_NONE)
 		return true;
 	return set_m(block, at, word, code->group, number);
 }

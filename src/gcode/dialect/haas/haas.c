@@ -83,26 +83,48 @@ static const struct code m_codes[] = {
 	{11, GROUP_NONE, CODE_IGNORED, "brake of the fourth axis off"},
 	{12, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis on"},
 	{13, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis off"},
-	/* Haas: chip conveyor, gears; further on the air jet (M83, M84) and coolant through the spindle (M88, M89). */
+	/*
+	 * Haas: chip conveyor, gears; further on doors (M80, M81), the air jet (M83, M84), coolant through the spindle
+	 * (M88, M89), pictures (M130, M131), mist (M158 to M163). M104 and M105 swing the tool probe's arm.
+	 */
 	{31, GROUP_NONE, CODE_IGNORED, "chip conveyor forward"},
 	{33, GROUP_NONE, CODE_IGNORED, "chip conveyor stop"},
 	{34, GROUP_NONE, CODE_REFUSED, "move of the coolant nozzle"},
 	{35, GROUP_NONE, CODE_REFUSED, "move of the coolant nozzle"},
+	{36, GROUP_NONE, CODE_IGNORED, "wait until the pallet's part is ready"},
 	{41, GROUP_NONE, CODE_IGNORED, "low gear"},
 	{42, GROUP_NONE, CODE_IGNORED, "high gear"},
+	{48, GROUP_NONE, CODE_IGNORED, "check of the program"},
+	{49, GROUP_OUTPUT, CODE_IGNORED, "status of a pallet"},
 	{50, GROUP_NONE, CODE_REFUSED, "pallet change"},
 	/* M75, M78, M79: what becomes of the signal of G31; none moves an axis. */
+	{73, GROUP_NONE, CODE_IGNORED, "air blast of the tool on"},
+	{74, GROUP_NONE, CODE_IGNORED, "air blast of the tool off"},
 	{75, GROUP_NONE, CODE_IGNORED, "reference point of G35 or G136"},
 	{78, GROUP_NONE, CODE_IGNORED, "alarm if a skip signal has come"},
 	{79, GROUP_NONE, CODE_IGNORED, "alarm if no skip signal has come"},
+	{80, GROUP_NONE, CODE_IGNORED, "door open"},
+	{81, GROUP_NONE, CODE_IGNORED, "door closed"},
 	{83, GROUP_NONE, CODE_IGNORED, "air jet on"},
 	{84, GROUP_NONE, CODE_IGNORED, "air jet off"},
 	{88, GROUP_NONE, CODE_IGNORED, "coolant through the spindle on"},
 	{89, GROUP_NONE, CODE_IGNORED, "coolant through the spindle off"},
+	{95, GROUP_NONE, CODE_IGNORED, "sleep"},
 	{96, GROUP_NONE, CODE_REFUSED, "jump on an input"},
 	{97, M_STOP, CODE_READ, "local subprogram call"},
-	{138, GROUP_NONE, CODE_IGNORED, "spindle speed variation on"},	/* and M139: the spindle's speed varies */
-	{139, GROUP_NONE, CODE_IGNORED, "spindle speed variation off"},
+	{104, GROUP_NONE, CODE_REFUSED, "move of the probe's arm"},
+	{105, GROUP_NONE, CODE_REFUSED, "move of the probe's arm"},
+	{109, GROUP_NONE, CODE_REFUSED, "input of the operator"},
+	{130, GROUP_NONE, CODE_IGNORED, "display of a picture or film on"},
+	{131, GROUP_NONE, CODE_IGNORED, "display of a picture or film off"},
+	{138, GROUP_OUTPUT, CODE_IGNORED, "spindle speed variation on"},
+	{139, GROUP_OUTPUT, CODE_IGNORED, "spindle speed variation off"},
+	{158, GROUP_NONE, CODE_IGNORED, "mist condenser on"},
+	{159, GROUP_NONE, CODE_IGNORED, "mist condenser off"},
+	{160, GROUP_NONE, CODE_IGNORED, "pulsed oil mist off"},
+	{161, GROUP_OUTPUT, CODE_IGNORED, "pulsed oil mist on"},
+	{162, GROUP_OUTPUT, CODE_IGNORED, "pulsed oil mist on an event"},
+	{163, GROUP_OUTPUT, CODE_IGNORED, "pulsed oil mist while feeding"},
 };
 
 /* Mill operator's manual, canned cycles. */
