@@ -357,7 +357,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {t_beside_m6, words_of_builder_codes, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {t_beside_m6, words_of_builder_codes, haas_outputs, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }
