@@ -267,6 +267,8 @@ struct setup_description {
 	size_t edge_count;
 	struct library_description *libraries;
 	size_t library_count;
+	struct variable_description *variables;
+	size_t variable_count;
 };
 
 struct waiver_description {

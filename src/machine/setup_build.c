@@ -8,6 +8,7 @@
 #include "machine/body_build.h"
 #include "machine/stock_build.h"
 #include "machine/tool_build.h"
+#include "machine/variable_build.h"
 
 /* "G505" to "G599". */
 static bool is_settable_name(const char *name)
@@ -250,6 +251,7 @@ static void build_content(struct setup_description *described, const struct mach
 	for (size_t i = 0; i < described->edge_count; i++)
 		build_edge(file, &described->edges[i], setup);
 	add_tool_lengths(setup);
+	variable_build_setup(described, machine, setup);
 	if (described->initial_tool > TOOL_NUMBER_MAX)
 		description_fault(file, described->at, "initial_tool",
 				  "initial_tool=\"%s\" of <setup> is not between 0 and %d",

@@ -114,20 +114,61 @@ static void build_one(struct description_file *file, const struct variable_descr
 		variables[(*count)++] = variable;
 }
 
+/* Fills `variables`, which has room for all of them; returns how many it has then. */
+static size_t build_all(struct description_file *file, const struct variable_description *described, size_t given,
+			const struct dialect_row *row, struct arena *arena, struct control_variable *variables)
+{
+	size_t count = 0;
+
+	if (given > 0 && !row->has_parameters && !row->has_planes && !row->has_frames) {
+		description_fault(file, described[0].at, NULL, "<variable>: %s takes its values from the program alone",
+				  row->title);
+		return 0;
+	}
+	for (size_t i = 0; i < given; i++)
+		build_one(file, &described[i], row, arena, variables, &count);
+	return count;
+}
+
 void variable_build(struct machine_description *described, struct machine *machine)
 {
 	const struct controller_description *from = &described->controller;
-	const struct dialect_row *row = &dialect_rows[from->told.dialect];
-	struct controller *to = &machine->controller;
 	struct control_variable *variables = arena_alloc(&machine->arena, from->variable_count * sizeof(*variables));
 
-	if (from->variable_count > 0 && !row->has_parameters && !row->has_planes && !row->has_frames) {
-		description_fault(&described->file, from->variables[0].at, NULL,
-				  "<variable> of <controller>: %s takes its values from the program alone", row->title);
-		return;
+	machine->controller.variable_count =
+		build_all(&described->file, from->variables, from->variable_count,
+			  &dialect_rows[from->told.dialect], &machine->arena, variables);
+	machine->controller.variables = variables;
+}
+
+/* A name with a type makes a variable, and without one it has a value: one does not replace the other. */
+static bool replaces(const struct control_variable *items, size_t count, const struct control_variable *other)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (items[i].typed == other->typed && !strcmp(items[i].name, other->name))
+			return true;
 	}
-	for (size_t i = 0; i < from->variable_count; i++)
-		build_one(&described->file, &from->variables[i], row, &machine->arena, variables,
-			  &to->variable_count);
-	to->variables = variables;
+	return false;
+}
+
+void variable_build_setup(struct setup_description *described, const struct machine *machine, struct setup *setup)
+{
+	const struct controller *controller = &machine->controller;
+	const size_t given = described->variable_count;
+	struct control_variable *own, *all;
+	size_t count, kept = 0;
+
+	if (given == 0)
+		return;
+	own = arena_alloc(&setup->arena, given * sizeof(*own));
+	all = arena_alloc(&setup->arena, (given + controller->variable_count) * sizeof(*all));
+	count = build_all(&described->file, described->variables, given, &dialect_rows[controller->dialect],
+			  &setup->arena, own);
+	for (size_t i = 0; i < controller->variable_count; i++) {
+		if (!replaces(own, count, &controller->variables[i]))
+			all[kept++] = controller->variables[i];
+	}
+	memcpy(all + kept, own, count * sizeof(*all));
+	setup->variables = all;
+	setup->variable_count = kept + count;
 }

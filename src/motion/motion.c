@@ -35,6 +35,10 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 		config.length_count = setup->length_count;
 		config.radii = setup->radii;
 		config.radius_count = setup->radius_count;
+		if (setup->variables) {
+			config.controller.variables = setup->variables;
+			config.controller.variable_count = setup->variable_count;
+		}
 	}
 	if (options->change) {
 		config.work_change = options->change->work;

@@ -49,3 +49,16 @@ M30
 NC
 machine fanuc '<variable name="#500" value="4"/>' >f.xml
 status fivecheck -q --parse-only f.xml one.nc two.nc 2>&1 | grep -v 'without a tolerance'
+# A setup says it for its job, in place of the machine file; what the machine file alone has stays.
+machine fanuc '<variable name="#500" value="4"/><variable name="#501" value="3"/>' >f.xml
+sed 's/C#\[100+401\]/Z#501/' b.nc >c.nc
+echo '<setup version="1"><variable name="#500" value="9"/></setup>' >setup.xml
+status fivecheck -q -s setup.xml --dump-path f.xml c.nc | cut -f 1-6
+machine sinumerik '<variable name="_ready" type="INT" value="0"/><variable name="_POS" type="REAL" size="3,2" value="1"/><variable name="R5" value="7"/><variable name="_MADE" type="STRING"/><variable name="$MN_TOP" value="40"/>' >s.xml
+echo '<setup version="1"><variable name="_READY" value="1"/><variable name="_POS[2,1]" value="15"/><variable name="$MN_TOP" value="30"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
+status fivecheck -q -s setup.xml --dump-path s.xml a.mpf | cut -f 1-6
+echo '<setup version="1"><variable name="_POS" value="1"/></setup>' >setup.xml
+status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
+printf '<setup version="1"><variable name="R5" value="9"/>\n<variable name="R5" value="8"/></setup>\n' >setup.xml
+status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
+status fivecheck -q -s setup.xml --parse-only m.xml a.mpf 2>&1 | grep error

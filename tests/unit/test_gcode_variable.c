@@ -78,7 +78,7 @@ static const struct kept refused[] = {
 	 "#5021 holds where the machine is while the control reads ahead (the programmed position is in #5001): it is "
 	 "not known before the program runs"},
 	{&dialect_fanuc, {TEXT("#500", "five")}, "G90 G21 G17\nG0 X#500\n",
-	 "#500: value=\"five\" of the machine file is neither a number nor \"vacant\""},
+	 "#500: value=\"five\" of its <variable> is neither a number nor \"vacant\""},
 	{&dialect_haas, {VALUE("#501", 1)}, "G90 G21 G17\nG0 X#500\n",
 	 "#500 keeps its value from one program to the next, and this one has given it none so far: "
 	 ASKS("#500") "what it holds"},
@@ -89,51 +89,47 @@ static const struct kept refused[] = {
 	 "NAME keeps its value from one program to the next, and this one has given it none so far: "
 	 ASKS("NAME") "what it holds"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[3]", 1)}, "G500\n",
-	 "<variable name=\"_POS[3]\"> of the machine file is no element of that array"},
+	 "<variable name=\"_POS[3]\"> is no element of that array"},
 	/* two spellings of a name would be two values of it */
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[01]", 1)}, "G500\n",
-	 "<variable name=\"_POS[01]\"> of the machine file is no element of that array"},
+	 "<variable name=\"_POS[01]\"> is no element of that array"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[+1]", 1)}, "G500\n",
-	 "<variable name=\"_POS[+1]\"> of the machine file is no element of that array"},
+	 "<variable name=\"_POS[+1]\"> is no element of that array"},
 	{&dialect_sinumerik, {VALUE("R05", 1)}, "G500\n",
-	 "<variable name=\"R05\"> of the machine file: write it without leading zeros"},
-	{&dialect_sinumerik, {TEXT("R5", "1,5")}, "G500\n", "R5: the value of the machine file is no number"},
+	 "<variable name=\"R05\">: write it without leading zeros"},
+	{&dialect_sinumerik, {TEXT("R5", "1,5")}, "G500\n", "R5: the value of its <variable> is no number"},
 	{&dialect_klartext, {VALUE("Q1", 1), VALUE("Q01", 2)}, KLARTEXT("L X+1 FMAX\n"),
-	 "<variable name=\"Q01\"> of the machine file is no parameter that is kept: Q, QR or QS and its number, or data "
+	 "<variable name=\"Q01\"> is no parameter that is kept: Q, QR or QS and its number, or data "
 	 "of FN 18, such as ID50 NR3 IDX1"},
 	{&dialect_klartext, {VALUE("ID50NR3IDX01", 1)}, KLARTEXT("L X+1 FMAX\n"),
-	 "<variable name=\"ID50NR3IDX01\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+	 "<variable name=\"ID50NR3IDX01\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
 	 "230, 350), such as ID50 NR3 IDX1"},
 	{&dialect_fanuc, {VALUE("#5001", 1)}, "G90 G21 G17\nG0 X#5001\n",
-	 "<variable name=\"#5001\"> of the machine file: the program and the setup determine this variable"},
+	 "<variable name=\"#5001\">: the program and the setup determine this variable"},
 	{&dialect_fanuc, {VALUE("#5221", 1)}, "G90 G21 G17\nG0 X#5221\n",
-	 "<variable name=\"#5221\"> of the machine file: the program and the setup determine this variable"},
+	 "<variable name=\"#5221\">: the program and the setup determine this variable"},
 	{&dialect_fanuc, {VALUE("#4001", 1)}, "G90 G21 G17\nG0 X#4001\n",
-	 "<variable name=\"#4001\"> of the machine file: the program and the setup determine this variable"},
+	 "<variable name=\"#4001\">: the program and the setup determine this variable"},
 	{&dialect_sinumerik, {VALUE("_POS[3]", 1)}, "G500\n",
-	 "<variable name=\"_POS[3]\"> of the machine file: its type is missing, type=\"REAL\" and the like"},
+	 "<variable name=\"_POS[3]\">: its type is missing, type=\"REAL\" and the like"},
 	{&dialect_sinumerik, {REAL_OF("SIN", CONTROL_REAL)}, "G500\n",
-	 "<variable name=\"SIN\" type=\"\"> of the machine file: a variable has a name of two letters or more, _ and "
+	 "<variable name=\"SIN\" type=\"\">: a variable has a name of two letters or more, _ and "
 	 "digits, at most 32, which means nothing else; size=\"\" says how many elements it has"},
 	{&dialect_sinumerik, {{.name = "AX_", .typed = true, .type = CONTROL_AXIS, .text = "Y", .number = NAN}},
 	 "G500\nG0 X=AX_\n", "AX_ is the name of an axis and no number"},
 	{&dialect_sinumerik, {{.name = "AX_", .typed = true, .type = CONTROL_AXIS, .text = "W", .number = NAN}}, "G500\n",
-	 "AX_: the value of the machine file is no axis of the machine"},
+	 "AX_: the value of its <variable> is no axis of the machine"},
 	{&dialect_sinumerik, {VALUE("$P_GG[1]", 1)}, "G500\nG0 X=$P_GG[1]\n",
-	 "<variable name=\"$P_GG[1]\"> of the machine file: the setup and the program determine it, and the machine "
-	 "file cannot"},
+	 "<variable name=\"$P_GG[1]\">: the offsets and tools of the setup, or the program, determine its value"},
 	{&dialect_sinumerik, {VALUE("$P_UIFR[1,X,TR]", 10)}, "G500\n",
-	 "<variable name=\"$P_UIFR[1,X,TR]\"> of the machine file: the setup and the program determine it, and the "
-	 "machine file cannot"},
+	 "<variable name=\"$P_UIFR[1,X,TR]\">: the offsets and tools of the setup, or the program, determine its value"},
 	{&dialect_sinumerik, {VALUE("$TC_DP3[1,1]", 10)}, "G500\n",
-	 "<variable name=\"$TC_DP3[1,1]\"> of the machine file: the setup and the program determine it, and the machine "
-	 "file cannot"},
+	 "<variable name=\"$TC_DP3[1,1]\">: the offsets and tools of the setup, or the program, determine its value"},
 	/* what the program itself may have written there */
 	{&dialect_sinumerik, {VALUE("$AC_MARKER[1]", 1)}, "G500\n$AC_MARKER[1]=2\nG0 X=$AC_MARKER[1]\n",
-	 "<variable name=\"$AC_MARKER[1]\"> of the machine file: the setup and the program determine it, and the machine "
-	 "file cannot"},
+	 "<variable name=\"$AC_MARKER[1]\">: the offsets and tools of the setup, or the program, determine its value"},
 	{&dialect_klartext, {VALUE("ID270NR1IDX1", 1)}, KLARTEXT("L X+1 FMAX\n"),
-	 "<variable name=\"ID270NR1IDX1\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+	 "<variable name=\"ID270NR1IDX1\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
 	 "230, 350), such as ID50 NR3 IDX1"},
 	{&dialect_klartext, {{0}}, KLARTEXT("FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n"),
 	 "Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to check the program, "
@@ -141,13 +137,13 @@ static const struct kept refused[] = {
 	{&dialect_klartext, {VALUE("Q5", 1)}, KLARTEXT("L X+QL5 FMAX\n"),
 	 "QL5 has no value: the program has not assigned one"},
 	{&dialect_klartext, {VALUE("QL5", 1)}, KLARTEXT("L X+1 FMAX\n"),
-	 "<variable name=\"QL5\"> of the machine file is no parameter that is kept: Q, QR or QS and its number, or data "
+	 "<variable name=\"QL5\"> is no parameter that is kept: Q, QR or QS and its number, or data "
 	 "of FN 18, such as ID50 NR3 IDX1"},
 	{&dialect_klartext, {TEXT("Q5", "five")}, KLARTEXT("L X+1 FMAX\n"),
-	 "Q5: the value of the machine file is no number"},
+	 "Q5: the value of its <variable> is no number"},
 	/* the control itself changes it */
 	{&dialect_klartext, {VALUE("Q111", 1)}, KLARTEXT("L X+1 FMAX\n"),
-	 "<variable name=\"Q111\"> of the machine file: the control itself changes this parameter while the program runs"},
+	 "<variable name=\"Q111\">: the control itself changes this parameter while the program runs"},
 };
 
 static void init(struct gcode_case *c, const struct kept *kept)

@@ -74,7 +74,7 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller dialect='klartext'><variable name='Q1' type='REAL' value='1'/></controller><base/>"),
      "m.xml:2: error: <variable> of this control has a name and a value, and neither type nor size\n"},
     {MACHINE("<controller><variable name='#1' value='1'/></controller><base/>"),
-     "m.xml:2: error: <variable> of <controller>: LinuxCNC takes its values from the program alone\n"},
+     "m.xml:2: error: <variable>: LinuxCNC takes its values from the program alone\n"},
     {MACHINE("<controller dialect='sinumerik'><variable name='_A' type='REAL' value='x'/>\n"
 	     "<variable name='_B' type='AXIS' value='Q'/>\n<variable name='_C' size='3'/>\n"
 	     "<variable name='_D' type='INT' size='3,'/>\n<variable name='_E' type='INT' size='1,2,3,4'/></controller><base/>"),

@@ -2,6 +2,7 @@
 
 #include "control/dialects.h"
 #include "machine/description.h"
+#include "machine/xml/variable_xml.h"
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_element.h"
 
@@ -51,22 +52,10 @@ static void read_macro(struct xml_reader *xml, const xmlNode *node, void *contex
 
 static void read_variable(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	static const char *const types[] = {
-		[CONTROL_REAL] = "REAL", [CONTROL_INT] = "INT",	      [CONTROL_BOOL] = "BOOL", [CONTROL_CHAR] = "CHAR",
-		[CONTROL_STRING] = "STRING", [CONTROL_AXIS] = "AXIS", NULL,
-	};
 	struct machine_description *described = context;
 	struct controller_description *controller = &described->controller;
 
-	xml_require(xml, node, "name", NULL);
-	controller->variables[controller->variable_count++] = (struct variable_description){
-		.at = node,
-		.name = xml_name(xml, node, "name", &described->arena),
-		.value = xml_label(xml, node, "value", &described->arena),
-		.size = xml_label(xml, node, "size", &described->arena),
-		.type = xml_choice(xml, node, "type", types, -1),
-	};
-	xml_read_nothing(xml, node);
+	variable_xml_read(xml, node, &described->arena, &controller->variables[controller->variable_count++]);
 }
 
 static struct place_description *read_place(struct xml_reader *xml, const xmlNode *node,

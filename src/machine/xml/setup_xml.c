@@ -5,6 +5,7 @@
 #include "machine/library/setup_library.h"
 #include "machine/setup_build.h"
 #include "machine/xml/body_xml.h"
+#include "machine/xml/variable_xml.h"
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_element.h"
 
@@ -218,6 +219,13 @@ static void read_library(struct xml_reader *xml, const xmlNode *node, void *cont
 	xml_read_nothing(xml, node);
 }
 
+static void read_variable(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	struct setup_description *described = context;
+
+	variable_xml_read(xml, node, &described->arena, &described->variables[described->variable_count++]);
+}
+
 /* ------------------------------------------------------------------- setup */
 
 static size_t count_edges(const xmlNode *setup)
@@ -239,6 +247,7 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 						    {"stock", read_stock, true, false},
 						    {"tool", read_tool, false, false},
 						    {"tools", read_library, false, false},
+						    {"variable", read_variable, false, false},
 						    {.name = NULL}};
 	struct arena *arena = &described->arena;
 	const size_t bodies = xml_count(node, "fixture") + xml_count(node, "part") + xml_count(node, "stock");
@@ -254,6 +263,7 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 	described->bodies = arena_alloc(arena, bodies * sizeof(*described->bodies));
 	described->tools = arena_alloc(arena, xml_count(node, "tool") * sizeof(*described->tools));
 	described->edges = arena_alloc(arena, count_edges(node) * sizeof(*described->edges));
+	described->variables = arena_alloc(arena, xml_count(node, "variable") * sizeof(*described->variables));
 	described->libraries = arena_alloc(arena, xml_count(node, "tools") * sizeof(*described->libraries));
 	xml_read_children(xml, node, children, described);
 	if (!xml->errors && described->library_count)

@@ -7,7 +7,7 @@
 /* The elements that a setup may hold, itself first; for tables of elements. */
 #define SETUP_XML_ELEMENTS                                                                                             \
 	"setup", "work_offset", "fixture", "part", "stock", "tool", "tools", "edge", "offset", "holder", "shank",      \
-	    "cutter", "section"
+	    "cutter", "section", "variable"
 
 /* Fills in a description that is all zero; faults are counted by the reader. */
 void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_description *described);

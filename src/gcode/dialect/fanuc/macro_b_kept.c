@@ -35,6 +35,6 @@ bool macro_b_kept_read(struct interp *interp, int number, int column, const char
 			     name, why, name);
 	*value = !strcmp(variable->text, "vacant") ? macro_b_vacant() : variable->number;
 	return !isnan(variable->number) || !strcmp(variable->text, "vacant") ||
-	       fault(&interp->at, column, "%s: value=\"%s\" of the machine file is neither a number nor \"vacant\"",
+	       fault(&interp->at, column, "%s: value=\"%s\" of its <variable> is neither a number nor \"vacant\"",
 		     name, variable->text);
 }

@@ -183,7 +183,7 @@ static bool check_untold(struct interp *interp, int number, int column)
 {
 	return !macro_b_kept_tells(interp, number) ||
 	       fault(&interp->at, column,
-		     "<variable name=\"#%d\"> of the machine file: the program and the setup determine this variable",
+		     "<variable name=\"#%d\">: the program and the setup determine this variable",
 		     number);
 }
 

@@ -36,16 +36,16 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 
 	if (number < 0)
 		return fault(lexer->at, 1,
-			     "<variable name=\"%s\"> of the machine file is no parameter that is kept: Q, QR or QS and its "
+			     "<variable name=\"%s\"> is no parameter that is kept: Q, QR or QS and its "
 			     "number, or data of FN 18, such as ID50 NR3 IDX1",
 			     name);
 	if (letters == 1 && changes(number))
-		return fault(lexer->at, 1, "<variable name=\"%s\"> of the machine file: the control itself changes this "
+		return fault(lexer->at, 1, "<variable name=\"%s\">: the control itself changes this "
 					   "parameter while the program runs", name);
 	if (text)
 		return klartext_string_set(lexer, 1, (int)number, variable->text);
 	if (isnan(variable->number))
-		return fault(lexer->at, 1, "%s: the value of the machine file is no number", name);
+		return fault(lexer->at, 1, "%s: the value of its <variable> is no number", name);
 	(name[1] == 'R' ? klartext->qr : klartext->q)[number] =
 	    (struct klartext_q){.value = variable->number, .given = true};
 	return true;
@@ -78,7 +78,7 @@ static bool check_data(struct lexer *lexer, const char *name)
 		at = take_numbered(at, "IDX", &query.index);
 	return (at && *at == '\0' && klartext_query_is_table(&query)) ||
 	       fault(lexer->at, 1,
-		     "<variable name=\"%s\"> of the machine file is no data of a table that FN 18 reads (ID 50, 51, 52, "
+		     "<variable name=\"%s\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
 		     "230, 350), such as ID50 NR3 IDX1",
 		     name);
 }

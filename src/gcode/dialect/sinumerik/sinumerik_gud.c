@@ -31,7 +31,7 @@ static bool set_value(struct interp *interp, struct sinumerik_variable *variable
 {
 	if (variable->type == SINUMERIK_STRING) {
 		if (strlen(from->text) > (size_t)(variable->length ? variable->length : SINUMERIK_TEXT))
-			return fault(&interp->at, 1, "%s: the text of the machine file is too long for it", from->name);
+			return fault(&interp->at, 1, "%s: the text of its <variable> is too long for it", from->name);
 		strcpy(variable->texts[element].bytes, from->text);
 		variable->given[element] = true;
 		return true;
@@ -40,14 +40,14 @@ static bool set_value(struct interp *interp, struct sinumerik_variable *variable
 		const int slot = from->text[0] && !from->text[1] ? slot_of_letter(from->text[0]) : -1;
 
 		if (slot < 0 || !interp->config->has_axis[slot])
-			return fault(&interp->at, 1, "%s: the value of the machine file is no axis of the machine",
+			return fault(&interp->at, 1, "%s: the value of its <variable> is no axis of the machine",
 				     from->name);
 		variable->numbers[element] = slot;
 		variable->given[element] = true;
 		return true;
 	}
 	if (isnan(from->number))
-		return fault(&interp->at, 1, "%s: the value of the machine file is no number", from->name);
+		return fault(&interp->at, 1, "%s: the value of its <variable> is no number", from->name);
 	return sinumerik_variables_set(interp, variable, element, from->number, 1);
 }
 
@@ -73,7 +73,7 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
 	if (length > SINUMERIK_NAME || !may_be_variable(from->name) ||
 	    strspn(from->name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != length)
 		return fault(&interp->at, 1,
-			     "<variable name=\"%s\" type=\"\"> of the machine file: a variable has a name of two letters "
+			     "<variable name=\"%s\" type=\"\">: a variable has a name of two letters "
 			     "or more, _ and digits, at most %d, which means nothing else; size=\"\" says how many "
 			     "elements it has",
 			     from->name, SINUMERIK_NAME);
@@ -114,7 +114,8 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const size_t length = strcspn(from->name, "[");
 	char name[SINUMERIK_NAME + 1];
-	size_t element;
+	size_t element = 0;
+	bool whole;
 	int found = -1;
 
 	if (length <= SINUMERIK_NAME) {
@@ -123,10 +124,12 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 	}
 	if (found < 0)
 		return fault(&interp->at, 1,
-			     "<variable name=\"%s\"> of the machine file: its type is missing, type=\"REAL\" and the like",
+			     "<variable name=\"%s\">: its type is missing, type=\"REAL\" and the like",
 			     from->name);
-	if (!from->name[length] || !find_element(&sinumerik->variables[found], from->name + length + 1, &element))
-		return fault(&interp->at, 1, "<variable name=\"%s\"> of the machine file is no element of that array",
+	whole = !from->name[length] && sinumerik->variables[found].dimensions == 0;
+	if (!whole && (!from->name[length] ||
+		       !find_element(&sinumerik->variables[found], from->name + length + 1, &element)))
+		return fault(&interp->at, 1, "<variable name=\"%s\"> is no element of that array",
 			     from->name);
 	return !from->text || set_value(interp, &sinumerik->variables[found], element, from);
 }
@@ -139,10 +142,10 @@ static bool is_parameter(const char *name)
 static bool check_parameter(struct interp *interp, const struct control_variable *from)
 {
 	if (from->name[1] == '0' && from->name[2])
-		return fault(&interp->at, 1, "<variable name=\"%s\"> of the machine file: write it without leading zeros",
+		return fault(&interp->at, 1, "<variable name=\"%s\">: write it without leading zeros",
 			     from->name);
 	return !from->text || !isnan(from->number) ||
-	       fault(&interp->at, 1, "%s: the value of the machine file is no number", from->name);
+	       fault(&interp->at, 1, "%s: the value of its <variable> is no number", from->name);
 }
 
 /* Lengths and radii of tools come from the setup, and so do work offsets ($P_UIFR); the rest changes. */
@@ -152,8 +155,7 @@ static bool check_system(struct interp *interp, const char *name)
 
 	return (!of_tool && !changes(name)) ||
 	       fault(&interp->at, 1,
-		     "<variable name=\"%s\"> of the machine file: the setup and the program determine it, and the machine "
-		     "file cannot",
+		     "<variable name=\"%s\">: the offsets and tools of the setup, or the program, determine its value",
 		     name);
 }
 
@@ -253,5 +255,5 @@ bool sinumerik_gud_system(struct interp *interp, const char *name, int column, d
 			     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
 			     name, name);
 	*value = variable->number;
-	return !isnan(*value) || fault(&interp->at, column, "%s: the value of the machine file is no number", name);
+	return !isnan(*value) || fault(&interp->at, column, "%s: the value of its <variable> is no number", name);
 }
