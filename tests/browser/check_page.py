@@ -16,6 +16,7 @@ from bench import PHONE, TESTS, WEAK_TEXT, browser_of, carry_out, same, test, tr
 from page_bench import VERDICTS, WORDS, Bench, Site  # noqa: E402
 import figures_page  # noqa: E402, F401
 import fixtures  # noqa: E402
+import forms_page  # noqa: E402, F401
 import hostile_page  # noqa: E402, F401
 
 
@@ -105,84 +106,6 @@ def cancel(bench):
 
 
 @test
-def form(bench):
-    """From the form to the XML, with an error at its field first, and to a check with it."""
-    page = bench.open()
-    page.run("document.querySelector('#form-details').open = true")
-    page.run("document.querySelector('[name=\"Z.min\"]').value = '400'")
-    page.run("document.querySelector('#write-machine').click()")
-    page.run("await until('machine-written', 1)")
-    true("the fault stands at Z", "limit_min is to be less than limit_max" in page.run("document.querySelector('[data-axis=Z] .fault').textContent"))
-    same("faults elsewhere", page.run("[...document.querySelectorAll('.fault')].filter((f) => f.textContent).length"), 1)
-    true("nothing to download", page.run("document.querySelector('#machine-made').hidden"))
-    page.run("document.querySelector('[name=\"Z.min\"]').value = '-400'")
-    page.run("document.querySelector('[name=\"A.title\"]').value = 'First <b>axis</b>'")
-    page.run("document.querySelector('#write-machine').click()")
-    page.run("await until('machine-written', 2)")
-    xml = page.run("document.querySelector('#machine-xml').textContent")
-    native = subprocess.run(
-        [bench.fivecheck, "init", "table-table", "--rotary=A,C", "--limits=X=-300:300", "--limits=Y=-250:250", "--limits=Z=-400:0",
-         "--limits=A=-120:30", "--title=A=First <b>axis</b>", "--location=A=0,0,120", "--limits=C=none", "--location=C=0,0,120",
-         "--spindle=0,0,520", "--dialect=linuxcnc"], capture_output=True, text=True, check=False)
-    same("XML", xml, native.stdout)
-    page.run("document.querySelector('#use-machine').click()")
-    page.run("await new Promise((done) => setTimeout(done))")
-    page.run("await window.fivecheckPage.add([['part.nc', new Blob(['G0 X10\\n'])]])")
-    bench.check(page)
-    same("verdict", page.run(VERDICTS), [["part.nc", "incomplete"]])
-    true("the missing meshes are named", ".stl" in page.run("document.querySelector('.findings').textContent"))
-    bench.done(page, "page-form")
-
-
-def after(page, event, action):
-    """Does something, and waits for the event that follows from it."""
-    before = page.run(f"counts['{event}']")
-    action()
-    page.run(f"await until('{event}', {before + 1})")
-
-
-def write(page, kind):
-    """Presses the button of a form, and waits for what it says."""
-    after(page, f"{kind}-written", lambda: page.run(f"document.querySelector('#write-{kind}').click()"))
-
-
-def enter(page, form, **fields):
-    """Types into fields, and leaves each."""
-    for name, text in fields.items():
-        page.run("((field) => { field.value = %s; field.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector(%s))"
-                 % (json.dumps(text), json.dumps(f"#{form}-form [name='{name.replace('__', '.')}']")))
-
-
-def faults(page, form):
-    return page.run(f"[...document.querySelectorAll('#{form}-form .fault')].map((e) => e.textContent).filter(Boolean)")
-
-
-@test
-def numbers(bench):
-    """A decimal comma is read and shown as a point; what may be thousands, and what is no number, is told at its field."""
-    page = bench.open()
-    page.run("document.querySelector('#form-details').open = true")
-    enter(page, "machine", A__location_z="120,5", spindle__z="1,200", C__location_x="12a", C__location_y="", X__min="")
-    same("the comma", page.run("document.querySelector('[name=\"A.location_z\"]').value"), "120.5")
-    write(page, "machine")
-    same("faults", faults(page, "machine"), ["location_x, mm: '12a' is not a number\nlocation_y, mm: a number is missing\n",
-                                             "z, mm: '1,200' may be 1200 or 1.2: write it without the comma\n"])
-    same("focus", page.run("document.activeElement.name"), "C.location_x")
-    true("no file", page.run("document.querySelector('#machine-made').hidden"))
-    enter(page, "machine", spindle__z="520", C__location_x="0", C__location_y="-,5")
-    write(page, "machine")
-    same("a travel with one end", faults(page, "machine"), ["the travel has one end alone; leave both empty if it has none\n"])
-    enter(page, "machine", X__min="\u2212300")
-    write(page, "machine")
-    same("faults at last", faults(page, "machine"), [])
-    xml = page.run("document.querySelector('#machine-xml').textContent")
-    true("numbers in the file", 'location="0 0 120.5"' in xml and 'location="0 -0.5 120"' in xml and 'limit_min="-300"' in xml)
-    page.run("document.querySelector('#options [name=clearance]').value = '0,5'")
-    same("the distance to keep", page.run("fivecheckPage.optionsOf()[0]"), "--clearance=0.5")
-    bench.done(page)
-
-
-@test
 def strange_files(bench):
     """Pictures and drawings are no programs; what to do with a drawing is said. A block that is quoted stands in columns."""
     page = bench.open()
@@ -198,63 +121,6 @@ def strange_files(bench):
          [[4, "preserve"], [4 + len("G1 Y-10 "), "preserve"]])
     same("errors in their colour", page.run(f"{card}.querySelectorAll('.message.error').length"), 1)
     bench.done(page, "page-fault")
-
-
-@test
-def own_machine(bench):
-    """Nothing but STL files and a program: the two forms lead to a verdict, and the page says what is missing on the way."""
-    page = bench.open()
-    job = "document.querySelector('#job').textContent"
-    with tempfile.TemporaryDirectory() as work:
-        for name, low, high in [("bed", (-300, -300, -80), (300, 300, -40)), ("table", (-100, -100, -20), (100, 100, 0)), ("cradle", (-200, -30, -30), (-120, 30, 30)),
-                                ("head", (-40, -40, 420), (40, 40, 600)), ("vise", (-50, -50, 0), (50, 50, 60))]:
-            fixtures.stl_box(os.path.join(work, f"{name}.stl"), low, high)
-        page.run("await fivecheckPage.add([['part.nc', new Blob(['G21 G90 G94 G61\\n(T9 is in the drawer)\\nT7 M6\\nG43 H7\\nG54 G0 X0 Y0\\nG0 Z30\\nM2\\n'])]])")
-        page.run("document.querySelectorAll('details').forEach((e) => e.open = true)")
-        for field, name in [("base.body", "bed"), ("C.body", "table"), ("A.body", "cradle"), ("Z.body", "head")]:
-            page.choose(f".mesh:has([name='{field}']) input[type=file]", [os.path.join(work, f"{name}.stl")])
-        enter(page, "machine", A__location_z="0", C__location_z="0", spindle__z="420")
-        write(page, "machine")
-        after(page, "files-shown", lambda: page.run("document.querySelector('#use-machine').click()"))
-        said = page.run(job)
-        true(f"what is missing: {said}", "Y_slide.stl" in said and "X_slide.stl" in said and "head.stl" not in said and "Without a setup" in said)
-        for name in ("X_slide", "Y_slide"):
-            fixtures.stl_box(os.path.join(work, f"{name}.stl"), (-40, 200 if name == "Y_slide" else 150, 700), (40, 260, 760))
-        after(page, "files-shown", lambda: page.choose("#choose", [os.path.join(work, f"{name}.stl") for name in ("X_slide", "Y_slide")]))
-        true("no mesh is missing", "slide" not in page.run(job))
-        same("the tool of the program", page.run("[...document.querySelectorAll('#tools [name$=number]')].map((e) => e.value)"), ["7"])
-        same("offsets of the machine's axes", page.run("[...document.querySelectorAll('#offset-axes label:not([hidden])')].map((e) => e.textContent)"),
-             ["X, mm", "Y, mm", "Z, mm", "A, degrees", "C, degrees"])
-        os.mkdir(os.path.join(work, "other"))
-        fixtures.stl_box(os.path.join(work, "other", "table.stl"), (-10, -10, 0), (10, 10, 20))
-        for folder, words in (("other", True), (".", True), (".", False)):
-            after(page, "files-shown", lambda: page.choose("#choose", [os.path.join(work, folder, "table.stl")]))
-            same("another mesh of the same name is told", "Another table.stl took the place" in page.run(job), words)
-        page.choose(".mesh:has([name='fixture.mesh']) input[type=file]", [os.path.join(work, "vise.stl")])
-        write(page, "setup")
-        same("nothing is guessed", [fault.count("a number is missing") for fault in faults(page, "setup")], [3, 5])
-        row = page.run("document.querySelector('#tools [data-row]').dataset.row")
-        tool = {"length": "120", "holderLength": "100", "holderDiameter": "50,5", "cutterLength": "40", "cutterDiameter": "10"}
-        enter(page, "setup", offset__X="0", offset__Y="0", offset__Z="-400", **{f"{row}__{name}": value for name, value in tool.items()})
-        write(page, "setup")
-        same("faults", faults(page, "setup"), ["holder and cutter together are longer than the tool\n"])
-        enter(page, "setup", **{f"{row}__holderLength": "60"})
-        write(page, "setup")
-        after(page, "files-shown", lambda: page.run("document.querySelector('#use-setup').click()"))
-        same("nothing is missing", page.run(job), "")
-        same("the first files", page.run("[...document.querySelectorAll('#file-list li')].slice(0, 3).map((e) => e.dataset.role)"), ["machine", "setup", "program"])
-        bench.check(page)
-        same("verdict", page.run(VERDICTS), [["part.nc", "found"]])
-        true("the tool meets the vise", "vise and T7" in page.run("document.querySelector('.findings').textContent"))
-        # The same files on the command line.
-        for kind in ("machine", "setup"):
-            with open(os.path.join(work, f"{kind}.xml"), "w", encoding="utf-8") as file:
-                file.write(page.run(f"document.querySelector('#{kind}-xml').textContent").replace("stl/", ""))
-        with open(os.path.join(work, "part.nc"), "w", encoding="utf-8") as file:
-            file.write("G21 G90 G94 G61\n(T9 is in the drawer)\nT7 M6\nG43 H7\nG54 G0 X0 Y0\nG0 Z30\nM2\n")
-        done = subprocess.run([bench.fivecheck, "--setup=setup.xml", "machine.xml", "part.nc"], cwd=work, capture_output=True, text=True, check=False)
-        same(f"exit status: {done.stderr}", done.returncode, 1)
-        bench.done(page, "page-own-machine")
 
 
 @test

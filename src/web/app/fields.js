@@ -20,11 +20,43 @@ export function readNumber(typed) {
  * A field for a number; once it is left, it shows what was understood.
  * @param {string} name @param {string} label @param {string} value
  * @param {boolean} [required]
- * @param {string} [like] some value, shown as long as the field is empty
+ * @param {string} [placeholder] shown as long as the field is empty: "such as" some value, or what an empty field stands for
  */
-export function numberField(name, label, value, required = false, like = '') {
-	const placeholder = like && `such as ${like}`;
+export function numberField(name, label, value, required = false, placeholder = '') {
 	return element('label', {}, label, element('input', {name, value, placeholder, autocomplete: 'off', dataset: {number: required ? 'required' : 'optional'}}));
+}
+
+/**
+ * Three fields for x, y and z: mm, or a direction without a unit.
+ * @param {string} name @param {string} label @param {string[]} like
+ * @param {boolean} [required] else all three may be left out, which stands for `like`
+ */
+export function vectorFields(name, label, like, required = true) {
+	return ['x', 'y', 'z'].map((letter, i) => {
+		const words = `${label && `${label}_`}${letter}${label === 'direction' ? '' : ', mm'}`;
+		const field = numberField(`${name}.${letter}`, words, '', required, required ? `such as ${like[i]}` : like[i] ?? '');
+		Object.assign(/** @type {HTMLElement} */ (field.querySelector('input')).dataset, required ? {} : {vector: name});
+		return field;
+	});
+}
+
+/** The three numbers of a vector as x,y,z; '' where none is given. @param {FormData} data @param {string} name */
+export function vectorIn(data, name) {
+	const all = ['x', 'y', 'z'].map((letter) => readNumber(String(data.get(`${name}.${letter}`) ?? '')).number);
+	return all.some((number) => number !== '') ? all.join(',') : '';
+}
+
+/** Fields that few need, behind a title. @param {string} title @param {HTMLElement[]} fields */
+export function moreFields(title, ...fields) {
+	return element('details', {className: 'more'}, element('summary', {}, title), element('div', {className: 'fields'}, ...fields));
+}
+
+/** The labels of lengths name the unit. @param {HTMLElement} form @param {string} unit */
+export function showUnit(form, unit) {
+	form.querySelectorAll('label').forEach(({firstChild}) => {
+		if (firstChild instanceof Text)
+			firstChild.data = firstChild.data.replace(/, (mm|inch)\b/, `, ${unit}`);
+	});
 }
 
 /** @param {string} name @param {string} label @param {string} [value] */
@@ -55,11 +87,14 @@ export function namesIn(text) {
 	return text.split(',').map((name) => name.trim()).filter((name) => name !== '');
 }
 
-/** Numbers show what was understood of them as soon as they are left. @param {HTMLElement} form */
+/** Numbers show what was understood of them as soon as they are left; with one number of a vector the others are told, too. @param {HTMLElement} form */
 export function watchNumbers(form) {
 	form.addEventListener('change', ({target}) => {
-		if (target instanceof HTMLInputElement && target.dataset.number)
-			target.value = readNumber(target.value).number || target.value;
+		if (!(target instanceof HTMLInputElement) || !target.dataset.number)
+			return;
+		target.value = readNumber(target.value).number || target.value;
+		const others = /** @type {HTMLInputElement[]} */ (target.dataset.vector && target.value ? [...form.querySelectorAll(`[data-vector="${target.dataset.vector}"]`)] : []);
+		others.forEach((field) => field.value ||= field.placeholder);
 	});
 }
 
@@ -74,6 +109,7 @@ export function forgetFaults(form) {
  * @param {HTMLElement} part with a place for faults @param {string} text @param {HTMLElement} [field]
  */
 export function tellFault(part, text, field) {
+	/** @type {NodeListOf<HTMLDetailsElement>} */ (part.querySelectorAll('details')).forEach((more) => more.open ||= more.contains(field ?? null));
 	const place = /** @type {HTMLElement} */ (part.matches('.fault') ? part : part.querySelector('.fault'));
 	place.textContent += `${text}\n`;
 	if (place !== part)
@@ -87,7 +123,7 @@ export function tellFault(part, text, field) {
  * @returns {boolean} whether all can be read
  */
 export function numbersAreRead(form) {
-	const fields = [.../** @type {NodeListOf<HTMLInputElement>} */ (form.querySelectorAll('input[data-number]'))].filter((field) => !field.closest('[hidden]'));
+	const fields = [.../** @type {NodeListOf<HTMLInputElement>} */ (form.querySelectorAll('input[data-number]'))].filter((field) => !field.disabled && !field.closest('[hidden]'));
 	const wrong = fields.filter((field) => {
 		const {number, fault} = readNumber(field.value), label = field.closest('label')?.textContent ?? field.name;
 		const text = fault || (number === '' && field.dataset.number === 'required' ? 'a number is missing' : '');
@@ -97,6 +133,19 @@ export function numbersAreRead(form) {
 	});
 	wrong[0]?.focus();
 	return wrong.length === 0;
+}
+
+/** Tells of each vector of which only a part is given. @param {HTMLFormElement} form */
+export function vectorsAreWhole(form) {
+	const fields = [.../** @type {NodeListOf<HTMLInputElement>} */ (form.querySelectorAll('input[data-vector]'))].filter((field) => !field.closest('[hidden]'));
+	const names = new Set(fields.map((field) => field.dataset.vector));
+	const broken = [...names].filter((name) => {
+		const three = fields.filter((field) => field.dataset.vector === name), empty = three.filter((field) => field.value.trim() === '');
+		if (empty.length % 3)
+			tellFault(/** @type {HTMLElement} */ (three[0].closest('fieldset')), 'give all three numbers, or none', empty[0]);
+		return empty.length % 3;
+	});
+	return broken.length === 0;
 }
 
 /**

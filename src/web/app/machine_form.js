@@ -3,77 +3,39 @@
  * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML of it and judges what was entered; each
  * of its errors stands at the field that it is about.
  */
-import {forgetFaults, meshField, namesIn, numberField, numbersAreRead, readNumber, showFile, tellFault, textField, watchNumbers} from './fields.js';
+import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, readNumber, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
+import {chainsOf, initArguments, LINEAR, orders} from './machine_arguments.js';
+import {EXAMPLES, FAMILIES, ROTARY} from './machine_families.js';
 import {element} from './page.js';
 
-/** Which axes a family has in the form, at first. */
-const AXES = ['X', 'Y', 'Z', 'A', 'B', 'C'];
-const ROTARY = 'ABC';
-
-/** What the fields hold at first: the machine of the paper, a table that tilts and turns. */
-const FIRST = {
-	X: {min: '-300', max: '300'}, Y: {min: '-250', max: '250'}, Z: {min: '-400', max: '0'},
-	A: {min: '-120', max: '30', location: '0,0,120'}, B: {min: '', max: '', location: '0,0,0'}, C: {min: '', max: '', location: '0,0,120'},
-};
-
 /**
- * @param {HTMLElement} form
+ * The fields of an axis; `moves` and `stands` are those that linear and rotary axes alone have.
+ * @param {string} axis
  * @param {(found: [string, Blob][]) => void} add takes meshes
  */
-function axisRows(form, add) {
-	const rows = /** @type {HTMLElement} */ (form.querySelector('#axes'));
-	for (const axis of AXES) {
-		const first = /** @type {any} */ (FIRST)[axis], rotary = ROTARY.includes(axis);
-		const unit = rotary ? 'degrees' : 'mm';
-		rows.append(element('fieldset', {className: 'axis', dataset: {axis}},
-			element('legend', {}, `Axis ${axis}`), textField(`${axis}.title`, 'title'),
-			numberField(`${axis}.min`, `limit_min, ${unit}`, first.min), numberField(`${axis}.max`, `limit_max, ${unit}`, first.max),
-			...(rotary ? ['x', 'y', 'z'].map((letter, i) => numberField(`${axis}.location_${letter}`, `location_${letter}, mm`, first.location.split(',')[i], true))
-				: [element('label', {className: 'tick'}, element('input', {type: 'checkbox', name: `${axis}.table`}), 'moves the table')]),
-			meshField(`${axis}.body`, 'bodies (STL files)', true, add), element('p', {className: 'fault', role: 'alert'})));
-	}
+function axisFields(axis, add) {
+	const rotary = ROTARY.includes(axis), unit = rotary ? 'degrees' : 'mm';
+	const tick = (/** @type {string} */ name, /** @type {string} */ label) => element('label', {className: 'tick'}, element('input', {type: 'checkbox', name: `${axis}.${name}`}), label);
+	return element('fieldset', {className: 'axis', dataset: {axis}}, element('legend', {}, `Axis ${axis}`), textField(`${axis}.title`, 'title'),
+		numberField(`${axis}.min`, `limit_min, ${unit}`, '', true, rotary ? 'such as -120' : 'such as -300'), numberField(`${axis}.max`, `limit_max, ${unit}`, '', true, rotary ? 'such as 30' : 'such as 300'),
+		tick('endless', 'no limits'), ...(rotary ? vectorFields(`${axis}.location`, 'location', ['0', '0', '120']) : [tick('table', 'moves the table')]),
+		...('AB'.includes(axis) ? [numberField(`${axis}.inclination`, 'angle to Z, degrees', '', false, '90')] : []),
+		meshField(`${axis}.body`, 'bodies (STL files)', true, add),
+		moreFields('Direction, rapid rate, home', ...vectorFields(`${axis}.direction`, 'direction', [], false),
+			numberField(`${axis}.rate`, `rate_max, ${unit} a minute`, '', false, rotary ? '7200' : '30000'), numberField(`${axis}.home`, `home, ${unit}`, '', false, '0')),
+		element('p', {className: 'fault', role: 'alert'}));
 }
 
 /**
- * The arguments of `fivecheck init` for what is entered.
- * @param {FormData} data
- */
-export function initArguments(data) {
-	/** @param {string} name */
-	const value = (name) => String(data.get(name) ?? '').trim();
-	/** @param {string} name */
-	const number = (name) => readNumber(value(name)).number;
-	const rotary = value('rotary').split(',');
-	const args = [value('family'), `--rotary=${rotary.join(',')}`];
-	const table = ['X', 'Y', 'Z'].filter((axis) => data.get(`${axis}.table`));
-	if (table.length)
-		args.push(`--table=${table.join(',')}`);
-	for (const axis of ['X', 'Y', 'Z', ...rotary]) {
-		const min = number(`${axis}.min`), max = number(`${axis}.max`);
-		args.push(`--limits=${axis}=${min === '' && max === '' ? 'none' : `${min}:${max}`}`);
-		if (value(`${axis}.title`))
-			args.push(`--title=${axis}=${value(`${axis}.title`)}`);
-		if (rotary.includes(axis))
-			args.push(`--location=${axis}=${['x', 'y', 'z'].map((letter) => number(`${axis}.location_${letter}`)).join(',')}`);
-		args.push(...namesIn(value(`${axis}.body`)).map((mesh) => `--body=${axis}=${mesh}`));
-	}
-	args.push(`--spindle=${['x', 'y', 'z'].map((letter) => number(`spindle.${letter}`)).join(',')}`);
-	args.push(...namesIn(value('base.body')).map((mesh) => `--body=base=${mesh}`));
-	if (value('name'))
-		args.push(`--name=${value('name')}`);
-	args.push(`--dialect=${value('dialect')}`);
-	return args;
-}
-
-/**
- * Which field a message of `fivecheck init` is about: that of an axis, of the spindle, or none.
+ * Which part of the form a message of `fivecheck init` is about: that of an axis, of the spindle, of the work, or none.
  * @param {string} message
  */
 export function fieldOf(message) {
 	const missing = message.match(/missing: (?:([XYZABC]): )?.*like --([a-z-]+)/);
 	const wrong = message.match(/--([a-z-]+): '(?:(base|[XYZABC])=)?/);
-	const [option, axis] = missing ? [missing[2], missing[1]] : wrong ? [wrong[1], wrong[2]] : [];
-	return axis && axis !== 'base' ? axis : option === 'spindle' ? 'spindle' : '';
+	const [, about] = message.match(/(?:the home|--inclination) of ([XYZABC])\b/) ?? [];
+	const [option, axis] = missing ? [missing[2], missing[1]] : wrong ? [wrong[1], wrong[2]] : ['', about];
+	return axis && axis !== 'base' ? axis : option.startsWith('spindle') ? 'spindle' : option === 'workholding' ? 'work' : '';
 }
 
 export class MachineForm {
@@ -87,16 +49,21 @@ export class MachineForm {
 		this.form = form;
 		this.client = client;
 		this.xml = '';
+		this.part('[name=family]').append(...Object.entries(FAMILIES).map(([value, {title}]) => element('option', {value}, title)));
 		this.part('#base-body').append(meshField('base.body', 'bodies of the base (STL files)', true, add));
-		axisRows(form, add);
+		this.part('#axes').append(...['X', 'Y', 'Z', ...ROTARY].map((axis) => axisFields(axis, add)));
+		this.part('[data-axis=spindle] > .fault').before(...vectorFields('spindle', '', ['0', '0', '520']),
+			moreFields('Direction', ...vectorFields('spindle-direction', 'direction', ['0', '0', '-1'], false)));
+		this.part('[data-axis=work] > .fault').before(...vectorFields('workholding', '', ['0', '0', '0'], false));
 		watchNumbers(form);
 		form.addEventListener('submit', (event) => {
 			event.preventDefault();
 			this.write();
 		});
-		form.addEventListener('change', () => this.showAxes());
+		form.addEventListener('change', ({target}) => this.fit(/** @type {HTMLInputElement} */ (target).name));
+		this.part('#fill-example').addEventListener('click', () => this.fill(EXAMPLES[this.value('family')]));
 		this.part('#use-machine').addEventListener('click', () => use(this.xml));
-		this.showAxes();
+		this.fit('family');
 	}
 
 	/** @param {string} selector */
@@ -104,31 +71,74 @@ export class MachineForm {
 		return /** @type {HTMLElement} */ (this.form.querySelector(selector));
 	}
 
-	/** Only the two rotary axes that the machine has. */
-	showAxes() {
-		const rotary = String(new FormData(this.form).get('rotary'));
-		for (const axis of ROTARY)
+	/** @param {string} name */
+	field(name) {
+		return /** @type {HTMLInputElement} */ (this.form.elements.namedItem(name));
+	}
+
+	/** @param {string} name */
+	value(name) {
+		return this.field(name).value;
+	}
+
+	/** Shows what the machine has after a field was changed. @param {string} name */
+	fit(name) {
+		if (name === 'family')
+			this.offerAxes();
+		const rotary = this.value('rotary'), {oblique} = FAMILIES[this.value('family')];
+		for (const axis of ROTARY) {
 			this.part(`[data-axis=${axis}]`).hidden = !rotary.includes(axis);
+			if (axis !== 'C')
+				this.field(`${axis}.inclination`).placeholder = rotary.split(',')[oblique] === axis ? '45' : '90';
+		}
+		for (const axis of [...LINEAR, ...ROTARY])
+			['min', 'max'].forEach((end) => this.field(`${axis}.${end}`).disabled = this.field(`${axis}.endless`).checked);
+		if (name === '' || /^family$|\.table$/.test(name))
+			this.offerOrders();
+		showUnit(this.form, this.value('units'));
+	}
+
+	/** The pairs of rotary axes that the family may have. */
+	offerAxes() {
+		const {rotary, first} = FAMILIES[this.value('family')];
+		this.part('[name=rotary]').replaceChildren(...rotary.map((pair) => element('option', {value: pair}, pair.replace(',', first))));
+	}
+
+	/** In which order the linear axes of table and head carry each other. */
+	offerOrders() {
+		const ticked = LINEAR.filter((axis) => this.field(`${axis}.table`).checked);
+		for (const [name, axes] of [['table', ticked], ['head', LINEAR.filter((axis) => !ticked.includes(axis))]]) {
+			const select = this.part(`[name="order.${name}"]`);
+			select.replaceChildren(...orders(/** @type {string[]} */ (axes)).map((order) => element('option', {value: order.join()}, order.join(' carries '))));
+			/** @type {HTMLElement} */ (select.closest('label')).hidden = axes.length < 2;
+		}
+	}
+
+	/** Enters the numbers of an example, with its axes. @param {Record<string, string>} example by the name of the field; '+' ticks */
+	fill(example) {
+		for (const field of /** @type {NodeListOf<HTMLInputElement>} */ (this.form.querySelectorAll('#axes input:not([type=file]), [data-axis] input:not([type=file])'))) {
+			field.checked = example[field.name] === '+';
+			field.value = field.type === 'checkbox' ? 'on' : example[field.name] ?? (field.name.endsWith('.body') ? field.value : '');
+		}
+		this.field('rotary').value = example.rotary;
+		this.fit('');
 	}
 
 	async write() {
 		forgetFaults(this.form);
-		this.xml = numbersAreRead(this.form) && this.limitsAreRight() ? await this.written() : '';
+		this.xml = [numbersAreRead(this.form), vectorsAreWhole(this.form), this.limitsAreRight()].every(Boolean) ? await this.written() : '';
 		showFile(this.part('#machine-made'), this.xml);
 		document.dispatchEvent(new CustomEvent('machine-written'));
 	}
 
-	/** Tells where a travel has one end alone, or ends before it begins. */
+	/** Tells where a travel ends before it begins. */
 	limitsAreRight() {
-		const data = new FormData(this.form);
-		const wrong = AXES.filter((axis) => {
-			const part = this.part(`[data-axis=${axis}]`);
-			const [min, max] = ['min', 'max'].map((end) => readNumber(String(data.get(`${axis}.${end}`))).number);
-			const text = (min === '') !== (max === '') ? 'the travel has one end alone; leave both empty if it has none'
-				: min !== '' && Number(min) >= Number(max) ? 'limit_min is to be less than limit_max' : '';
-			if (text && !part.hidden)
-				tellFault(part, text);
-			return text && !part.hidden;
+		const wrong = [...LINEAR, ...ROTARY].filter((axis) => {
+			const part = this.part(`[data-axis=${axis}]`), [min, max] = ['min', 'max'].map((end) => readNumber(this.value(`${axis}.${end}`)).number);
+			const is = !part.hidden && !this.field(`${axis}.endless`).checked && min !== '' && max !== '' && Number(min) >= Number(max);
+			if (is)
+				tellFault(part, 'limit_min is to be less than limit_max', this.field(`${axis}.min`));
+			return is;
 		});
 		return wrong.length === 0;
 	}
@@ -137,9 +147,12 @@ export class MachineForm {
 	async written() {
 		const {status, out, err} = await this.client.run(['init', ...initArguments(new FormData(this.form))]);
 		for (const line of err.split('\n').filter((text) => text.includes('error: '))) {
-			const field = fieldOf(line);
-			tellFault(this.part(field ? `[data-axis=${field}]` : '#form-fault'), line.replace(/^.*error: /, ''));
+			const field = fieldOf(line), mesh = line.match(/give the file (.*) another name/)?.[1];
+			const named = [...this.form.querySelectorAll('.mesh input:not([type])')].find((input) => mesh && /** @type {HTMLInputElement} */ (input).value.includes(mesh));
+			const place = field ? this.part(`[data-axis=${field}]`) : /** @type {HTMLElement | null | undefined} */ (named?.closest('[data-axis]'));
+			tellFault(place ?? this.part('#form-fault'), line.replace(/^.*error: /, ''));
 		}
+		this.part('#machine-chains').textContent = chainsOf(err);
 		return status === 0 ? out : '';
 	}
 }

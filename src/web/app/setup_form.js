@@ -1,82 +1,68 @@
 // @ts-check
 /**
- * setup_form.js - the form for a job's setup: work offset, part, fixtures, tools with a holder. What it writes is judged by the
- * check, as any other setup file is.
+ * setup_form.js - the form for a job's setup: work offsets, part, fixtures, stock, tools. What it writes is judged by the check,
+ * as any other setup file is.
  */
-import {forgetFaults, meshField, namesIn, numberField, numbersAreRead, readNumber, showFile, tellFault, textField, watchNumbers} from './fields.js';
+import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
 import {element} from './page.js';
+import {axesIn, offsetsIn, toolsIn} from './setup_proposal.js';
+import {setupXml, toolFault} from './setup_xml.js';
 
-const AXES = ['X', 'Y', 'Z', 'A', 'B', 'C'];
-/** The fields of a tool, with values of some tool, which are shown as long as nothing is entered: mm. */
-const TOOL = [['length', 'length from the gauge point to the tip, mm', '120'], ['holderLength', 'holder: length, mm', '60'], ['holderDiameter', 'holder: diameter, mm', '50'],
-	['cutterLength', 'cutter: length, mm', '40'], ['cutterDiameter', 'cutter and shank: diameter, mm', '10']];
-/** The tools of a program that has more than this are not proposed one by one. */
-const MOST_TOOLS = 40;
-
-/** The axes that a machine file has. @param {string} machine */
-export function axesIn(machine) {
-	const letters = [...machine.matchAll(/<axis\s[^>]*?\bname=["']([A-Z])["']/g)].map(([, letter]) => letter);
-	return AXES.filter((axis) => letters.length === 0 ? 'XYZ'.includes(axis) : letters.includes(axis));
-}
-
-/** The numbers of the tools that programs call. @param {string[]} programs */
-export function toolsIn(programs) {
-	const code = programs.map((text) => text.replace(/\([^)\n]*\)|;.*/g, ' ')).join('\n');
-	const found = [...code.matchAll(/(?<![A-Z0-9_#<"])T(?:OOL CALL)?\s*0*([1-9]\d*)/gi)].map(([, number]) => number);
-	return [...new Set(found)].sort((a, b) => Number(a) - Number(b)).slice(0, MOST_TOOLS);
-}
+const AXES = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'];
+/** What a tool is, and how its cutter ends. @type {[string, string][]} */
+const KINDS = [['cutter', 'cutter'], ['probe', 'probe'], ['nozzle', 'nozzle'], ['laser', 'laser'], ['drag', 'drag knife']];
+/** @type {[string, string][]} */
+const TIPS = [['flat', 'flat'], ['ball', 'ball'], ['bull', 'bull-nose'], ['cone', 'cone (drill)']];
 
 /** @param {string} text */
-function escaped(text) {
-	return text.replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+function noteOf(text) {
+	return element('p', {className: 'note'}, text);
 }
 
-/**
- * An element of XML in a line of its own; attributes without a value are left out.
- * @param {string} name
- * @param {Record<string, string>} attributes
- * @param {string[]} children
- */
-function line(name, attributes, ...children) {
-	const words = Object.entries(attributes).filter(([, value]) => value !== '').map(([key, value]) => ` ${key}="${escaped(value)}"`).join('');
-	return children.length ? `<${name}${words}>\n${children.join('').replace(/^/gm, '  ').trimEnd()}\n</${name}>\n` : `<${name}${words}/>\n`;
+/** @param {string} name @param {string} label @param {[string, string][]} choices value and words */
+function choiceField(name, label, choices) {
+	return element('label', {}, label, element('select', {name}, ...choices.map(([value, words]) => element('option', {value}, words))));
 }
 
-/** @param {FormData} data */
-function reader(data) {
-	/** @param {string} name */
-	const text = (name) => String(data.get(name) ?? '').trim();
-	return {text, number: (/** @type {string} */ name) => readNumber(text(name)).number};
+/** Fields that are there only with some choice of their row; with any, where that is *. @param {string} choice @param {HTMLElement[]} fields */
+function onlyIf(choice, ...fields) {
+	fields.forEach((field) => field.dataset.if = choice);
+	return fields;
 }
 
-/** A tool's shank: what is left of its length between holder and cutter, mm. @param {FormData} data @param {string} row */
-function shankOf(data, row) {
-	const {number} = reader(data), [length, holder, cutter] = ['length', 'holderLength', 'cutterLength'].map((name) => Number(number(`${row}.${name}`)));
-	return Number((length - holder - cutter).toFixed(6));
+/** Where a solid stands. @param {string} row */
+function placeFields(row) {
+	return [...vectorFields(`${row}.location`, 'location', ['0', '0', '0'], false)];
 }
 
-/** @param {FormData} data @param {string} row */
-function toolLine(data, row) {
-	const {text, number} = reader(data), shank = shankOf(data, row), of = (/** @type {string} */ name) => number(`${row}.${name}`);
-	const section = (/** @type {string} */ length, /** @type {string} */ diameter) => line('section', {length, diameter});
-	return line('tool', {number: of('number'), name: text(`${row}.name`), length: of('length')},
-		...(Number(of('holderLength')) !== 0 ? [line('holder', {}, section(of('holderLength'), of('holderDiameter')))] : []),
-		...(shank > 0 ? [line('shank', {}, section(String(shank), of('cutterDiameter')))] : []),
-		line('cutter', {tip: text(`${row}.tip`)}, section(of('cutterLength'), of('cutterDiameter'))));
+/** @param {string} row @param {HTMLElement[]} others */
+function moreOfSolid(row, ...others) {
+	const turned = ['x', 'y', 'z'].map((letter) => numberField(`${row}.rotation.${letter}`, `rotation_${letter}, degrees`, '', false, '0'));
+	turned.forEach((field) => /** @type {HTMLElement} */ (field.querySelector('input')).dataset.vector = `${row}.rotation`);
+	return moreFields(others.length ? 'Rotation, allowances' : 'Rotation', ...turned, ...others);
 }
 
-/**
- * The setup file for what is entered.
- * @param {FormData} data @param {string[]} axes of the machine @param {string[]} rows of tools
- */
-export function setupXml(data, axes, rows) {
-	const {text, number} = reader(data);
-	/** @param {'part' | 'fixture'} kind */
-	const solids = (kind) => namesIn(text(`${kind}.mesh`)).map((mesh) => line(kind, {name: mesh.replace(/^.*\/|\.[^.]*$/g, ''), mesh,
-		location: ['x', 'y', 'z'].map((letter) => number(`${kind}.${letter}`) || '0').join(' ')}));
-	const offset = {name: text('offset.name'), ...Object.fromEntries(axes.map((axis) => [axis, number(`offset.${axis}`)]))};
-	return `<?xml version="1.0" encoding="UTF-8"?>\n${line('setup', {version: '1', units: 'mm'}, line('work_offset', offset), ...solids('fixture'), ...solids('part'),
-		...rows.map((row) => toolLine(data, row)))}`;
+/** @param {string} row @param {{number: string, name: string}} tool */
+function toolFields(row, {number, name}) {
+	const own = (/** @type {string} */ field, /** @type {string} */ label, required = true, like = '') => numberField(`${row}.${field}`, label, '', required, like);
+	const nameField = textField(`${row}.name`, 'name', name);
+	return [numberField(`${row}.number`, 'T number', number, true), nameField, choiceField(`${row}.kind`, 'kind', KINDS),
+		own('length', 'length, gauge point to tip, mm', true, 'such as 120'),
+		...onlyIf('holderMesh=', own('holderLength', 'holder: length, mm', true, 'such as 60'), own('holderDiameter', 'holder: diameter, mm', true, 'such as 50')),
+		...onlyIf('cutterMesh=', own('cutterLength', 'cutter: length, mm', true, 'such as 40')), own('cutterDiameter', 'cutter: diameter, mm', true, 'such as 10'),
+		...onlyIf('cutterMesh=', choiceField(`${row}.tip`, 'tip', TIPS)), ...onlyIf('tip=cone', own('angle', 'angle of the cone, degrees', true, 'such as 118')),
+		...onlyIf('tip=bull', own('corner', 'corner radius, mm', true, 'such as 1'))];
+}
+
+/** @param {string} row @param {(found: [string, Blob][]) => void} add */
+function moreOfTool(row, add) {
+	const own = (/** @type {string} */ field, /** @type {string} */ label, like = '') => numberField(`${row}.${field}`, label, '', false, like);
+	return moreFields('Forms of holder and shank, length offset, flutes, hand',
+		...onlyIf('holderMesh=', own('holderEnd', 'holder: lower diameter, mm', 'as above'), own('collarLength', 'its second section: length, mm', 'none'),
+			own('collarDiameter', 'second section: diameter, mm'), own('collarEnd', 'second section: lower diameter, mm', 'as above')),
+		...onlyIf('cutterMesh=', own('shankDiameter', 'shank: diameter, mm', 'the cutter\u2019s'), own('flutes', 'flute length, mm', 'all of the cutter')),
+		own('lengthOffset', 'length offset H on the control, mm', 'the length'), choiceField(`${row}.hand`, 'hand', [['', 'not told'], ['right', 'right: cuts with M3'], ['left', 'left: cuts with M4']]),
+		meshField(`${row}.holderMesh`, 'holder as a mesh (STL file)', false, add), meshField(`${row}.cutterMesh`, 'cutter as a mesh (STL file)', false, add));
 }
 
 export class SetupForm {
@@ -87,21 +73,24 @@ export class SetupForm {
 	 */
 	constructor(form, add, use) {
 		this.form = form;
+		this.add = add;
 		this.xml = '';
 		this.axes = ['X', 'Y', 'Z'];
 		this.rows = 0;
-		/** A person has changed the tools: they are no longer proposed. */
-		this.touched = false;
-		this.part('#offset-axes').append(...AXES.map((axis) => numberField(`offset.${axis}`, `${axis}, ${'ABC'.includes(axis) ? 'degrees' : 'mm'}`, '', 'XYZ'.includes(axis))));
-		for (const [kind, label] of [['part', 'the finished part (STL file)'], ['fixture', 'fixtures (STL files)']])
-			this.part(`[data-solid=${kind}]`).append(meshField(`${kind}.mesh`, label, kind === 'fixture', add),
-				...['x', 'y', 'z'].map((letter) => numberField(`${kind}.${letter}`, `location_${letter}, mm`, '0')), element('p', {className: 'fault', role: 'alert'}));
+		/** What a person has changed is no longer proposed. @type {Set<string>} */
+		this.touched = new Set();
+		this.addSolid('part');
+		this.addSolid('fixture');
+		this.part('#stock').append(...this.stockFields());
 		watchNumbers(form);
-		this.part('#tools').addEventListener('input', () => this.touched = true);
-		this.part('#add-tool').addEventListener('click', () => {
-			this.touched = true;
-			this.addTool(String(this.toolRows().length + 1)).querySelector('input')?.focus();
-		});
+		for (const kind of ['offset', 'fixture', 'tool']) {
+			this.part(`#${kind}s`).addEventListener('input', () => this.touched.add(kind));
+			this.part(`#add-${kind}`).addEventListener('click', () => {
+				this.touched.add(kind);
+				this.addRow(kind).querySelector('input')?.focus();
+			});
+		}
+		form.addEventListener('change', () => this.fit());
 		form.addEventListener('submit', (event) => {
 			event.preventDefault();
 			this.write();
@@ -115,46 +104,114 @@ export class SetupForm {
 		return /** @type {HTMLElement} */ (this.form.querySelector(selector));
 	}
 
-	toolRows() {
-		return /** @type {HTMLElement[]} */ ([...this.form.querySelectorAll('#tools > fieldset')]);
+	/** The names of the rows of a kind. @param {string} kind */
+	rowsOf(kind) {
+		return /** @type {HTMLElement[]} */ ([...this.form.querySelectorAll(`[data-kind=${kind}]`)]).map(({dataset}) => dataset.row ?? '');
 	}
 
-	/** Fits the form to the machine, and to the tools that the programs call. @param {string} machine @param {string[]} programs */
+	/** What a field holds in each row of a kind. @param {string} kind @param {string} field */
+	valuesOf(kind, field) {
+		return this.rowsOf(kind).map((row) => /** @type {HTMLInputElement} */ (this.part(`[name="${row}.${field}"]`)).value.trim());
+	}
+
+	/** Fits the form to the machine, and to what the programs call. @param {string} machine @param {string[]} programs */
 	propose(machine, programs) {
 		this.axes = axesIn(machine);
-		for (const axis of AXES)
-			/** @type {HTMLElement} */ (this.part(`[name="offset.${axis}"]`).closest('label')).hidden = !this.axes.includes(axis);
-		if (this.touched)
-			return;
-		const tools = toolsIn(programs);
-		this.part('#tools').replaceChildren();
-		for (const number of tools.length ? tools : ['1'])
-			this.addTool(number);
+		const tools = toolsIn(programs), numbers = tools.length ? tools : [{number: '1', name: ''}];
+		for (const [kind, add] of [['offset', () => offsetsIn(machine, programs).forEach((name) => this.addOffset(name))], ['tool', () => numbers.forEach((tool) => this.addTool(tool))]]) {
+			if (this.touched.has(/** @type {string} */ (kind)))
+				continue;
+			this.part(`#${kind}s`).replaceChildren();
+			/** @type {() => void} */ (add)();
+		}
+		this.fit();
 	}
 
-	/** @param {string} number */
-	addTool(number) {
-		const row = `tool-${this.rows++}`, remove = element('button', {type: 'button', ariaLabel: `Remove tool ${number}`}, 'Remove');
-		const part = element('fieldset', {className: 'axis', dataset: {row}}, element('legend', {}, 'Tool'), numberField(`${row}.number`, 'T number', number, true),
-			textField(`${row}.name`, 'name'), ...TOOL.map(([name, label, like]) => numberField(`${row}.${name}`, label, '', true, like)),
-			element('label', {}, 'tip', element('select', {name: `${row}.tip`}, element('option', {}, 'flat'), element('option', {}, 'ball'))), remove,
-			element('p', {className: 'fault', role: 'alert'}));
+	/** Shows the fields that apply. */
+	fit() {
+		for (const axis of AXES)
+			this.form.querySelectorAll(`[name^="offset-"][name$=".${axis}"]`).forEach((field) => /** @type {HTMLElement} */ (field.closest('label')).hidden = !this.axes.includes(axis));
+		for (const field of /** @type {NodeListOf<HTMLElement>} */ (this.form.querySelectorAll('[data-if]'))) {
+			const [name, value] = (field.dataset.if ?? '').split('='), row = /** @type {HTMLElement} */ (field.closest('[data-row]'));
+			const choice = /** @type {HTMLInputElement} */ (row.querySelector(`[name="${row.dataset.row}.${name}"]`)), there = !choice.closest('[hidden]');
+			field.hidden = value === '*' ? choice.value === '' : choice.value.trim() !== value || (value !== '' && !there);
+		}
+		showUnit(this.form, /** @type {HTMLSelectElement} */ (this.part('[name="setup.units"]')).value);
+	}
+
+	/**
+	 * A row of the form, with a button that removes it.
+	 * @param {string} kind @param {string} row @param {string} title @param {HTMLElement[]} fields
+	 */
+	row(kind, row, title, ...fields) {
+		const remove = element('button', {type: 'button', ariaLabel: `Remove: ${title}`}, 'Remove');
+		const part = element('fieldset', {className: 'axis', dataset: {row, kind}}, element('legend', {}, title), ...fields, element('p', {className: 'fault', role: 'alert'}));
+		if (kind !== 'part')
+			part.insertBefore(remove, part.querySelector('.more, .fault'));
 		remove.addEventListener('click', () => {
-			this.touched = true;
+			this.touched.add(kind);
 			part.remove();
-			this.part('#add-tool').focus();
+			this.part(`#add-${kind}`).focus();
 		});
-		this.part('#tools').append(part);
+		this.part(`#${kind}s`).append(part);
 		return part;
+	}
+
+	/** An empty row. @param {string} kind */
+	addRow(kind) {
+		const part = kind === 'offset' ? this.addOffset('') : kind === 'tool' ? this.addTool({number: String(Math.max(0, ...this.valuesOf('tool', 'number').map(Number)) + 1), name: ''}) : this.addSolid('fixture');
+		this.fit();
+		return part;
+	}
+
+	/** @param {string} name */
+	addOffset(name) {
+		const row = `offset-${this.rows++}`;
+		return this.row('offset', row, 'Work offset', noteOf('Where the program\u2019s zero is, as on the control\u2019s page of offsets.'), textField(`${row}.name`, 'name', name),
+			...AXES.map((axis) => numberField(`${row}.${axis}`, `${axis}, ${'ABC'.includes(axis) ? 'degrees' : 'mm'}`, '', 'XYZ'.includes(axis), 'XYZ'.includes(axis) ? '' : '0')));
+	}
+
+	/** @param {'part' | 'fixture'} kind */
+	addSolid(kind) {
+		const row = `${kind}-${this.rows++}`, [title, label] = kind === 'part' ? ['Part', 'the finished part (STL file)'] : ['Fixtures', 'fixtures at one place (STL files)'];
+		const allowances = kind === 'part' ? [numberField(`${row}.rapidAllowance`, 'depth allowed at rapid, mm', '', false, '0.1'), numberField(`${row}.gouge`, 'gouge deeper than, mm', '', false, 'not checked')] : [];
+		return this.row(kind, row, title, meshField(`${row}.mesh`, label, kind === 'fixture', this.add), ...placeFields(row), moreOfSolid(row, ...allowances));
+	}
+
+	stockFields() {
+		return [noteOf('The blank that the cutters cut. A box or a cylinder stands with the middle of its lower face on the location.'), choiceField('stock.form', 'form', [['', 'no stock'], ['box', 'box'], ['cylinder', 'cylinder'], ['mesh', 'STL file']]),
+			...onlyIf('form=box', ...vectorFields('stock.size', 'size', ['100', '80', '50'])),
+			...onlyIf('form=cylinder', numberField('stock.diameter', 'diameter, mm', '', true, 'such as 100'), numberField('stock.height', 'height, mm', '', true, 'such as 50')),
+			...onlyIf('form=mesh', meshField('stock.mesh', 'the blank (STL file)', false, this.add)), ...onlyIf('form=*', ...placeFields('stock'),
+			moreOfSolid('stock', numberField('stock.uncertainty', 'may be larger by, mm', '', false, '0'), numberField('stock.rapidAllowance', 'depth allowed at rapid, mm', '', false, '0.25'))),
+			element('p', {className: 'fault', role: 'alert'})];
+	}
+
+	/** @param {{number: string, name: string}} tool */
+	addTool(tool) {
+		const row = `tool-${this.rows++}`;
+		return this.row('tool', row, 'Tool', ...toolFields(row, tool), moreOfTool(row, this.add));
+	}
+
+	/** Tells what is wrong with tools, and with names that are missing or there twice. @param {FormData} data */
+	rowsAreRight(data) {
+		const faults = this.rowsOf('tool').map((row) => [row, toolFault(data, row)]);
+		for (const [kind, field, missing] of [['offset', 'name', 'a name is missing, such as G54'], ['tool', 'number', '']]) {
+			const all = this.valuesOf(kind, field);
+			this.rowsOf(kind).forEach((row, i) => faults.push([row, all[i] === '' ? missing : all.indexOf(all[i]) < i ? `${all[i]} is there twice` : '']));
+		}
+		faults.push(['stock', data.get('stock.form') === 'mesh' && !String(data.get('stock.mesh')).trim() ? 'the file of the blank is missing' : '']);
+		const wrong = faults.filter(([, text]) => text !== '');
+		for (const [row, text] of wrong)
+			tellFault(this.part(`[data-row=${row}]`), text);
+		return wrong.length === 0;
 	}
 
 	write() {
 		forgetFaults(this.form);
-		const data = new FormData(this.form), read = numbersAreRead(this.form);
-		const long = read ? this.toolRows().filter((part) => shankOf(data, part.dataset.row ?? '') < 0) : [];
-		for (const part of long)
-			tellFault(part, 'holder and cutter together are longer than the tool');
-		this.xml = read && long.length === 0 ? setupXml(data, this.axes, this.toolRows().map((part) => part.dataset.row ?? '')) : '';
+		const data = new FormData(this.form), right = numbersAreRead(this.form) && vectorsAreWhole(this.form) && this.rowsAreRight(data);
+		const rows = {offset: this.rowsOf('offset'), part: this.rowsOf('part'), fixture: this.rowsOf('fixture'), tool: this.rowsOf('tool')};
+		this.xml = right ? setupXml(data, this.axes, rows) : '';
 		showFile(this.part('#setup-made'), this.xml);
 		document.dispatchEvent(new Event('setup-written'));
 	}
