@@ -124,6 +124,45 @@ def strange_files(bench):
 
 
 @test
+def said(bench):
+    """A verdict is called what it is: samples prove nothing, what speaks against the premises stands beside it, and an older one is told to be so."""
+    page = bench.open()
+    bench.example(page, "cb-head")
+    page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({path}) => !path.endsWith('collision.nc')))")
+    said = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.verdict, card.querySelector('.verdict').textContent.split(':')[0], card.querySelectorAll('.doubts li').length])"
+    outdated = "document.querySelector('#outdated').checkVisibility()"
+    for count, (method, verdict) in enumerate([("conventional", "passed"), ("interpolated", "passed"), ("certified", "clear")], 1):
+        page.run(f"((field) => {{ field.value = '{method}'; field.dispatchEvent(new Event('change', {{bubbles: true}})); }})(document.querySelector('[name=method]'))")
+        same("what stands there is about another method", page.run(outdated), count > 1)
+        bench.check(page, count)
+        same(method, page.run(said), [[verdict, verdict.capitalize(), 0]])
+        same("it is about this method", page.run(outdated), False)
+    page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({role}) => role !== 'setup'))")
+    same("what stands there is about other files", page.run(outdated), True)
+    page.run("await fivecheckPage.add([['empty.nc', new Blob([])], ['jobs.xml', new Blob(['<jobs version=\"1\"/>'])]])")
+    true("a list of jobs", "jobs.xml is a list of jobs" in page.run("document.querySelector('#job').textContent"))
+    bench.check(page, 4)
+    same("without a setup, and without a move", sorted(page.run(said))[0], ["clear", "Clear", 2])
+    bench.done(page, "page-doubts")
+
+
+@test
+def many(bench):
+    """Of many programs the first reports are drawn, the others when asked for."""
+    page = bench.open()
+    bench.example(page, "cb-head")
+    program = page.run("await fivecheckPage.of('program')[0].blob.text()")
+    page.run("await fivecheckPage.add(Array.from({length: 5}, (_, i) => [`copy-${i}.nc`, new Blob([%s])]))" % json.dumps(program))
+    bench.check(page)
+    same("reports", page.run("[document.querySelectorAll('.save').length, document.querySelectorAll('iframe.report').length]"), [7, 4])
+    page.run("await until('report-shown', 4)")
+    page.run("document.querySelector('[data-path=\"copy-4.nc\"] p button').click()")
+    page.run("await until('report-shown', 5)")
+    same("the one that was asked for", page.run("document.querySelectorAll('[data-path=\"copy-4.nc\"] iframe.report').length"), 1)
+    bench.done(page)
+
+
+@test
 def phone(bench):
     """Nothing is wider than a phone, and everything has a name."""
     page = bench.open(**PHONE)

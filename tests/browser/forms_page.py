@@ -198,12 +198,12 @@ def families(bench):
          "--body=base=bed.stl", "--body=base=left.stl", "--body=B=head.stl", f"--spindle={vector('spindle')}", "--spindle-direction=0,0,-1",
          f"--workholding={vector('workholding')}", "--name=Portal <2>", "--units=inch", "--dialect=fanuc", "--rapid=dogleg"], capture_output=True, text=True, check=False)
     same("XML with everything", page.run("document.querySelector('#machine-xml').textContent"), native.stdout)
-    enter(page, "machine", B__home="500", Y__body="x/bed.stl")
+    enter(page, "machine", B__home="500", Y__body="slide.stl", B__body="head.stl, x/slide.stl")
     write(page, "machine")
     true("a fault of init stands at its field", "the home of B" in page.run("document.querySelector('[data-axis=B] .fault').textContent"))
     enter(page, "machine", B__home="")
     write(page, "machine")
-    true("one of a mesh, too", "x/bed.stl another name" in page.run("document.querySelector('[data-axis=Y] .fault').textContent"))
+    true("one of a mesh, too", "x/slide.stl another name" in page.run("document.querySelector('[data-axis=B] .fault').textContent"))
     bench.done(page, "page-families")
 
 

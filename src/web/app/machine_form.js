@@ -3,7 +3,7 @@
  * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML of it and judges what was entered; each
  * of its errors stands at the field that it is about.
  */
-import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, readNumber, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
+import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
 import {chainsOf, initArguments, LINEAR, orders} from './machine_arguments.js';
 import {EXAMPLES, FAMILIES, ROTARY} from './machine_families.js';
 import {element} from './page.js';
@@ -93,7 +93,7 @@ export class MachineForm {
 		}
 		for (const axis of [...LINEAR, ...ROTARY])
 			['min', 'max'].forEach((end) => this.field(`${axis}.${end}`).disabled = this.field(`${axis}.endless`).checked);
-		if (name === '' || /^family$|\.table$/.test(name))
+		if (name === '' || /^family$|^[XYZ]\.table$/.test(name))
 			this.offerOrders();
 		showUnit(this.form, this.value('units'));
 	}
@@ -148,7 +148,7 @@ export class MachineForm {
 		const {status, out, err} = await this.client.run(['init', ...initArguments(new FormData(this.form))]);
 		for (const line of err.split('\n').filter((text) => text.includes('error: '))) {
 			const field = fieldOf(line), mesh = line.match(/give the file (.*) another name/)?.[1];
-			const named = [...this.form.querySelectorAll('.mesh input:not([type])')].find((input) => mesh && /** @type {HTMLInputElement} */ (input).value.includes(mesh));
+			const named = [...this.form.querySelectorAll('.mesh input:not([type])')].find((input) => namesIn(/** @type {HTMLInputElement} */ (input).value).includes(mesh ?? ''));
 			const place = field ? this.part(`[data-axis=${field}]`) : /** @type {HTMLElement | null | undefined} */ (named?.closest('[data-axis]'));
 			tellFault(place ?? this.part('#form-fault'), line.replace(/^.*error: /, ''));
 		}

@@ -2,19 +2,19 @@
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {Cancelled, Client} from './client.js';
 import {readNumber, watchNumbers} from './fields.js';
-import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, nameOf, sameBytes, withLibraries, withMeshes} from './job_files.js';
+import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, sameBytes, withLibraries, withMeshes} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
+import {ProgramResult} from './program_result.js';
 import {SetupForm} from './setup_form.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
-const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
-const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
-
+/** So many reports are shown at once, the others when asked for: a browser draws only some pictures at a time. */
+const FIRST_REPORTS = 4;
 /** What each example shows. */
 const EXAMPLES = /** @type {Record<string, string>} */ ({'ac-trunnion': 'an impeller on a table that tilts and turns',
-	'b-head-c-table': 'a turbine blade, a head that tilts', 'cb-head': 'a structural part, a head that tilts and turns'});
+	'b-head-c-table': 'a turbine blade, a head that tilts and a table that turns', 'cb-head': 'a structural part, a head that tilts and turns'});
 
 class Page {
 	constructor() {
@@ -35,6 +35,7 @@ class Page {
 		byId('check').addEventListener('click', () => this.check());
 		byId('cancel').addEventListener('click', () => this.client.cancel());
 		byId('empty').addEventListener('click', () => this.setFiles([]));
+		byId('options').addEventListener('change', () => this.outdate());
 		byId('options').addEventListener('submit', (event) => event.preventDefault());
 		for (const id of ['choose', 'choose-folder']) {
 			const input = /** @type {HTMLInputElement} */ (byId(id));
@@ -114,6 +115,7 @@ class Page {
 	/** @param {JobFile[]} files @param {string[]} replaced meshes that took the place of others of the same name */
 	setFiles(files, replaced = []) {
 		this.files = inOrder(withLibraries(files));
+		this.outdate();
 		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text));
 		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
 			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
@@ -121,6 +123,11 @@ class Page {
 		this.showLacks(replaced);
 		this.showButtons();
 		document.dispatchEvent(new Event('files-shown'));
+	}
+
+	/** Results that are shown are about the files and options as they were. */
+	outdate() {
+		byId('outdated').hidden = byId('results').childElementCount === 0;
 	}
 
 	/** @param {JobFile} file */
@@ -142,6 +149,8 @@ class Page {
 			lacks.push(element('span', {className: 'lack'}, `Bodies are read from STL, OBJ and PLY files: export ${drawings.map(({path}) => path).join(', ')} as STL from the CAD system.`));
 		for (const path of replaced)
 			lacks.push(element('span', {className: 'lack'}, `Another ${path} took the place of the one that was here: all bodies that name ${path} have its shape now. Rename one of the two if they are different bodies.`));
+		for (const {path} of this.files.filter(({text}) => /<jobs[\s>]/.test(text)))
+			lacks.push(element('span', {className: 'lack'}, `${path} is a list of jobs for the command line. Here a check is of one job: drop the machine file, the setup and the programs of one of them.`));
 		if (missing.length)
 			lacks.push(element('span', {className: 'lack'}, `Not here yet: ${missing.join(', ')}. Drop them, too.`));
 		if (this.of('machine').length && !this.of('setup').length && !this.of('machine').some(({text}) => /<setup[\s>]/.test(text)))
@@ -170,9 +179,10 @@ class Page {
 		const files = withMeshes(this.files), machine = this.of('machine')[0].path, setup = this.of('setup')[0]?.path;
 		const options = this.optionsOf();
 		byId('results').replaceChildren();
+		byId('outdated').hidden = true;
 		this.reports.clear();
-		const checks = this.of('program').map(async ({path}) => {
-			const result = new ProgramResult(path);
+		const checks = this.of('program').map(async ({path}, i) => {
+			const result = new ProgramResult(path, i < FIRST_REPORTS);
 			byId('results').append(result.card);
 			this.running++;
 			this.showButtons();
@@ -195,107 +205,6 @@ class Page {
 		await Promise.all(checks);
 		document.dispatchEvent(new Event('checked'));
 	}
-}
-
-/** A program's card: progress, findings as they come, the verdict, the report. */
-class ProgramResult {
-	/** @param {string} path */
-	constructor(path) {
-		this.path = path;
-		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
-		this.verdict = element('p', {className: 'verdict'}, 'checking …');
-		this.findings = element('ul', {className: 'findings'});
-		this.more = element('div', {});
-		this.card = element('article', {className: 'program', dataset: {path}}, element('h3', {}, nameOf(path)), this.verdict, this.progress,
-			this.findings, this.more);
-	}
-
-	/** @param {number} part */
-	onProgress(part) {
-		/** @type {HTMLProgressElement} */ (this.progress).value = part;
-	}
-
-	/** @param {Record<string, any>} event */
-	onEvent(event) {
-		if (FINDINGS.has(event.kind))
-			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
-		if (event.kind !== 'program')
-			return;
-		for (const caution of event.cautions ?? [])
-			this.onMessage(caution);
-		this.tell(event.verdict);
-	}
-
-	/**
-	 * Tells the verdict. It stands before the report is written; if that fails, `show` says so.
-	 * @param {string} verdict
-	 */
-	tell(verdict) {
-		this.card.dataset.verdict = verdict;
-		this.verdict.textContent = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found: the machine hits itself.',
-			incomplete: 'Incomplete: not everything could be checked.'}[verdict] ?? '';
-		if (verdict === 'found' && !this.findings.querySelector('.collision'))
-			this.verdict.textContent = 'Found: see below.';
-	}
-
-	/** A line of the checker's messages: a quoted block and its caret stand in columns. @param {string} message */
-	onMessage(message) {
-		const kind = /^\s/.test(message) ? ' quoted' : /(^|: )error: /.test(message) ? ' error' : '';
-		if (message)
-			this.findings.append(element('li', {className: `message${kind}`}, message));
-	}
-
-	/**
-	 * @param {import('./fivecheck.js').Result} result
-	 * @param {Blob | undefined} report
-	 */
-	show(result, report) {
-		this.progress.remove();
-		this.tell(VERDICTS[result.status]);
-		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
-		if (report)
-			this.showReport(report);
-	}
-
-	/** @param {Blob} report */
-	showReport(report) {
-		const frame = /** @type {HTMLIFrameElement} */ (element('iframe', {title: `Report of ${this.path}`, src: 'report.html', className: 'report'}));
-		frame.setAttribute('sandbox', 'allow-scripts');
-		const save = element('a', {className: 'button save', href: URL.createObjectURL(report), download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'},
-			'Save the report');
-		addEventListener('message', async ({source, data}) => {
-			if (source === frame.contentWindow && data === 'report-frame-ready')
-				frame.contentWindow?.postMessage(await report.text(), '*');
-			if (source === frame.contentWindow && data === 'report-shown')
-				document.dispatchEvent(new Event('report-shown'));
-		});
-		this.more.append(element('p', {}, save), frame);
-	}
-
-	/** A verdict that was told stands. */
-	cancel() {
-		if (this.card.dataset.verdict)
-			this.progress.remove();
-		else
-			this.fail('Cancelled: nothing is known of this program.');
-	}
-
-	/** @param {string} text */
-	fail(text) {
-		this.progress.remove();
-		this.card.dataset.verdict = 'incomplete';
-		this.verdict.textContent = text;
-	}
-}
-
-/**
- * A finding in words.
- * @param {Record<string, any>} event
- */
-function wordsOf(event) {
-	const axes = Object.entries(event.axes ?? {}).map(([axis, value]) => `${axis} ${Number(value).toFixed(3)}`).join(', ');
-	const what = event.b ? `${event.a} and ${event.b}` : event.a ?? '';
-	return `Line ${event.line}: ${event.kind}${what ? `: ${what}` : ''} (${axes})`;
 }
 
 /**

@@ -1,0 +1,127 @@
+// @ts-check
+/** program_result.js - a program's card on the page: progress, findings as they come, the verdict and what speaks against it, the report. */
+import {nameOf} from './job_files.js';
+import {element} from './page.js';
+
+/** What verdicts mean, and the exit status that each belongs to. @type {Record<string, {status: number, text: string}>} */
+const VERDICTS = {
+	clear: {status: 0, text: 'Clear: nothing hits anything, in continuous time.'},
+	passed: {status: 0, text: 'Passed: samples found nothing. This is no proof.'},
+	accepted: {status: 0, text: 'Accepted: all that was found is waived. This is not clear.'},
+	found: {status: 1, text: 'Found: the machine hits itself.'},
+	incomplete: {status: 2, text: 'Incomplete: not everything could be checked.'},
+};
+const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
+/** Cautions of what a person has excused, waived or accepted; all others doubt what the verdict takes for granted (report/verdict.h). */
+const SETTLED = /^\d+ pairs? of neighbours excused|^\d+ pairs? waived|^after an accepted finding/;
+
+export class ProgramResult {
+	/** @param {string} path @param {boolean} open its report is shown at once */
+	constructor(path, open) {
+		this.path = path;
+		this.open = open;
+		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
+		this.verdict = element('p', {className: 'verdict'}, 'checking …');
+		this.findings = element('ul', {className: 'findings'});
+		this.more = element('div', {});
+		this.doubts = element('ul', {className: 'doubts'});
+		this.card = element('article', {className: 'program', dataset: {path}}, element('h3', {}, nameOf(path)), this.verdict, this.doubts, this.progress,
+			this.findings, this.more);
+	}
+
+	/** @param {number} part */
+	onProgress(part) {
+		/** @type {HTMLProgressElement} */ (this.progress).value = part;
+	}
+
+	/** @param {Record<string, any>} event */
+	onEvent(event) {
+		if (FINDINGS.has(event.kind))
+			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
+		if (event.kind !== 'program')
+			return;
+		for (const caution of event.cautions ?? [])
+			SETTLED.test(caution) ? this.onMessage(caution) : this.doubts.append(element('li', {className: 'message'}, caution));
+		this.tell(event.verdict);
+	}
+
+	/**
+	 * Tells the verdict. It stands before the report is written; if that fails, `show` says so.
+	 * @param {string} verdict
+	 */
+	tell(verdict) {
+		this.card.dataset.verdict = verdict;
+		this.verdict.textContent = VERDICTS[verdict].text;
+		if (verdict === 'found' && !this.findings.querySelector('.collision'))
+			this.verdict.textContent = 'Found: see below.';
+	}
+
+	/** A line of the checker's messages: a quoted block and its caret stand in columns. @param {string} message */
+	onMessage(message) {
+		const kind = /^\s/.test(message) ? ' quoted' : /(^|: )error: /.test(message) ? ' error' : '';
+		if (message)
+			this.findings.append(element('li', {className: `message${kind}`}, message));
+	}
+
+	/**
+	 * @param {import('./fivecheck.js').Result} result
+	 * @param {Blob | undefined} report
+	 */
+	show(result, report) {
+		this.progress.remove();
+		// The word that was told stands if the run ended as it says.
+		const told = this.card.dataset.verdict ?? 'clear', status = Math.min(result.status, 2);
+		this.tell(this.card.dataset.verdict && VERDICTS[told].status === status ? told : ['incomplete', 'found', 'incomplete'][status]);
+		if (this.doubts.childElementCount)
+			this.doubts.before(element('p', {className: 'doubt'}, 'Doubts about what this verdict takes for granted:'));
+		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
+		if (report)
+			this.showReport(report);
+	}
+
+	/** @param {Blob} report */
+	showReport(report) {
+		const frame = /** @type {HTMLIFrameElement} */ (element('iframe', {title: `Report of ${this.path}`, src: 'report.html', className: 'report'}));
+		frame.setAttribute('sandbox', 'allow-scripts');
+		const save = element('a', {className: 'button save', href: URL.createObjectURL(report), download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'},
+			'Save the report');
+		const show = element('button', {type: 'button'}, 'Show the report');
+		show.addEventListener('click', () => {
+			show.remove();
+			this.more.append(frame);
+		});
+		addEventListener('message', async ({source, data}) => {
+			if (source === frame.contentWindow && data === 'report-frame-ready')
+				frame.contentWindow?.postMessage(await report.text(), '*');
+			if (source === frame.contentWindow && data === 'report-shown')
+				document.dispatchEvent(new Event('report-shown'));
+		});
+		this.more.append(element('p', {className: 'row'}, save, ...(this.open ? [] : [show])), ...(this.open ? [frame] : []));
+	}
+
+	/** A verdict that was told stands. */
+	cancel() {
+		if (this.card.dataset.verdict)
+			this.progress.remove();
+		else
+			this.fail('Cancelled: nothing is known of this program.');
+	}
+
+	/** @param {string} text */
+	fail(text) {
+		this.progress.remove();
+		this.card.dataset.verdict = 'incomplete';
+		this.verdict.textContent = text;
+	}
+}
+
+/**
+ * A finding in words.
+ * @param {Record<string, any>} event
+ */
+function wordsOf(event) {
+	const axes = Object.entries(event.axes ?? {}).map(([axis, value]) => `${axis} ${Number(value).toFixed(3)}`).join(', ');
+	const what = event.b ? `${event.a} and ${event.b}` : event.a ?? '';
+	return `Line ${event.line}: ${event.kind}${what ? `: ${what}` : ''} (${axes})`;
+}
+
