@@ -364,6 +364,7 @@ def contrast(bench):
         bench.example(page, "cb-head")
         bench.check(page)
         page.run("document.querySelectorAll('details').forEach((e) => e.open = true)")
+        page.run("document.querySelector('#fill-example').click()")
         page.run("document.querySelector('[name=\"Z.min\"]').value = '400'")
         page.run("document.querySelector('#write-machine').click()")
         page.run("await until('machine-written', 1)")

@@ -75,6 +75,7 @@ def numbers(bench):
     same("faults", faults(page, "machine"), ["location_x, mm: '12a' is not a number\nlocation_y, mm: a number is missing\n",
                                              "z, mm: '1,200' may be 1200 or 1.2: write it without the comma\n"])
     same("focus", page.run("document.activeElement.name"), "C.location.x")
+    same("what a screen reader says of the field", page.run("document.getElementById(document.activeElement.getAttribute('aria-describedby')).textContent"), faults(page, "machine")[0])
     true("no file", page.run("document.querySelector('#machine-made').hidden"))
     enter(page, "machine", spindle__z="520", C__location__x="0", C__location__y="-,5", X__min="", C__direction__z="-1")
     write(page, "machine")

@@ -101,7 +101,7 @@ export function watchNumbers(form) {
 /** @param {HTMLElement} form */
 export function forgetFaults(form) {
 	form.querySelectorAll('.fault').forEach((fault) => fault.textContent = '');
-	form.querySelectorAll('[aria-invalid]').forEach((field) => field.removeAttribute('aria-invalid'));
+	form.querySelectorAll('[aria-invalid]').forEach((field) => ['aria-invalid', 'aria-describedby'].forEach((name) => field.removeAttribute(name)));
 }
 
 /**
@@ -114,7 +114,9 @@ export function tellFault(part, text, field) {
 	place.textContent += `${text}\n`;
 	if (place !== part)
 		part.setAttribute('aria-invalid', 'true');
+	place.id ||= `fault-${document.querySelectorAll('.fault[id]').length}`;
 	field?.setAttribute('aria-invalid', 'true');
+	field?.setAttribute('aria-describedby', place.id);
 }
 
 /**
