@@ -16,3 +16,21 @@ R1=_GUD
 ENDLOOP
 NC
 status fivecheck scan --dialect=sinumerik --max-blocks=50 loop.mpf 2>&1 | sed -n '/error\|variable\|status/p'
+# Tools have names, edges and radii, and none of them stops it; what swivels and turns is asked for.
+program five.mpf <<'NC'
+N10 G17 G54 G90 G71 G94
+N20 T="MILL 10"
+N30 M6
+N40 D2
+N50 CYCLE800(1,"",0,57,0,0,0,30,0,0,0,0,0,-1)
+N60 G1 G41 X10 Y10 F500
+N70 X20
+N80 G40 Y20
+N90 CYCLE800()
+N100 TRAORI
+N110 G0 X0 Y0 Z10 A10 C=DC(350)
+N120 TRAFOOF
+N130 M77
+N140 M30
+NC
+status fivecheck scan five.mpf 2>&1 | sed -n '/error/p; /^in the machine/,$p'

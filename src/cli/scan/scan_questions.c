@@ -40,6 +40,14 @@ struct scan_questions {
 	char names[OFFSETS][OFFSET_NAME];
 };
 
+/* Of a size that the outlines of most parts allow for radius compensation. */
+static const struct tool any_tool = {.number = 1,
+				     .name = "",
+				     .length = 100,
+				     .length_offset = 100,
+				     .diameter = 1,
+				     .point_angle = 2};
+
 static void fill_tables(struct scan_questions *questions)
 {
 	static const char *const first[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
@@ -78,12 +86,11 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect, int max
 	questions->config.controller.variables = questions->variables;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		questions->config.has_axis[slot] = true;
-	/*
-	 * Controls that know no H have tools by name, edges and presets: there, no setup is better than a strange
-	 * one.
-	 */
+	/* Controls that know no H have tools by name, edges and presets: there, any tool does without a setup. */
 	if (dialect->traits.h_missing != H_MISSING_UNKNOWN)
 		fill_tables(questions);
+	else
+		questions->config.any_tool = &any_tool;
 	return questions;
 }
 
@@ -104,6 +111,23 @@ static void answer_half_turn(struct scan_questions *q, const char *asked)
 	(void)asked;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		q->config.half_turn[slot] = 1;
+}
+
+static void answer_wrap(struct scan_questions *q, const char *asked)
+{
+	(void)asked;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		q->config.wrap[slot] = WRAP_SHORTEST;
+}
+
+static void answer_swivel_retract(struct scan_questions *q, const char *asked)
+{
+	struct control_place *place = &q->config.controller.swivel_retract;
+
+	(void)asked;
+	place->given = true;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		place->has[slot] = true;
 }
 
 static void answer_tool_change(struct scan_questions *q, const char *asked)
@@ -187,6 +211,8 @@ static const struct question {
     {"<variable ", "<variable %s/>", .end = "/>", .take = answer_variable},
     {"<reference number=\"", "<reference number=\"%s\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
     {"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
+    {"<swivel_retract ", "<swivel_retract X=\"\" Y=\"\" Z=\"\"/>", .take = answer_swivel_retract},
+    {"wrap=\"shortest\"", "wrap=\"shortest\" of the rotary axis", .take = answer_wrap},
     {"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
     {"least_input=\"", "least_input=\"1\" (whole units) or \"0.001\"", NUMBER(least_input, 1)},
     {"power_on_units=\"", "power_on_units=\"mm\" or \"inch\"", CHOICE(power_on_units, POWER_ON_MM)},

@@ -22,6 +22,7 @@ void tool_table_init(struct tool_table *table, const struct gcode_config *config
 	table->radius_count = table->radius_capacity = config->radius_count;
 	for (size_t i = 0; i < config->radius_count; i++)
 		table->radii[i] = config->radii[i];
+	table->any = config->any_tool;
 }
 
 void tool_table_release(struct tool_table *table)
@@ -39,7 +40,7 @@ const struct tool *tool_table_find(const struct tool_table *table, int number)
 		if (table->tools[i].number == number)
 			return &table->tools[i];
 	}
-	return NULL;
+	return number > 0 ? table->any : NULL;
 }
 
 const struct length_offset *tool_table_length(const struct tool_table *table, int number)

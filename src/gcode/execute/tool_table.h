@@ -21,6 +21,7 @@ struct tool_table {
 	size_t radius_count, radius_capacity;
 	struct offset_wear *wears;
 	size_t wear_count, wear_capacity;
+	const struct tool *any;	/* of every other number but 0; or NULL */
 };
 
 void tool_table_init(struct tool_table *table, const struct gcode_config *config);

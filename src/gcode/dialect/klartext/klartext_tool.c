@@ -43,6 +43,8 @@ static bool find_by_name(struct lexer *lexer, const char *name, int column, int 
 		found = tool;
 	}
 	if (!found)
+		found = interp->config->any_tool;
+	if (!found)
 		return fault(lexer->at, column,
 			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
 			     "with what it "
@@ -71,7 +73,7 @@ static bool check_length(struct lexer *lexer, int number, double length, int col
 	struct interp *interp = lexer->context;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
 
-	if (!tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE ||
+	if (!tool || tool == interp->config->any_tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE ||
 	    interp->config->controller.tool_def == TOOL_DEF_IGNORED)
 		return true;
 	return fault(
@@ -178,7 +180,7 @@ static bool find_length(struct interp *interp, const struct request *request, do
 	*length = request->delta_length;
 	if (request->number == 0)
 		return true;
-	if (!interp->config->has_setup)
+	if (!tool && !interp->config->has_setup)
 		return fault(&interp->at, request->column, "T%d: no setup was given that defines the tool's length",
 			     request->number);
 	if (!tool)

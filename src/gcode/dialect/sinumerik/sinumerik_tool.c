@@ -83,7 +83,7 @@ static bool find_length(struct interp *interp, int edge, int column, double *len
 	if (!tool && !interp->config->has_setup)
 		return fault(&interp->at, column,
 			     "D%d of the tool in the spindle: its length is not known without a setup", edge);
-	if (tool && edge == 1) {
+	if (tool && (edge == 1 || tool == interp->config->any_tool)) {
 		*length = tool->length_offset;
 		return true;
 	}

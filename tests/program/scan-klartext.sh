@@ -1,0 +1,26 @@
+# scan reads Klartext past its first TOOL CALL: tools of any number and name, and their radii, do without a setup.
+program part.h <<'NC'
+0 BEGIN PGM PART MM
+1 TOOL DEF 3 L+50 R+4
+2 TOOL CALL 3 Z S2000 DL+0.1
+3 L X+0 Y+0 R0 FMAX M77
+4 L X+10 RL F500
+5 L X+50
+6 L Y+20 R0
+7 TOOL CALL "DRILL 8" Z S1000
+8 CYCL DEF 240 CENTERING ~
+    Q200=+2 ~
+    Q343=+1 ~
+    Q201=-1 ~
+    Q344=-4 ~
+    Q206=+150 ~
+    Q211=+0 ~
+    Q203=+0 ~
+    Q204=+50
+9 CYCL CALL M3
+10 L Z+Q1600 FMAX
+11 PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN MB MAX FMAX
+12 L M92 Z+0 FMAX
+13 END PGM PART MM
+NC
+status fivecheck scan part.h 2>&1 | sed -n '/error/p; /^in the machine/,$p'
