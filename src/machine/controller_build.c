@@ -309,6 +309,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 {
 	const struct controller_description *from = &described->controller;
 	struct description_file *file = &described->file;
+	const struct dialect_row *row = &dialect_rows[from->told.dialect];
 	struct controller *to = &machine->controller;
 	struct builder_macro *macros;
 	struct mcode *mcodes;
@@ -330,7 +331,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->mcodes = mcodes;
 	macros = arena_alloc(&machine->arena, from->macro_count * sizeof(*macros));
 	for (size_t i = 0; i < from->macro_count; i++)
-		build_macro(file, &from->macros[i], &machine->arena, dialect_rows[from->told.dialect].has_frames, macros,
+		build_macro(file, &from->macros[i], &machine->arena, row->has_frames || row->has_planes, macros,
 			    &to->macro_count);
 	to->macros = macros;
 	variable_build(described, machine);

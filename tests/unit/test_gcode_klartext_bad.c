@@ -131,7 +131,8 @@ static const struct klartext_fault faults[] = {
 	{"LBL 1\nLBL 1\nCALL LBL 1\n",
 	 "p.nc:4:10: error: LBL 1 stands more than once in the program"},
 	{"CALL PGM nowhere.h\n",
-	 "p.nc:2:10: error: there is no file of the program nowhere.h"},
+	 "p.nc:2:10: error: there is no file of the program nowhere.h; if the machine's builder made it and it moves no "
+	 "axis, <macro program=\"NOWHERE\" action=\"none\"/> in the machine's <controller> says so"},
 	{"CALL LBL 1\nM30\nLBL 1\nL X+1 FMAX\n",
 	 "p.nc:6:1: error: the program ends inside of the subprogram LBL 1: its LBL 0 is missing"},
 	{"LBL 1\nCALL LBL 1\nLBL 0\n",
@@ -167,7 +168,8 @@ static const struct klartext_fault faults[] = {
 	{"FN 19: PLC=+10/+Q3\n",
 	 "p.nc:2:4: error: FN 19: what the machine's PLC does is not known here"},
 	{"SEL PGM \"nowhere.h\"\nCALL SELECTED PGM\n",
-	 "p.nc:3:15: error: there is no file of the program nowhere.h"},
+	 "p.nc:3:15: error: there is no file of the program nowhere.h; if the machine's builder made it and it moves no "
+	 "axis, <macro program=\"NOWHERE\" action=\"none\"/> in the machine's <controller> says so"},
 	{"CYCL DEF 12.0\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 12 has not named a program"},
 	{"CYCL DEF 12.0\nCYCL DEF 12.1 nowhere.h\n",

@@ -380,6 +380,42 @@ START_TEST(probe_cycle)
 }
 END_TEST
 
+/* CALL PGM of a program that the builder made and that has no file: the machine file says what it does. */
+START_TEST(builder_program)
+{
+	static const struct builder_macro macros[] = {{0, 0, MACRO_NONE, {0}, "RESET_2"}, {0, 0, MACRO_AROUND, {5, 20, 10}, "WASH"}};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 2;
+	c.show_spread = true;
+	ck_assert_msg(klartext_run(&c, "L X+10 FMAX\nCALL PGM TNC:\\OEM\\Reset_2.H\nCALL PGM wash\nSEL PGM \"WASH.H\"\n"
+				       "CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 PGM RESET_2.H\nL X+11 FMAX M99\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 10 -20 0 0 0 spread 5 0 10\n"
+						"rapid 10 20 0 0 0 spread 5 0 10\nrapid 10 0 0 0 0 spread 5 0 10\n"
+						"rapid 11 0 0 0 0\n");
+	case_release(&c);
+	for (int i = 0; i < 3; i++) {
+		static const char *const blocks[] = {"M128\nCALL PGM WASH\nM129\n", "CALL PGM TNC:\\RESET.H\n",
+						     "CALL PGM TNC:\\3.H\n"};
+		static const char *const said[] = {
+			"program WASH moves around its place while the tool centre point is controlled",
+			"there is no file of the program TNC:\\RESET.H; if the machine's builder made it and it moves no axis, "
+			"<macro program=\"RESET\" action=\"none\"/> in the machine's <controller> says so",
+			"there is no file of the program TNC:\\3.H\n"};
+
+		klartext_case(&c);
+		c.config.controller.macros = macros;
+		c.config.controller.macro_count = 2;
+		ck_assert(!klartext_run(&c, blocks[i]));
+		ck_assert_msg(strstr(strbuf_text(&c.messages), said[i]) != NULL, "%s", strbuf_text(&c.messages));
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* Where a cycle of the control has left the tool is open until X and Y, and Z, are commanded. */
 START_TEST(left_by_cycle)
 {
@@ -441,6 +477,7 @@ int main(void)
 	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, probe_cycle);
+	tcase_add_test(tcase, builder_program);
 	tcase_add_test(tcase, left_by_cycle);
 	tcase_add_test(tcase, bounded_cycle);
 	return run_suite("gcode_klartext_region", tcase);

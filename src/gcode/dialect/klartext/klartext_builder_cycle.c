@@ -1,8 +1,14 @@
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
 #include "base/minmax.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/moves_around.h"
 
@@ -120,22 +126,89 @@ static bool go_around(struct interp *interp, const double around[3], bool ends_t
 	return true;
 }
 
+/* What moves around its place cannot do so here. False: reported. */
+static bool check_place(struct interp *interp, const char *kind, const char *name, int column)
+{
+	if (interp->state.tcp == TCP_OFF && !klartext_comp_is_selected(interp) && !klartext_of(interp)->waits &&
+	    !klartext_frame_is_scaled(interp))
+		return true;
+	return fault(&interp->at, column,
+		     "%s %s moves around its place while the tool centre point is controlled, the plane is tilted, "
+		     "coordinates are scaled or the radius is compensated: that is not followed",
+		     kind, name);
+}
+
 bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	const struct builder_macro *macro = find_macro(interp, cycle->number);
+	char name[16];
 
 	if (is_probing(cycle->number))
 		measure(interp, cycle);
 	if (!macro || macro->action != MACRO_AROUND)
 		return true;
-	if (interp->state.tcp != TCP_OFF || klartext_comp_is_selected(interp) || klartext_of(interp)->waits ||
-	    klartext_frame_is_scaled(interp))
-		return fault(&interp->at, cycle->column,
-			     "cycle %d moves around its place while the tool centre point is controlled, the plane is "
-			     "tilted, coordinates are scaled or the radius is compensated: that is not followed",
-			     cycle->number);
+	snprintf(name, sizeof(name), "%d", cycle->number);
+	if (!check_place(interp, "cycle", name, cycle->column))
+		return false;
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
 	/* The control's own cycles end over what they have milled, and not where they are called. */
 	return go_around(interp, macro->around, !find_called(cycle->number), cycle->column);
+}
+
+/* ---------------------------------------------------------------- programs */
+
+/* "TNC:\\OEM\\reset.h" is RESET: letters, digits and _, a letter first. False: no <macro> can have the name. */
+static bool bare_name(const char *path, char name[KLARTEXT_NAME])
+{
+	size_t length;
+
+	for (const char *at = path; *at; at++)
+		path = *at == '\\' || *at == '/' || *at == ':' ? at + 1 : path;
+	length = strcspn(path, ".");
+	if (length >= KLARTEXT_NAME || (path[length] && strcasecmp(path + length, ".h") != 0) ||
+	    !isalpha((unsigned char)path[0]))
+		return false;
+	for (size_t i = 0; i < length; i++) {
+		if (!isalnum((unsigned char)path[i]) && path[i] != '_')
+			return false;
+		name[i] = klartext_upper(path[i]);
+	}
+	name[length] = '\0';
+	return true;
+}
+
+static const struct builder_macro *find_program(const struct interp *interp, const char *name)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (size_t i = 0; i < controller->macro_count; i++) {
+		const struct builder_macro *macro = &controller->macros[i];
+
+		if (macro->name && !strcmp(macro->name, name))
+			return macro->action == MACRO_MOVE ? NULL : macro;
+	}
+	return NULL;
+}
+
+bool klartext_builder_program_run(struct interp *interp, const char *path, int column)
+{
+	char name[KLARTEXT_NAME];
+	const struct builder_macro *macro;
+
+	if (!bare_name(path, name))
+		return fault(&interp->at, column, "there is no file of the program %s", path);
+	macro = find_program(interp, name);
+	if (!macro)
+		return fault(&interp->at, column,
+			     "there is no file of the program %s; if the machine's builder made it and it moves no axis, "
+			     "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+			     path, name);
+	if (macro->action != MACRO_AROUND)
+		return true;
+	if (!check_place(interp, "program", name, column))
+		return false;
+	klartext_of(interp)->moved = true;
+	klartext_of(interp)->last.known = false;
+	return go_around(interp, macro->around, true, column);
 }

@@ -1,4 +1,7 @@
-/* klartext_builder_cycle.h - cycles of the machine's builder and of the probe: the machine file says what they do. */
+/*
+ * klartext_builder_cycle.h - cycles and programs of the machine's builder, and cycles of the probe: the machine file says
+ * what they do.
+ */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
 
@@ -18,5 +21,11 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 
 /* Carries it out, where its definition ends. False: reported, or the sink wants no more. */
 bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle);
+
+/*
+ * CALL PGM and the like of a program that has no file: as the machine file says by <macro program="NAME">, the file's
+ * name without its folder and ending. False: reported, also that it says nothing, or the sink wants no more.
+ */
+bool klartext_builder_program_run(struct interp *interp, const char *name, int column);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -325,24 +326,19 @@ bool klartext_flow_find_file(struct interp *interp, const char *name, const char
 	return true;
 }
 
-static bool find_program(struct interp *interp, const char *name, int column, struct source **source)
-{
-	static const char *const endings[] = {"", ".h", ".H"};
-
-	return klartext_flow_find_file(interp, name, endings, column, source) &&
-	       (*source || fault(&interp->at, column, "there is no file of the program %s", name));
-}
-
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column)
 {
+	static const char *const endings[] = {"", ".h", ".H"};
 	struct source *source;
 	struct position start = {.line = 1};
 
 	if (klartext_comp_is_selected(interp))
 		return fault(&interp->at, column,
 			     "CALL PGM under radius compensation is not supported; R0 comes first");
-	if (!find_program(interp, name, column, &source))
+	if (!klartext_flow_find_file(interp, name, endings, column, &source))
 		return false;
+	if (!source)
+		return klartext_builder_program_run(interp, name, column);
 	start.source = source;
 	return enter(interp, KLARTEXT_PROGRAM, source->name, &start, column);
 }
