@@ -287,9 +287,11 @@ static const struct refused_program programs[] = {
 	 "CYCLE800 that adds a plane (units of ST 1) while SCALE or MIRROR is in force is not supported"},
 	{"G500 TRANS X1\nCYCLE800()\nG0 X1\n", 3, 4,
 	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
-	 "certain: write TRANS, or TRANS with its values, behind it"},
+	 "certain: write TRANS, or TRANS with its values, behind it, or say frames_outlive_cycle800=\"yes\" or \"no\" in "
+	 "the machine's <controller>"},
 	{"G500 TRANS X1\nCYCLE800()\nATRANS Y1\n", 3, 1,
-	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant"},
+	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant, or "
+	 "say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG500 G0 C5\n", 2, 9,
 	 "C while CYCLE800 has swivelled: the tool would leave the direction of its plane; CYCLE800() first"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\n", 2, 1,

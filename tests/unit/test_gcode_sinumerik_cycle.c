@@ -154,10 +154,30 @@ START_TEST(moves)
 }
 END_TEST
 
+/* CYCLE800() leaves TRANS X100, or deletes it; ATRANS adds to what there is. */
+START_TEST(frames_after_cycle800)
+{
+	static const char text[] = "G500 TRANS X100\nCYCLE800()\nG0 X1\nATRANS Y5\nX2 Y2\n";
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.config.controller.frames_outlive_cycle800 = ANSWER_YES;
+	ck_assert_msg(case_run(&c, text), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 101 0 0 0 0\nrapid 102 7 0 0 0\n");
+	case_release(&c);
+	sinumerik_case_init(&c);
+	c.config.controller.frames_outlive_cycle800 = ANSWER_NO;
+	ck_assert_msg(case_run(&c, text), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\nrapid 2 7 0 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
 
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	tcase_add_test(tcase, frames_after_cycle800);
 	return run_suite("gcode_sinumerik_cycle", tcase);
 }

@@ -251,6 +251,8 @@ static const struct question {
     {"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
      CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
     {"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
+    {"frames_outlive_cycle800=\"", "frames_outlive_cycle800=\"yes\" or \"no\"",
+     CHOICE(frames_outlive_cycle800, ANSWER_YES)},
     {"tcp_zero=\"machine", "tcp_zero=\"machine\" or \"offset\"", CHOICE(tcp_zero_given, ANSWER_YES)},
     {"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
     {"orientation_pole=\"", "orientation_pole=\"axes\"", CHOICE(orientation_pole, ORIENTATION_POLE_AXES)},

@@ -137,6 +137,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->orientation_interpolation = ANSWER("orientation_interpolation", "axes", "vector");
 	told->edge_after_tool_change = ANSWER("edge_after_tool_change", "first", "none", "keeps");
 	told->frames_outlive_traori = ANSWER("frames_outlive_traori", "yes", "no");
+	told->frames_outlive_cycle800 = ANSWER("frames_outlive_cycle800", "yes", "no");
 	told->length_along_z = ANSWER("tool_length_axis", "z");
 	told->increments_after_shift = ANSWER("increments_after_shift", "traverse", "stay");
 	told->swivel_axis = rotary_slot(ANSWER("swivel_axis", "A", "B", "C"));

@@ -334,7 +334,8 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 	if (sinumerik->frame_unsure && (words->added || words->code == SINUMERIK_AXIAL))
 		return fault(&interp->at, words->column,
 			     "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the "
-			     "values that are meant");
+			     "values that are meant, or say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's "
+			     "<controller>");
 	if (words->code == SINUMERIK_AXIAL)
 		return set_axial(interp, words);
 	if (!frame_of(interp, words, &frame))

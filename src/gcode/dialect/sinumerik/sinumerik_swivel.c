@@ -351,6 +351,7 @@ static bool is_none(const struct sinumerik_frame *frame)
 /* Positions are those of the machine's axes from here on, without any plane. */
 static bool lay_flat(const struct swivel *s, bool deletes_frames)
 {
+	const enum answer outlive = s->interp->config->controller.frames_outlive_cycle800;
 	struct sinumerik *sinumerik = sinumerik_of(s->interp);
 
 	sinumerik_frame_place(s->interp);
@@ -359,9 +360,9 @@ static bool lay_flat(const struct swivel *s, bool deletes_frames)
 		return false;
 	sinumerik->swivelled = false;
 	sinumerik->swivel = sinumerik_frame_none();
-	if (deletes_frames)
+	if (deletes_frames || outlive == ANSWER_NO)
 		sinumerik->frame = sinumerik_frame_none();
-	sinumerik->frame_unsure = !is_none(&sinumerik->frame);
+	sinumerik->frame_unsure = outlive != ANSWER_YES && !is_none(&sinumerik->frame);
 	return sinumerik_frame_changed(s->interp, s->column);
 }
 

@@ -139,7 +139,8 @@ static bool check_system(const struct interp *interp, const struct sinumerik_blo
 	if (unsure_frame_counts(sinumerik, block))
 		return fault(&interp->at, column,
 			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "
-			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it");
+			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it, or say "
+			     "frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>");
 	if (sinumerik->work_selected || !is_shifted(interp, block))
 		return true;
 	return fault(
