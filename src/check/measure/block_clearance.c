@@ -226,28 +226,39 @@ static bool is_at(const struct chain *chain, const axis_values *a, const axis_va
 	return true;
 }
 
+/* The triangles that were close before, as they were seen at q; NULL: they were not, or are others now. */
+static const struct seen_distance *seen_at(const struct block_clearance *block, const axis_values *q)
+{
+	const struct coherence *coherence = &block->coherence;
+
+	for (int i = 0; i < SEEN_KEPT; i++) {
+		const struct seen_distance *seen = &block->seen[i];
+
+		if (seen->known && seen->triangles[0] == coherence->near_a &&
+		    seen->triangles[1] == coherence->near_b && is_at(block->bodies.chain, &seen->q, q))
+			return seen;
+	}
+	return NULL;
+}
+
 /* mm: how far apart the triangles that were close before are at q: the bodies are no farther apart. */
 static double distance_at(struct block_clearance *block, struct measured_step *measured, const axis_values *q)
 {
 	const struct coherence *coherence = &block->coherence;
-	struct seen_distance *seen = block->seen;
+	const struct seen_distance *seen = seen_at(block, q);
 
-	for (int i = 0; i < SEEN_KEPT; i++) {
-		if (seen[i].known && seen[i].triangles[0] == coherence->near_a &&
-		    seen[i].triangles[1] == coherence->near_b && is_at(block->bodies.chain, &seen[i].q, q)) {
-			measured->seen = smaller(measured->seen, seen[i].distance);
-			return seen[i].distance;
-		}
+	if (!seen) {
+		block->oldest_seen = (block->oldest_seen + 1) % SEEN_KEPT;
+		block->seen[block->oldest_seen] = (struct seen_distance){
+			.known = true,
+			.q = *q,
+			.triangles = {coherence->near_a, coherence->near_b},
+			.distance = near_pair_distance(&block->bodies, q),
+		};
+		seen = &block->seen[block->oldest_seen];
 	}
-	block->oldest_seen = (block->oldest_seen + 1) % SEEN_KEPT;
-	seen[block->oldest_seen] = (struct seen_distance){
-		.known = true,
-		.q = *q,
-		.triangles = {coherence->near_a, coherence->near_b},
-		.distance = near_pair_distance(&block->bodies, q),
-	};
-	measured->seen = smaller(measured->seen, seen[block->oldest_seen].distance);
-	return seen[block->oldest_seen].distance;
+	measured->seen = smaller(measured->seen, seen->distance);
+	return seen->distance;
 }
 
 /*
@@ -315,8 +326,9 @@ static bool by_planes(struct block_clearance *block, struct sweep *sweep, struct
 	double kept, wanted;
 
 	measured->path = plane_motion_path(&motion, &block->bodies, &measured->errors);
+	/* Where the step begins the triangles were seen by every other step: then they need not be looked at where it ends. */
 	if (block->is_near)
-		distance_at(block, measured, &motion.q1);
+		distance_at(block, measured, seen_at(block, &motion.q0) ? &motion.q0 : &motion.q1);
 	kept = kept_for(block, measured, &motion);
 	block->is_near = !(kept > block->bound);
 	if (!planes_prove(block, sweep, measured, &motion, kept, WITH_PLANES ? HALVINGS : 0))
