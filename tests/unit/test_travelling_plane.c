@@ -1,5 +1,6 @@
 #include "check/certified/travelling_plane.h"
 
+#include "base/same_double.h"
 #include "check/certified/plane_cells.h"
 #include "solids.h"
 #include "suite.h"
@@ -194,9 +195,13 @@ START_TEST(the_gap_is_never_smaller_than_the_bound)
 		rings += made.rings[0] || made.rings[1];
 		for (int m = 0; m < 3; m++) {
 			struct plane_motion motion = random_motion(&s);
-			double rest = travelling_plane_rest(&made.plane, &s.duo.chain, &motion);
+			double rest = travelling_plane_rest(&made.plane, &s.duo.chain, &motion, -INFINITY);
 			double start = true_gap(&s, made.plane.link, made.n, &s.at), most = 0;
+			double beyond = rest + random_in(&s.random, -1, 1);
+			double asked = travelling_plane_rest(&made.plane, &s.duo.chain, &motion, beyond);
 
+			require(same_double(asked, rest) || (rest <= beyond && isinf(asked) && asked < 0),
+				"case %ld: %.15g, beyond %.15g %.15g", n, rest, beyond, asked);
 			for (int i = 0; i < SAMPLES; i++) {
 				axis_values q = random_position(&s, &motion);
 				double gap = true_gap(&s, made.plane.link, made.n, &q);
@@ -442,17 +447,17 @@ START_TEST(motion_across_the_normal_is_free)
 	travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 0, 1}, 1,
 			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, &visits), &visits);
 	motion.q0 = motion.q1 = at;
-	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 1, 1e-3);
 	motion.q1.v[SLOT_C] = 2;
 	motion.q1.v[SLOT_X] = 30;
-	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 1, 1e-3);
 	motion.q1.v[SLOT_Z] = 22.5;
-	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 1, 1e-3);
 	motion.q1.v[SLOT_Z] = 20.25;
-	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 0.25, 1e-3);
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 0.25, 1e-3);
 	motion.q0.v[SLOT_Z] = 30;
 	motion.q1.v[SLOT_Z] = 20.5;
-	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 0.5, 1e-3);
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 0.5, 1e-3);
 	corner_runs_release(corners[0]);
 	corner_runs_release(corners[1]);
 	duo_release(&duo);

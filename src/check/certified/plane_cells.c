@@ -106,7 +106,7 @@ static bool cell_covers(struct plane_cell *cell, const struct chain *chain, cons
 	for (int i = 0; i < cell->count; i++) {
 		int k = (cell->newest + i) % cell->count;
 
-		if (travelling_plane_rest(&cell->kept[k].plane, chain, motion) > needed) {
+		if (travelling_plane_rest(&cell->kept[k].plane, chain, motion, needed) > needed) {
 			cell->newest = k;
 			return true;
 		}
@@ -153,7 +153,7 @@ static double cell_rest(struct plane_cell *cell, const struct chain *chain, cons
 
 	for (int i = 0; i < cell->count && best < most; i++) {
 		const int k = (cell->newest + i) % cell->count;
-		const double rest = travelling_plane_rest(&cell->kept[k].plane, chain, motion);
+		const double rest = travelling_plane_rest(&cell->kept[k].plane, chain, motion, best);
 
 		if (!(rest < most))
 			cell->newest = k;

@@ -22,7 +22,7 @@ static void try_plane(struct plane_search *search, const struct convex *a, const
 	double lost, life;
 
 	travelling_plane_init(&plane, &search->pose, a, b, n, link, gap, search->visits);
-	lost = gap - travelling_plane_rest(&plane, chain, search->motion);
+	lost = gap - travelling_plane_rest(&plane, chain, search->motion, -INFINITY);
 	life = lost > 0 ? (gap - search->needed) / lost : INFINITY;
 	if (life > search->life || (isinf(life) && gap > search->best.plane.gap)) {
 		search->life = life;

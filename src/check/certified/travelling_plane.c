@@ -98,6 +98,7 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 		} else if (!part->profile || !next) {
 			add_rotary(plane, pose, part, i, n, visits);
 		}
+		plane->rate[i] = larger(fabs(plane->low[i]), fabs(plane->high[i]));
 	}
 }
 
@@ -150,34 +151,36 @@ static void add_joint(struct second_order *sum, const struct travelling_plane *p
 }
 
 double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,
-			     const struct plane_motion *motion)
+			     const struct plane_motion *motion, double beyond)
 {
 	struct second_order of_a = {0, 0}, of_b = {0, 0};
-	double way[SLOT_COUNT], lost[2] = {0, 0}, separate = 0, off = 0, size = 0;
+	double way[SLOT_COUNT], lost[2] = {0, 0}, separate = 0, off = 0, size = 0, first;
 
 	for (size_t i = 0; i < chain->count; i++) {
-		int slot = chain->joints[i].slot;
-		double dq0 = motion->q0.v[slot] - plane->at[i], dq1 = motion->q1.v[slot] - plane->at[i];
-		double lost0 = first_order(plane, i, dq0), lost1 = first_order(plane, i, dq1);
-		double rate = larger(fabs(plane->low[i]), fabs(plane->high[i]));
+		const int slot = chain->joints[i].slot;
+		const double dq0 = motion->q0.v[slot] - plane->at[i], dq1 = motion->q1.v[slot] - plane->at[i];
+		const double lost0 = first_order(plane, i, dq0), lost1 = first_order(plane, i, dq1);
+		const double error = motion->chord_error.v[slot];
 
 		lost[0] += lost0;
 		lost[1] += lost1;
 		separate += larger(lost0, lost1);
-		way[i] = larger(fabs(dq0), fabs(dq1)) + motion->chord_error.v[slot];
-		off += rate * motion->chord_error.v[slot];
-		size += rate * way[i];
+		way[i] = larger(fabs(dq0), fabs(dq1)) + error;
+		off += plane->rate[i] * error;
+		size += plane->rate[i] * way[i];
 	}
-	for (size_t i = plane->link; i-- > 0;)
-		add_joint(&of_a, plane, i, chain->joints[i].rotary, way[i]);
-	for (size_t i = plane->link; i < chain->count; i++)
-		add_joint(&of_b, plane, i, chain->joints[i].rotary, way[i]);
 	/*
 	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums
 	 * above are good to some dozen units in the last place of the numbers in them.
 	 */
-	return plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate) -
-	       (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;
+	first = plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate);
+	if (!(first > beyond))
+		return -INFINITY;
+	for (size_t i = plane->link; i-- > 0;)
+		add_joint(&of_a, plane, i, chain->joints[i].rotary, way[i]);
+	for (size_t i = plane->link; i < chain->count; i++)
+		add_joint(&of_b, plane, i, chain->joints[i].rotary, way[i]);
+	return first - (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;
 }
 
 /* One body's joints, outward from the link. */
@@ -223,7 +226,7 @@ static double bulge_of(const struct travelling_plane *plane, const struct chain 
 
 		sum += 2 * turning * u;
 		if (!chain->joints[i].rotary) {
-			*lost += ways[i].error * (larger(fabs(plane->low[i]), fabs(plane->high[i])) + turned);
+			*lost += ways[i].error * (plane->rate[i] + turned);
 			continue;
 		}
 		*lost += ways[i].error * turn * lever[k];

@@ -44,6 +44,7 @@ struct travelling_plane {
 	double rounding;	/* mm: what was taken off; as much again if the normal, too, was rounded there */
 	double at[SLOT_COUNT];	/* mm, radians; by joint of the chain, as all that follow */
 	double low[SLOT_COUNT], high[SLOT_COUNT];	/* mm per mm or radian */
+	double rate[SLOT_COUNT];	/* the larger of both, without their signs */
 	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or dropped out */
 	double lever[SLOT_COUNT];	/* mm; 0: linear, or dropped out */
 	size_t link;	/* k */
@@ -115,8 +116,11 @@ double plane_motion_path(const struct plane_motion *motion, const struct body_pa
 double travelling_plane_between(const struct travelling_plane *plane, const struct chain *chain,
 				const struct plane_motion *motion, double gap0, double gap1);
 
-/* mm: the gap is larger than this, at every position of the motion. */
+/*
+ * mm: the gap is larger than this, at every position of the motion. -INFINITY may be given in place of what is at most
+ * `beyond`.
+ */
 double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,
-			     const struct plane_motion *motion);
+			     const struct plane_motion *motion, double beyond);
 
 #endif

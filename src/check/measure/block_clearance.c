@@ -44,6 +44,9 @@
  */
 enum { JOIN_CHUNKS = 256 };
 
+/* A budget that has given nothing for so many steps is forgotten. */
+enum { UNSPENT_MOST = 64 };
+
 /* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
@@ -168,7 +171,6 @@ static double distance_for(const struct block_clearance *block, double proved)
 struct measured_step {
 	const struct motion_step *step;
 	struct position_errors errors;
-	axis_values low, high;	/* of its ends */
 	double path;	/* mm: no path displacement is larger */
 	double seen;	/* mm: two triangles were this close somewhere on it: the bodies are no farther apart */
 	double rest;	/* mm: what the budget proves */
@@ -181,7 +183,6 @@ static void measured_step_init(struct measured_step *measured, const struct bloc
 	measured->errors = step_errors(block->bodies.chain, step);
 	measured->path = 0;
 	measured->seen = INFINITY;
-	step_box(step, &measured->low, &measured->high);
 }
 
 /* mm: what is wanted of planes, as far as it is known how near the bodies come. */
@@ -368,6 +369,7 @@ static void renew(struct block_clearance *block, struct sweep *sweep, const axis
 	double proven = sweep_distance(sweep, bodies, q, DISTANCE_SHARE, 0, 0);
 
 	block->found = block->coherence.near;
+	block->unspent = 0;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
 	motion_budget_set(&block->budget, q, &state, proven);
 }
@@ -375,13 +377,21 @@ static void renew(struct block_clearance *block, struct sweep *sweep, const axis
 /* Does the budget prove enough for the step, or nearly all that there can be? Then it gives the bound. */
 static bool spend(struct block_clearance *block, struct measured_step *measured)
 {
-	const double rest = motion_budget_rest(&block->budget, &measured->low, &measured->high, &measured->errors);
-	const double most = block->found + (block->budget.room - rest);
+	axis_values low, high;
+	double most;
 
-	measured->rest = rest;
-	if (!(rest > 0) || (rest <= block->bound && rest < enough(block, most)))
+	measured->rest = -INFINITY;
+	if (!block->budget.known)
 		return false;
-	block->bound = fmin(block->bound, rest);
+	step_box(measured->step, &low, &high);
+	measured->rest = motion_budget_rest(&block->budget, &low, &high, &measured->errors);
+	most = block->found + (block->budget.room - measured->rest);
+	if (!(measured->rest > 0) || (measured->rest <= block->bound && measured->rest < enough(block, most))) {
+		block->budget.known = ++block->unspent < UNSPENT_MOST;
+		return false;
+	}
+	block->unspent = 0;
+	block->bound = fmin(block->bound, measured->rest);
 	return true;
 }
 

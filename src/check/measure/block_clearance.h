@@ -45,6 +45,7 @@ struct block_clearance {
 	struct plane_account account;	/* of searches for planes */
 	int chunks;	/* that block_clearance_clears was asked for */
 	double found;	/* mm: where the budget begins, two triangles were this close */
+	int unspent;	/* steps since the budget gave the last bound */
 	struct seen_distance seen[SEEN_KEPT];	/* the last ones, as the next step begins where one ends */
 	int oldest_seen;
 	bool is_near;	/* the last step had less than what was of interest */
