@@ -289,13 +289,27 @@ static const struct refused_program programs[] = {
 	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
 	 "certain: write TRANS, or TRANS with its values, behind it, or say frames_outlive_cycle800=\"yes\" or \"no\" in "
 	 "the machine's <controller>"},
+	/* Positions are read as they are moved to: not where it is open which offset, frame, plane or edge counts. */
+	{"G500 TRANS X1\nCYCLE800()\nR1=$AA_IM[X]\nR1=$P_EP[X]\n", 4, 4,
+	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
+	 "certain: write TRANS, or TRANS with its values, behind it, or say frames_outlive_cycle800=\"yes\" or \"no\" in "
+	 "the machine's <controller>"},
+	{"R1=$AA_IW[X]\n", 1, 4,
+	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or the like, "
+	 "or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>"},
+	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nR1=$P_EP[Z]\n", 3, 4,
+	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
+	 "certain: write CYCLE800 behind it"},
 	{"G500 TRANS X1\nCYCLE800()\nATRANS Y1\n", 3, 1,
 	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant, or "
 	 "say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG500 G0 C5\n", 2, 9,
 	 "C while CYCLE800 has swivelled: the tool would leave the direction of its plane; CYCLE800() first"},
-	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\n", 2, 1,
-	 "another work offset while CYCLE800 has swivelled; CYCLE800() first"},
+	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nG0 X1\n", 3, 4,
+	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
+	 "certain: write CYCLE800 behind it"},
+	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nCYCLE800(0,\"\",1,57,0,0,0,0,0,0,0,0,0,1)\n", 3, 1,
+	 "CYCLE800 that adds a plane (units of ST 1) to one that another work offset may have changed"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nTRAORI\n", 2, 1,
 	 "TRAORI while CYCLE800 has swivelled; CYCLE800() first"},
 	{"TRAORI\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 2, 1,

@@ -117,6 +117,13 @@ static const struct program programs[] = {
 	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,0)\nG0 X0 Y1 Z0\n",
 	 "rapid 0 0 0 -30 0\norient 0 -0.5 0.866025404\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
+	/* Another work offset while a plane is swivelled counts for the next plane; X10 Y20 Z30 is G54. */
+	{"G500 CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,-1)\nG54 SUPA G0 Z50\n"
+	 "CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,-1)\nX0 Y1 Z0\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 0 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "tcp off length 0 zero A0 C0\nrapid 0 0 50 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "tcp off length 0 zero A0 C0\norient 0 -0.5 0.866025404\nrapid 0 0 50 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 10 20.8660254 30.5 -30 0 tcp\n"},
 	/* Angles of zero turn the axes home, and nothing is swivelled; a shift is a plane, too. */
 	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,-1)\nG500 G0 X1 C5\nTRAORI\nG500 X2\n",
 	 "rapid 0 0 0 -30 0\norient 0 0 1\nrapid 0 0 0 0 0\nrapid 1 0 0 0 5\ntcp on length 0 zero A0 C0\n"
@@ -173,11 +180,26 @@ START_TEST(frames_after_cycle800)
 }
 END_TEST
 
+/* Where it is open which edge counts, the machine's position is known and the program's is not. */
+START_TEST(position_of_unknown_edge)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.config.controller.edge_after_tool_change = EDGE_AFTER_TOOL_CHANGE_UNKNOWN;
+	ck_assert(!case_run(&c, "G500 T1 D1\nM6\nR1=$AA_IM[Z]\nR1=$AA_IW[Z]\n"));
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: a parameter of the control (MD20270) decides"), "%s",
+		      strbuf_text(&c.messages));
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
 
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
 	tcase_add_test(tcase, frames_after_cycle800);
+	tcase_add_test(tcase, position_of_unknown_edge);
 	return run_suite("gcode_sinumerik_cycle", tcase);
 }

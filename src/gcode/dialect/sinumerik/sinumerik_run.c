@@ -201,8 +201,8 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
 	if (sinumerik->swivelled && system == interp->state.system && sinumerik->work_selected)
 		return true;
-	if (sinumerik->swivelled)
-		return fault(&interp->at, column, "another work offset while CYCLE800 has swivelled; CYCLE800() first");
+	/* Posts select it and then swivel anew: only a move in between would ask what becomes of the plane. */
+	sinumerik->plane_unsure = sinumerik->swivelled;
 	if (system != SYSTEM_NONE && !work_offset_use_require(interp, system, column))
 		return false;
 	sinumerik_frame_place(interp);

@@ -224,6 +224,7 @@ struct sinumerik {
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */
+	bool plane_unsure;	/* another work offset was selected while CYCLE800 has swivelled */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
 	int edge;	/* D */
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */

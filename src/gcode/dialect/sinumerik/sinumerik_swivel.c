@@ -359,6 +359,7 @@ static bool lay_flat(const struct swivel *s, bool deletes_frames)
 	if (s->interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(s->interp, s->column, TCP_OFF))
 		return false;
 	sinumerik->swivelled = false;
+	sinumerik->plane_unsure = false;
 	sinumerik->swivel = sinumerik_frame_none();
 	if (deletes_frames || outlive == ANSWER_NO)
 		sinumerik->frame = sinumerik_frame_none();
@@ -415,6 +416,8 @@ static bool check(const struct swivel *s, long status, long direction)
 		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
+	if (status % 10 && sinumerik->plane_unsure)
+		return refuse(s, "CYCLE800 that adds a plane (units of ST 1) to one that another work offset may have changed");
 	if (status / 10 % 10)
 		return refuse(s,
 			      "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");

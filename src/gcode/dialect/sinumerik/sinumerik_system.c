@@ -4,6 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/work_offset_use.h"
 
@@ -51,6 +52,8 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 		*value = in_unit(interp, slot, state->position.v[slot]);
 		return true;
 	}
+	if (!sinumerik_place_check(interp, slot, column))
+		return false;
 	if (sinumerik_of(interp)->tool_frame && (slot == SLOT_X || slot == SLOT_Y))
 		return fault(&interp->at, column, "%s of %c while TOROT or TOFRAME is in force; TOROTOF first", name,
 			     AXIS_LETTERS[slot]);

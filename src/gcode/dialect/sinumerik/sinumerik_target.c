@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool_frame.h"
 #include "gcode/execute/endpoint.h"
@@ -70,16 +71,6 @@ static bool check_modes(const struct interp *interp, const struct sinumerik_bloc
 	return true;
 }
 
-/* 840D sl, MD20270: which edge is in force after M6. */
-static bool check_edge(const struct interp *interp, int column)
-{
-	if (!sinumerik_of(interp)->edge_unsure)
-		return true;
-	return fault(&interp->at, column,
-		     "a parameter of the control (MD20270) decides which D holds after M6: write D, or say "
-		     "edge_after_tool_change=\"first\" (D1), \"none\" (D0) or \"keeps\" in the machine's <controller>");
-}
-
 /* SD42940: in which direction the length acts in G18 and G19. */
 static bool check_length_axis(const struct interp *interp, int column)
 {
@@ -94,59 +85,6 @@ static bool check_length_axis(const struct interp *interp, int column)
 	    "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
 	    "the other way is not supported",
 	    state->plane / 10);
-}
-
-/* Does any work offset of the setup shift an axis of the block? X, Y and Z count as one: frames may turn them. */
-static bool is_shifted(const struct interp *interp, const struct sinumerik_block *block)
-{
-	const bool linear = block->letters & LINEAR_BITS;
-
-	for (size_t i = 0; i < interp->config->work_offset_count; i++) {
-		for (int slot = 0; slot < SLOT_COUNT; slot++) {
-			const bool moves = slot <= SLOT_Z ? linear : sinumerik_block_has(block, AXIS_LETTERS[slot]);
-
-			if (moves && !same_double(interp->config->work_offsets[i].value.v[slot], 0))
-				return true;
-		}
-	}
-	return false;
-}
-
-/* CYCLE800() may have deleted the programmable frame: does it move what the block names? */
-static bool unsure_frame_counts(const struct sinumerik *sinumerik, const struct sinumerik_block *block)
-{
-	if (!sinumerik->frame_unsure)
-		return false;
-	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
-		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
-		    !same_double(sinumerik->frame.shift.v[slot], 0))
-			return true;
-	}
-	return (block->letters & LINEAR_BITS) || !(block->letters & AXIS_BITS);
-}
-
-/* A work offset of the setup may be in force at power-on, by a parameter. */
-static bool check_system(const struct interp *interp, const struct sinumerik_block *block, int column)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-
-	if (sinumerik->frames_unsure)
-		return fault(
-		    &interp->at, column,
-		    "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
-		    "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
-		    "the machine's <controller>");
-	if (unsure_frame_counts(sinumerik, block))
-		return fault(&interp->at, column,
-			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "
-			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it, or say "
-			     "frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>");
-	if (sinumerik->work_selected || !is_shifted(interp, block))
-		return true;
-	return fault(
-	    &interp->at, column,
-	    "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
-	    "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
 }
 
 /*
@@ -189,9 +127,9 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 		return false;
 	if (interp->state.tcp != TCP_OFF && !sinumerik_target_check_rotary_zero(interp, column))
 		return false;
-	if (linear && (!check_edge(interp, column) || !check_length_axis(interp, column)))
+	if (linear && (!sinumerik_place_check_edge(interp, column) || !check_length_axis(interp, column)))
 		return false;
-	return machine || check_system(interp, block, column);
+	return machine || sinumerik_place_check_frames(interp, block->letters, column);
 }
 
 bool sinumerik_target_check_cycle(struct interp *interp, int column)
