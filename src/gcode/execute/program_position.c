@@ -2,6 +2,7 @@
 
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/probed_axes.h"
+#include "gcode/execute/tool_length.h"
 
 bool program_position_check(struct interp *interp, int slot, int column)
 {
@@ -13,6 +14,13 @@ bool program_position_check(struct interp *interp, int slot, int column)
 	if (slot <= SLOT_Z && interp->state.pocket_milling.open[slot])
 		return fault(&interp->at, column, "where %c stands in the pocket of G150 is not known",
 			     AXIS_LETTERS[slot]);
+	/* After G28, G53 or M6 it depends on the control whether the length still counts. */
+	if (tool_length_is_in_doubt(interp, slot, column))
+		return false;
+	if ((interp->state.unknown_modes & 1U << G_UNITS) && !slot_is_rotary(slot))
+		return fault(&interp->at, column,
+			     "a length is read before G20 or G21, and which of them holds at power-on is not known: "
+			     "power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
 	if (!interp->state.frame.on)
 		return dynamic_work_offset_check_read(interp, slot, column) &&
 		       probed_axes_is_known(interp, slot, column);
