@@ -170,6 +170,12 @@ START_TEST(position_in_doubt)
 	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: G28 may have taken the tool's length"), "%s",
 		      strbuf_text(&c.messages));
 	case_release(&c);
+	/* Behind G69 X stands at 0, and its last coordinate was 10. */
+	length_case(&c, &dialect_haas, ANSWER_NO);
+	ck_assert(!case_run(&c, "G0 X0. Y0. Z5.\nG68 X0. Y0. R90.\nX10. Y0.\nG69\n#1=#5003\nY[#1]\n#1=#5002\n#1=#5001\n"));
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:8:4: error: the position of X behind G69 depends on the control"),
+		      "%s", strbuf_text(&c.messages));
+	case_release(&c);
 	length_case(&c, &dialect_haas, ANSWER_NO);
 	c.config.controller.power_on_units = POWER_ON_UNITS_UNKNOWN;
 	ck_assert(!case_run(&c, "#1=1\n#1=#5003\n"));
