@@ -170,6 +170,12 @@ START_TEST(position_in_doubt)
 	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: G28 may have taken the tool's length"), "%s",
 		      strbuf_text(&c.messages));
 	case_release(&c);
+	/* G92 makes a coordinate of the place. */
+	length_case(&c, &dialect_fanuc, ANSWER_NO);
+	ck_assert(!case_run(&c, "G0 G43 H1 X7. Z5.\nG91 G28 Z0.\nG90 G92 X0.\nG92 Z0.\n"));
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:5: error: G28 may have taken the tool's length"), "%s",
+		      strbuf_text(&c.messages));
+	case_release(&c);
 	/* Behind G69 X stands at 0, and its last coordinate was 10. */
 	length_case(&c, &dialect_haas, ANSWER_NO);
 	ck_assert(!case_run(&c, "G0 X0. Y0. Z5.\nG68 X0. Y0. R90.\nX10. Y0.\nG69\n#1=#5003\nY[#1]\n#1=#5002\n#1=#5001\n"));

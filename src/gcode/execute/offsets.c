@@ -225,6 +225,17 @@ static void change_shift_here(struct interp *interp, int system, int slot, doubl
 	state->shift.v[slot] = position_without(state, slot, state->shift.v[slot]) - word;
 }
 
+/* What calls the place where the tool stands by a new coordinate needs to know its length. False: reported. */
+static bool check_place(struct interp *interp)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (block_has(&interp->block, AXIS_LETTERS[slot]) &&
+		    tool_length_is_in_doubt(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
+			return false;
+	}
+	return true;
+}
+
 static bool is_shifted(const struct state *state)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -285,7 +296,8 @@ bool offsets_shift(struct interp *interp)
 	if (traits_of(interp)->one_shift != ANSWER_YES && state->shift_code != code && is_shifted(state))
 		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
 			     state->shift_code / 10);
-	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))
+	if ((code != G52 && !check_place(interp)) ||
+	    !change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))
 		return false;
 	state->shift_code = code;
 	state->shift_applied = true;
