@@ -13,12 +13,16 @@ export class Overlay {
 		this.drawing = svg('svg', {'aria-hidden': 'true', class: 'overlay'});
 		this.labels = h('div', {class: 'labels', 'aria-hidden': 'true'});
 		this.width = this.height = 1;
+		this.top = EDGE;
 	}
 
 	/** @param {number} width @param {number} height */
 	clear(width, height) {
 		this.width = width;
 		this.height = height;
+		// On a phone the axes' positions are as wide as the picture.
+		const positions = /** @type {HTMLElement|null|undefined} */ (this.labels.parentElement?.querySelector('.readout'));
+		this.top = positions && positions.offsetWidth > 0.6 * width ? positions.offsetTop + positions.offsetHeight + 4 : EDGE;
 		this.drawing.replaceChildren();
 		this.labels.replaceChildren();
 	}
@@ -45,7 +49,7 @@ export class Overlay {
 		const label = h(`span.label.${kind}`, {}, text);
 		this.labels.append(label);
 		const w = label.offsetWidth, tall = label.offsetHeight;
-		const left = Math.max(4, Math.min(this.width - w - 4, x - w / 2)), top = Math.max(EDGE, Math.min(this.height - tall - EDGE, y - tall / 2));
+		const left = Math.max(4, Math.min(this.width - w - 4, x - w / 2)), top = Math.max(this.top, Math.min(this.height - tall - EDGE, y - tall / 2));
 		label.style.left = `${left}px`;
 		label.style.top = `${top}px`;
 		return {left, top, right: left + w, bottom: top + tall};

@@ -228,6 +228,17 @@ def words(bench):
 
 
 @test
+def narrow(bench):
+    """In a narrow frame, as on the page on a phone, names do not lie under the positions of the axes, and no button breaks its words."""
+    page = bench.open(bench.example("ac-trunnion", "collision")[0], width=318, height=640, scale=2, mobile=True)
+    same("names under the positions", page.run("""(({bottom}) => [...document.querySelectorAll('.stage .label')].filter((label) => label.getBoundingClientRect().top < bottom).length)(
+        document.querySelector('.readout').getBoundingClientRect())"""), 0)
+    same("buttons of two lines", page.run("[...document.querySelectorAll('.play button')].filter((e) => e.clientHeight > 40).length"), 0)
+    same("sideways", page.run("document.documentElement.scrollWidth"), 318)
+    bench.done(page, "narrow")
+
+
+@test
 def poses(bench):
     """Every body stands at the finding where --pose says, to the accuracy that the report states."""
     path, _ = bench.example("ac-trunnion", "collision", "--all")
