@@ -163,6 +163,31 @@ def many(bench):
 
 
 @test
+def keys(bench):
+    """By keys alone: an example is opened and checked; the focus goes from Check to Cancel, and back to Check."""
+    page = bench.open()
+    reached = []
+    for _ in range(30):
+        page.press("Tab")
+        reached.append(page.run("[document.activeElement.tagName, document.activeElement.dataset.example ?? document.activeElement.id, getComputedStyle(document.activeElement).outlineStyle]"))
+        if reached[-1][1] == "cb-head":
+            break
+    same("each place is seen", [place for place in reached if place[2] == "none"], [])
+    same("the example is reached", reached[-1][1], "cb-head")
+    page.press("Enter")
+    page.run("await until('example-open', 1)")
+    while page.run("document.activeElement.id") != "check":
+        page.press("Tab")
+        true("the button is reached", page.run("document.activeElement.tagName") != "BODY")
+    page.run("(window.focused = [], document.addEventListener('focusin', ({target}) => focused.push(target.id)))")
+    page.press("Enter")
+    page.run("await until('checked', 1)")
+    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    same("focus", page.run("[...focused, document.activeElement.id]"), ["cancel", "check", "check"])
+    bench.done(page)
+
+
+@test
 def phone(bench):
     """Nothing is wider than a phone, and everything has a name."""
     page = bench.open(**PHONE)

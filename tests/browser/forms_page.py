@@ -25,7 +25,7 @@ def form(bench):
     page.run("document.querySelector('[name=\"A.title\"]').value = 'First <b>axis</b>'")
     page.run("document.querySelector('#write-machine').click()")
     page.run("await until('machine-written', 2)")
-    xml = page.run("document.querySelector('#machine-xml').textContent")
+    xml = page.run("document.querySelector('#machine-xml').value")
     native = subprocess.run(
         [bench.fivecheck, "init", "table-table", "--rotary=A,C", "--limits=X=-300:300", "--limits=Y=-250:250", "--limits=Z=-400:0",
          "--limits=A=-120:30", "--title=A=First <b>axis</b>", "--location=A=0,0,120", "--limits=C=none", "--location=C=0,0,120",
@@ -85,7 +85,7 @@ def numbers(bench):
     enter(page, "machine", X__min="\u2212300", C__direction__z="")
     write(page, "machine")
     same("faults at last", faults(page, "machine"), [])
-    xml = page.run("document.querySelector('#machine-xml').textContent")
+    xml = page.run("document.querySelector('#machine-xml').value")
     true("numbers in the file", 'location="0 0 120.5"' in xml and 'location="0 -0.5 120"' in xml and 'limit_min="-300"' in xml)
     page.run("document.querySelector('#options [name=clearance]').value = '0,5'")
     same("the distance to keep", page.run("fivecheckPage.optionsOf()[0]"), "--clearance=0.5")
@@ -143,7 +143,7 @@ def own_machine(bench):
         # The same files on the command line.
         for kind in ("machine", "setup"):
             with open(os.path.join(work, f"{kind}.xml"), "w", encoding="utf-8") as file:
-                file.write(page.run(f"document.querySelector('#{kind}-xml').textContent").replace("stl/", ""))
+                file.write(page.run(f"document.querySelector('#{kind}-xml').value").replace("stl/", ""))
         with open(os.path.join(work, "part.nc"), "w", encoding="utf-8") as file:
             file.write("G21 G90 G94 G61\n(T9 is in the drawer)\nT7 M6\nG43 H7\nG54 G0 X0 Y0\nG0 Z30\nM2\n")
         done = subprocess.run([bench.fivecheck, "--setup=setup.xml", "machine.xml", "part.nc"], cwd=work, capture_output=True, text=True, check=False)
@@ -180,7 +180,7 @@ def families(bench):
             [bench.fivecheck, "init", family, f"--rotary={rotary}", *told, *[f"--location={axis}={vector(f'{axis}.location')}" for axis in rotary.split(",")],
              *(["--table=Y"] if family == "head-table" else []), *(["--inclination=B=45"] if family.startswith("nutating") else []),
              f"--spindle={vector('spindle')}", f"--workholding={vector('workholding')}", "--dialect=linuxcnc"], capture_output=True, text=True, check=False)
-        same(f"XML of {family}", page.run("document.querySelector('#machine-xml').textContent"), native.stdout)
+        same(f"XML of {family}", page.run("document.querySelector('#machine-xml').value"), native.stdout)
         chains = page.run("document.querySelector('#machine-chains').textContent")
         same("what carries what", chains.replace(" \u2192 ", " > ") in native.stderr, True)
     # The last one, with everything else that can be told.
@@ -198,7 +198,7 @@ def families(bench):
          "--table=Z,X", "--inclination=B=50", "--direction=Z=0,0,-1", "--rates=X=1000,Y=2000,Z=3000,C=4000,B=5000", "--home=B=12", "--title=C=turn & tilt",
          "--body=base=bed.stl", "--body=base=left.stl", "--body=B=head.stl", f"--spindle={vector('spindle')}", "--spindle-direction=0,0,-1",
          f"--workholding={vector('workholding')}", "--name=Portal <2>", "--units=inch", "--dialect=fanuc", "--rapid=dogleg"], capture_output=True, text=True, check=False)
-    same("XML with everything", page.run("document.querySelector('#machine-xml').textContent"), native.stdout)
+    same("XML with everything", page.run("document.querySelector('#machine-xml').value"), native.stdout)
     enter(page, "machine", B__home="500", Y__body="slide.stl", B__body="head.stl, x/slide.stl")
     write(page, "machine")
     true("a fault of init stands at its field", "the home of B" in page.run("document.querySelector('[data-axis=B] .fault').textContent"))
@@ -252,7 +252,7 @@ def setup_form(bench):
         into("stock", **fields)
         write(page, "setup")
         same(f"faults with the stock {form}", faults(page, "setup"), [])
-        written[form] = page.run("document.querySelector('#setup-xml').textContent")
+        written[form] = page.run("document.querySelector('#setup-xml').value")
     same("stock", [next((line.strip() for line in text.splitlines() if "<stock" in line), "") for text in written.values()],
          ["", '<stock box="100 80 50"/>', '<stock cylinder="90 60.5"/>', '<stock mesh="blank.stl" location="0 0 -3"/>'])
     true("names that are free", all(f'<fixture name="{name}" mesh="{mesh}" {place}/>' in written[""] for name, mesh, place in
@@ -309,7 +309,7 @@ def setup_stock(bench):
     same("verdict", page.run(VERDICTS), [["part.nc", "found"]])
     true("the cutter meets the blank at rapid", "rapid-contact: " in page.run("document.querySelector('.findings').textContent"))
     with tempfile.TemporaryDirectory() as work:
-        for name, text in (("setup.xml", page.run("document.querySelector('#setup-xml').textContent")), ("part.nc", program)):
+        for name, text in (("setup.xml", page.run("document.querySelector('#setup-xml').value")), ("part.nc", program)):
             with open(os.path.join(work, name), "w", encoding="utf-8") as file:
                 file.write(text)
         done = subprocess.run(
@@ -318,3 +318,48 @@ def setup_stock(bench):
         same("line of the command line", [event["line"] for event in found[:1]], [7])
         true("the same line", f"Line {found[0]['line']}: rapid-contact" in page.run("document.querySelector('.findings').textContent"))
     bench.done(page, "page-stock")
+
+
+@test
+def oblique_table(bench):
+    """From nothing to a verdict for a machine with an oblique table and a program in Klartext: the file that the form writes is completed where it stands."""
+    page = bench.open()
+    page.run("document.querySelectorAll('section > details').forEach((e) => e.open = true)")
+    program = "BEGIN PGM P MM\nCYCL DEF 247 Q339=+1\nTOOL CALL 5 Z S1000\nM3\nM128\nL X+0 Y+0 Z+200 F5000\nL %s F1000\nEND PGM P MM\n"
+    boxes = {"base": ((-300, -300, -300), (300, 300, -200)), "B": ((-60, -60, -180), (60, 60, -20)), "C": ((-100, -100, -20), (100, 100, 0)), "Z": ((-40, -40, 520), (40, 40, 700)),
+             "X": ((-40, 40, 600), (40, 300, 760)), "Y": ((-40, 300, -200), (40, 380, 760))}
+    with tempfile.TemporaryDirectory() as work:
+        for link, (low, high) in boxes.items():
+            path = os.path.join(work, f"body-{link}.stl")
+            fixtures.stl_box(path, low, high)
+            page.choose(f".mesh:has([name='{link}.body']) input[type=file]", [path])
+        enter(page, "machine", family="nutating-table", dialect="klartext")
+        page.run("document.querySelector('#fill-example').click()")
+        write(page, "machine")
+        after(page, "files-shown", lambda: page.run("document.querySelector('#use-machine').click()"))
+        programs = {"clear.h": program % "B+60 C+45", "hit.h": program % "X+0 Y+0 Z-30"}
+        after(page, "files-shown", lambda: page.run("await fivecheckPage.add(%s.map(([name, text]) => [name, new Blob([text])]))" % json.dumps(list(programs.items()))))
+        same("the preset and the tool of the programs", page.run("[...document.querySelectorAll('[data-kind=offset] [name$=name], [data-kind=tool] [name$=number]')].map((e) => e.value)"), ["G54.1 P1", "5"])
+        offset, tool = page.run("['offset', 'tool'].map((kind) => document.querySelector(`[data-kind=${kind}]`).dataset.row)")
+        enter(page, "setup", **{f"{offset}__{axis}": value for axis, value in (("X", "0"), ("Y", "0"), ("Z", "-520"))},
+              **{f"{tool}__{k}": v for k, v in {"length": "120", "holderLength": "60", "holderDiameter": "50", "cutterLength": "40", "cutterDiameter": "10"}.items()})
+        write(page, "setup")
+        same("faults", faults(page, "setup"), [])
+        after(page, "files-shown", lambda: page.run("document.querySelector('#use-setup').click()"))
+        bench.check(page)
+        same("what only the control knows", [verdict for _, verdict in page.run(VERDICTS)], ["incomplete", "incomplete"])
+        true("is asked for", "<tool_change" in page.run("document.querySelector('.findings').textContent"))
+        link = page.run("document.querySelector('#download-machine').href")
+        page.run("((text) => { text.value = text.value.replace(/<controller[^>]*>/, '<controller dialect=\"klartext\" rapid=\"any\" path_tolerance=\"0.01\"><tool_change/></controller>');"
+                 " text.dispatchEvent(new Event('input')); })(document.querySelector('#machine-xml'))")
+        after(page, "files-shown", lambda: page.run("document.querySelector('#use-machine').click()"))
+        true("the edited file is downloaded", page.run("document.querySelector('#download-machine').href") != link)
+        bench.check(page, 2)
+        same("verdicts", sorted(page.run(VERDICTS)), [["clear.h", "clear"], ["hit.h", "found"]])
+        for name, text in {**programs, "machine.xml": page.run("document.querySelector('#machine-xml').value"), "setup.xml": page.run("document.querySelector('#setup-xml').value")}.items():
+            with open(os.path.join(work, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        for name, status in (("clear.h", 0), ("hit.h", 1)):
+            done = subprocess.run([bench.fivecheck, "--setup=setup.xml", "machine.xml", name], cwd=work, capture_output=True, text=True, check=False)
+            same(f"{name} on the command line: {done.stdout}{done.stderr}", done.returncode, status)
+        bench.done(page, "page-oblique-table")

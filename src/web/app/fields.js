@@ -151,13 +151,23 @@ export function vectorsAreWhole(form) {
 }
 
 /**
- * A file that was written: its text is shown, and may be downloaded.
- * @param {HTMLElement} made with a link and a `pre` @param {string} xml
+ * A file that was written: its text is shown, may be edited, downloaded, and used.
+ * @param {HTMLElement} made with a link, a `textarea` and a button
+ * @param {(xml: string) => void} use takes the text as it stands there
+ * @returns {(xml: string) => void} shows a text; '' hides all
  */
-export function showFile(made, xml) {
-	const link = /** @type {HTMLAnchorElement} */ (made.querySelector('a'));
-	URL.revokeObjectURL(link.href);
-	link.href = URL.createObjectURL(new Blob([xml], {type: 'application/xml'}));
-	/** @type {HTMLElement} */ (made.querySelector('pre')).textContent = xml;
-	made.hidden = xml === '';
+export function writtenFile(made, use) {
+	const link = /** @type {HTMLAnchorElement} */ (made.querySelector('a')), text = /** @type {HTMLTextAreaElement} */ (made.querySelector('textarea'));
+	const offer = () => {
+		URL.revokeObjectURL(link.href);
+		link.href = URL.createObjectURL(new Blob([text.value], {type: 'application/xml'}));
+	};
+	text.addEventListener('input', offer);
+	/** @type {HTMLElement} */ (made.querySelector('button')).addEventListener('click', () => use(text.value));
+	return (xml) => {
+		text.value = xml;
+		text.rows = Math.min(24, xml.split('\n').length + 1);
+		made.hidden = xml === '';
+		offer();
+	};
 }

@@ -3,7 +3,7 @@
  * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML of it and judges what was entered; each
  * of its errors stands at the field that it is about.
  */
-import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
+import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
 import {chainsOf, initArguments, LINEAR, orders} from './machine_arguments.js';
 import {EXAMPLES, FAMILIES, ROTARY} from './machine_families.js';
 import {element} from './page.js';
@@ -48,7 +48,6 @@ export class MachineForm {
 	constructor(form, client, add, use) {
 		this.form = form;
 		this.client = client;
-		this.xml = '';
 		this.part('[name=family]').append(...Object.entries(FAMILIES).map(([value, {title}]) => element('option', {value}, title)));
 		this.part('#base-body').append(meshField('base.body', 'bodies of the base (STL files)', true, add));
 		this.part('#axes').append(...['X', 'Y', 'Z', ...ROTARY].map((axis) => axisFields(axis, add)));
@@ -62,7 +61,7 @@ export class MachineForm {
 		});
 		form.addEventListener('change', ({target}) => this.fit(/** @type {HTMLInputElement} */ (target).name));
 		this.part('#fill-example').addEventListener('click', () => this.fill(EXAMPLES[this.value('family')]));
-		this.part('#use-machine').addEventListener('click', () => use(this.xml));
+		this.show = writtenFile(this.part('#machine-made'), use);
 		this.fit('family');
 	}
 
@@ -126,8 +125,8 @@ export class MachineForm {
 
 	async write() {
 		forgetFaults(this.form);
-		this.xml = [numbersAreRead(this.form), vectorsAreWhole(this.form), this.limitsAreRight()].every(Boolean) ? await this.written() : '';
-		showFile(this.part('#machine-made'), this.xml);
+		const xml = [numbersAreRead(this.form), vectorsAreWhole(this.form), this.limitsAreRight()].every(Boolean) ? await this.written() : '';
+		this.show(xml);
 		document.dispatchEvent(new CustomEvent('machine-written'));
 	}
 

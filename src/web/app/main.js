@@ -14,7 +14,7 @@ import {SetupForm} from './setup_form.js';
 const FIRST_REPORTS = 4;
 /** What each example shows. */
 const EXAMPLES = /** @type {Record<string, string>} */ ({'ac-trunnion': 'an impeller on a table that tilts and turns',
-	'b-head-c-table': 'a turbine blade, a head that tilts and a table that turns', 'cb-head': 'a structural part, a head that tilts and turns'});
+	'b-head-c-table': 'a turbine blade, head and table turn', 'cb-head': 'a structural part, a head that tilts and turns'});
 
 class Page {
 	constructor() {
@@ -164,8 +164,14 @@ class Page {
 		const why = machines === 0 ? `A machine file is missing.${others.length ? ` There is no <machine> in ${others.join(', ')}.` : ''}`
 			: machines > 1 ? 'There is more than one machine file: remove all but one.' : programs === 0 ? 'A program is missing: drop the NC program, too.' : '';
 		byId('why-not').textContent = this.files.length ? why : 'Open an example, or your own files, first.';
-		/** @type {HTMLButtonElement} */ (byId('check')).disabled = why !== '' || this.running > 0;
-		byId('cancel').hidden = this.running === 0;
+		const check = /** @type {HTMLButtonElement} */ (byId('check')), cancel = byId('cancel'), focus = document.activeElement;
+		check.disabled = why !== '' || this.running > 0;
+		cancel.hidden = this.running === 0;
+		// Who presses a button that goes finds the other one under the same key.
+		if (focus === check && check.disabled)
+			cancel.focus();
+		if (focus === cancel && cancel.hidden)
+			check.focus();
 	}
 
 	optionsOf() {

@@ -3,7 +3,7 @@
  * setup_form.js - the form for a job's setup: work offsets, part, fixtures, stock, tools. What it writes is judged by the check,
  * as any other setup file is.
  */
-import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, showFile, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers} from './fields.js';
+import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
 import {element} from './page.js';
 import {axesIn, offsetsIn, toolsIn} from './setup_proposal.js';
 import {setupXml, toolFault} from './setup_xml.js';
@@ -74,7 +74,6 @@ export class SetupForm {
 	constructor(form, add, use) {
 		this.form = form;
 		this.add = add;
-		this.xml = '';
 		this.axes = ['X', 'Y', 'Z'];
 		this.rows = 0;
 		/** What a person has changed is no longer proposed. @type {Set<string>} */
@@ -95,7 +94,7 @@ export class SetupForm {
 			event.preventDefault();
 			this.write();
 		});
-		this.part('#use-setup').addEventListener('click', () => use(this.xml));
+		this.show = writtenFile(this.part('#setup-made'), use);
 		this.propose('', []);
 	}
 
@@ -211,8 +210,8 @@ export class SetupForm {
 		forgetFaults(this.form);
 		const data = new FormData(this.form), right = numbersAreRead(this.form) && vectorsAreWhole(this.form) && this.rowsAreRight(data);
 		const rows = {offset: this.rowsOf('offset'), part: this.rowsOf('part'), fixture: this.rowsOf('fixture'), tool: this.rowsOf('tool')};
-		this.xml = right ? setupXml(data, this.axes, rows) : '';
-		showFile(this.part('#setup-made'), this.xml);
+		const xml = right ? setupXml(data, this.axes, rows) : '';
+		this.show(xml);
 		document.dispatchEvent(new Event('setup-written'));
 	}
 }
