@@ -369,6 +369,57 @@ def tour(bench):
 
 
 @test
+def learn_own_files(bench):
+    """Own files: what is wrong with them is told while the machine before goes on; a program of theirs comes into the editor, with the doubts about it."""
+    page = learn(bench)
+    name = "document.querySelector('#machine-name').textContent"
+
+    def choose(*paths):
+        page.run("void (window.said = new Promise((done) => new MutationObserver(() => /cannot be shown/.test(document.querySelector('#machine-name').textContent) && done())"
+                 ".observe(document.querySelector('#machine-name'), {childList: true, characterData: true, subtree: true})))")
+        page.choose("#choose", list(paths))
+
+    with tempfile.TemporaryDirectory() as work:
+        machine, setup, program = fixtures.boxes(work)
+        folder = os.path.dirname(machine)
+        choose(program)
+        page.run("await window.said")
+        same("no machine", page.run(name), "This machine cannot be shown: a machine file is missing\nWhat stands below is A/C trunnion 400.")
+        choose(machine)
+        page.run("await window.said")
+        true("no mesh", "not here: table.stl, head.stl; choose these files" in page.run(name))
+        with open(os.path.join(folder, "broken.xml"), "w", encoding="utf-8") as file:
+            file.write("<machine version='1'><base></machine>")
+        choose(os.path.join(folder, "broken.xml"))
+        page.run("await window.said")
+        true("no XML", "not well-formed" in page.run(name))
+        jog(page, {"Z": -380, "A": -40}, 1)
+        true("the machine before goes on", page.run(JOGGED).startswith("Collision:"))
+        edit(page, "G21 G90\nG1 X\nM2\n")
+        true("and its editor", page.run(EDITED).startswith("Incomplete"))
+        meshes = [os.path.join(folder, f"{mesh}.stl") for mesh in ("table", "head", "block")]
+        with open(program, encoding="utf-8") as file:
+            text = file.read().replace("G94", "G94 G64")
+        with open(program, "w", encoding="utf-8") as file:
+            file.write(text)
+        page.choose("#choose", [machine, setup, program, *meshes])
+        page.run("await until('machine-open', 2)")
+        same("the program", page.run("learnPage.editor.text.value"), text)
+        true("found", page.run(EDITED).startswith("Found"))
+        true("a doubt", any(line.startswith("G64") for line in page.run("[...document.querySelectorAll('.remarks .warning')].map((e) => e.textContent)")))
+        with open(machine, encoding="utf-8") as file:
+            klartext = file.read().replace('dialect="linuxcnc"', 'dialect="klartext"').replace('rapid="linear"/>', 'rapid="linear" path_tolerance="0.01"><tool_change/></controller>')
+        with open(machine, "w", encoding="utf-8") as file:
+            file.write(klartext)
+        page.choose("#choose", [machine, *meshes])
+        page.run("await until('machine-open', 3)")
+        true("blocks that its control reads", page.run("learnPage.editor.text.value").startswith("BEGIN PGM"))
+        true(f"they are clear: {page.run(EDITED)}", page.run(EDITED).startswith("Clear"))
+        true("without a setup", any("no setup" in line for line in page.run("[...document.querySelectorAll('.remarks .warning')].map((e) => e.textContent)")))
+    bench.done(page, "learn-own")
+
+
+@test
 def learn_on_a_phone(bench):
     page = learn(bench, **PHONE)
     page.run("[...document.querySelectorAll('#examples button')][2].click()")

@@ -5,6 +5,7 @@
  * The proof of a clear program is quick; to find the first instant of a deep collision takes longer. So a second session
  * looks at samples meanwhile: what it finds is shown until the proof is there. That it finds nothing means nothing.
  */
+import {isDoubt} from './cautions.js';
 import {STATUS} from './fivecheck.js';
 import {element} from './page.js';
 import {Newest} from './session_client.js';
@@ -36,7 +37,10 @@ export function remarksOf({events, messages}) {
 		const what = event.b ? `${event.a} and ${event.b}` : event.axis ?? event.a ?? '';
 		remarks.push({line: event.line, column: event.column || 1, kind: 'finding', text: `${event.kind}: ${what}, at ${(100 * event.fraction).toFixed(1)} % of the block`, event});
 	}
-	return remarks.sort((a, b) => a.line - b.line);
+	const cautions = events.find(({kind}) => kind === 'program')?.cautions ?? [];
+	// Warnings stand at their lines already.
+	const doubts = cautions.filter((/** @type {string} */ caution) => isDoubt(caution) && !/^\d+ warnings?\b/.test(caution));
+	return [...remarks.sort((a, b) => a.line - b.line), ...doubts.map((/** @type {string} */ text) => ({line: 0, column: 0, kind: /** @type {const} */ ('warning'), text}))];
 }
 
 /** @typedef {{number: number, at: number, text: string}} Typed a key: its number, when, and the text since then */

@@ -2,7 +2,7 @@
 /** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
 import {Client} from './client.js';
 import {Editor} from './editor.js';
-import {exampleFile, jobFile, withMeshes} from './job_files.js';
+import {exampleFile, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {byId, element} from './page.js';
 import {SessionClient} from './session_client.js';
@@ -17,10 +17,24 @@ const BLOCKS = /** @type {Record<string, string>} */ ({
 	'ac-trunnion': 'G21 G90 G94 G54\nT1 M6\nS12000 M3\nG53 G0 Z0\nG53 G0 X200 Y0\nG0 A-30 C90\nG53 G0 Z-150\nG53 G1 X150 F5000\nG53 G1 Z-180\nG53 G0 Z0\nM2\n',
 });
 
+/** Bytes of a program that can be checked at every key. */
+const LONGEST = 100000;
+
 /** The tools of a setup. @param {JobFile | undefined} setup @returns {{number: number, name: string}[]} */
 function toolsOf(setup) {
 	const found = setup ? new DOMParser().parseFromString(setup.text, 'application/xml').querySelectorAll('tool[number]') : [];
 	return [...found].map((tool) => ({number: Number(tool.getAttribute('number')), name: tool.getAttribute('name') ?? ''}));
+}
+
+/**
+ * A few blocks for any machine: it goes where it starts, axis by axis.
+ * @param {string} machine its file @param {Model} model @param {{number: number, name: string}[]} tools
+ */
+function firstBlocks(machine, model, tools) {
+	const home = model.path.pose(0).values.map((value, i) => `${model.axes[i].letter}${Number(value.toFixed(4))}`), [tool] = tools;
+	if (/\bdialect=["']klartext["']/.test(machine))
+		return `BEGIN PGM NEW MM\n${tool ? `TOOL CALL ${tool.number} Z S1000\n` : ''}${home.map((word) => `L ${word.replace(/^(.)(?!-)/, '$1+')} R0 FMAX M91\n`).join('')}END PGM NEW MM\n`;
+	return `G21 G90 G94\n${tool ? `T${tool.number} M6\n` : ''}${home.map((word) => `G53 G0 ${word}\n`).join('')}M2\n`;
 }
 
 /** The bodies of the machine with all tools, out of a report that the checker writes; its data is put where the viewer looks for it. @param {Uint8Array} report @returns {Promise<Model>} */
@@ -35,12 +49,16 @@ class LearnPage {
 		this.client = new Client(new URL('.', import.meta.url));
 		/** @type {SessionClient | undefined} */
 		this.session = undefined;
+		/** The machine that is being loaded; the one before stays until it is. @type {SessionClient | undefined} */
+		this.opening = undefined;
 		/** The same machine once more, for the editor. @type {SessionClient | undefined} */
 		this.scout = undefined;
 		/** @type {Jog | undefined} */
 		this.jog = undefined;
 		/** @type {Editor | undefined} */
 		this.editor = undefined;
+		/** @type {Model | undefined} */
+		this.model = undefined;
 		startTour(this.client);
 		this.offerExamples();
 		const choose = /** @type {HTMLInputElement} */ (byId('choose'));
@@ -66,7 +84,8 @@ class LearnPage {
 
 	/** What keeps a machine from being opened stands where its name would. @param {Promise<void>} opening */
 	async told(opening) {
-		await opening.catch((error) => byId('machine-name').textContent = String(error));
+		const say = byId('machine-name'), before = this.model?.machine;
+		await opening.catch(({message}) => say.textContent = `This machine cannot be shown: ${message.trim()}${before === undefined ? '' : `\nWhat stands below is ${before || 'the machine before'}.`}`);
 	}
 
 	/** @param {string} name @param {string[]} paths */
@@ -76,32 +95,37 @@ class LearnPage {
 
 	/** @param {string} name of the example, or '' @param {JobFile[]} files */
 	async open(name, files) {
-		const machine = files.find(({role}) => role === 'machine'), setup = files.find(({role}) => role === 'setup');
-		const say = byId('machine-name');
-		if (!machine) {
-			say.textContent = 'A machine file is missing.';
-			return;
-		}
+		const [machine, setup, program] = ['machine', 'setup', 'program'].map((wanted) => files.find(({role}) => role === wanted));
+		const say = byId('machine-name'), missing = missingFiles(files);
+		if (!machine)
+			throw new Error('a machine file is missing');
+		if (missing.length)
+			throw new Error(`not here: ${missing.join(', ')}; choose these files together with the machine file`);
 		say.textContent = 'Loading …';
-		this.session?.close();
-		this.scout?.close();
 		const modules = this.client.modules.of(machine.blob, setup?.blob), all = withMeshes(files), job = {machine: machine.path, setup: setup?.path};
-		const session = this.session = new SessionClient(modules, all, job);
+		const session = this.opening = new SessionClient(modules, all, job);
 		const tools = toolsOf(setup), start = `${tools.map(({number}) => `T${number} M6\n`).join('')}M2\n`;
 		const {reports, messages} = await session.check({name: 'start.nc', text: start, options: ['--dialect=linuxcnc'], report: true});
-		if (session !== this.session)
-			return;
-		this.scout = new SessionClient(modules, all, job);
 		const report = reports.get('start.nc');
-		if (!report) {
-			say.textContent = messages;
+		if (session !== this.opening || !report)
+			session.close();
+		if (session !== this.opening)
 			return;
-		}
-		await this.show(name, await modelOf(report), session, this.scout, tools);
+		if (!report)
+			throw new Error(messages);
+		this.session?.close();
+		this.scout?.close();
+		this.session = session;
+		this.scout = new SessionClient(modules, all, job);
+		const model = await modelOf(report), text = program && program.blob.size <= LONGEST ? await program.blob.text() : BLOCKS[name] ?? firstBlocks(machine.text, model, tools);
+		await this.show(model, session, this.scout, tools, text);
+		if (program && program.blob.size > LONGEST)
+			say.textContent = `${model.machine}. ${program.path} is too long for the editor: check it on the other page.`;
 	}
 
-	/** @param {string} name @param {Model} model @param {SessionClient} session @param {SessionClient} scout @param {{number: number, name: string}[]} tools */
-	async show(name, model, session, scout, tools) {
+	/** @param {Model} model @param {SessionClient} session @param {SessionClient} scout @param {{number: number, name: string}[]} tools @param {string} blocks */
+	async show(model, session, scout, tools, blocks) {
+		this.model = model;
 		byId('machine-name').textContent = model.machine;
 		showPairs(model);
 		try {
@@ -110,8 +134,6 @@ class LearnPage {
 		} catch (error) {
 			byId('jog').textContent = `There is no picture here: ${error}`;
 		}
-		const letters = model.axes.map(({letter}) => letter);
-		const blocks = BLOCKS[name] ?? `G21 G90 G94\n${tools.length ? `T${tools[0].number} M6\n` : ''}${letters.map((letter) => `G53 G0 ${letter}0\n`).join('')}M2\n`;
 		this.editor = new Editor(session, scout, blocks, (event) => this.jog?.showFinding(event));
 		byId('editor').replaceChildren(this.editor.element);
 		await this.editor.typed();

@@ -1,5 +1,6 @@
 // @ts-check
 /** program_result.js - a program's card on the page: progress, findings as they come, the verdict and what speaks against it, the report. */
+import {isDoubt} from './cautions.js';
 import {nameOf} from './job_files.js';
 import {element} from './page.js';
 
@@ -12,8 +13,6 @@ const VERDICTS = {
 	incomplete: {status: 2, text: 'Incomplete: not everything could be checked.'},
 };
 const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
-/** Cautions of what a person has excused, waived or accepted; all others doubt what the verdict takes for granted (report/verdict.h). */
-const SETTLED = /^\d+ pairs? of neighbours excused|^\d+ pairs? waived|^after an accepted finding/;
 
 export class ProgramResult {
 	/** @param {string} path @param {boolean} open its report is shown at once */
@@ -41,7 +40,7 @@ export class ProgramResult {
 		if (event.kind !== 'program')
 			return;
 		for (const caution of event.cautions ?? [])
-			SETTLED.test(caution) ? this.onMessage(caution) : this.doubts.append(element('li', {className: 'message'}, caution));
+			isDoubt(caution) ? this.doubts.append(element('li', {className: 'message'}, caution)) : this.onMessage(caution);
 		this.tell(event.verdict);
 	}
 

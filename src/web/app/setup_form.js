@@ -60,7 +60,7 @@ function moreOfTool(row, add) {
 	return moreFields('Forms of holder and shank, length offset, flutes, hand',
 		...onlyIf('holderMesh=', own('holderEnd', 'holder: lower diameter, mm', 'as above'), own('collarLength', 'its second section: length, mm', 'none'),
 			own('collarDiameter', 'second section: diameter, mm'), own('collarEnd', 'second section: lower diameter, mm', 'as above')),
-		...onlyIf('cutterMesh=', own('shankDiameter', 'shank: diameter, mm', 'the cutter\u2019s'), own('flutes', 'flute length, mm', 'all of the cutter')),
+		...onlyIf('cutterMesh=', own('shankDiameter', 'shank: diameter, mm', 'the cutter\u2019s'), own('flutes', 'flute length, mm', 'all')),
 		own('lengthOffset', 'length offset H on the control, mm', 'the length'), choiceField(`${row}.hand`, 'hand', [['', 'not told'], ['right', 'right: cuts with M3'], ['left', 'left: cuts with M4']]),
 		meshField(`${row}.holderMesh`, 'holder as a mesh (STL file)', false, add), meshField(`${row}.cutterMesh`, 'cutter as a mesh (STL file)', false, add));
 }
