@@ -1,5 +1,6 @@
 #include "base/diag_queue.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,23 +38,28 @@ void diag_queue_init(struct diag_queue *queue)
 
 void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last)
 {
+	size_t kept = 0;
+
 	for (size_t i = 0; i < queue->count; i++) {
 		struct queued_diag *item = &queue->items[i];
 
-		if (item->mark <= last)
-			diag_pass(out, &item->entry);
+		if (item->mark > last) {
+			queue->items[kept++] = *item;
+			continue;
+		}
+		diag_pass(out, &item->entry);
 		free(item->file);
 		free(item->text);
 		free(item->excerpt);
 	}
-	queue->count = 0;
+	queue->count = kept;
 }
 
 void diag_queue_release(struct diag_queue *queue)
 {
 	struct diag nowhere = {0};
 
-	diag_queue_deliver(queue, &nowhere, -1);
+	diag_queue_deliver(queue, &nowhere, LONG_MAX);
 	free(queue->items);
 	*queue = (struct diag_queue){0};
 }

@@ -19,7 +19,7 @@ struct diag_queue {
 void diag_queue_init(struct diag_queue *queue);
 void diag_queue_release(struct diag_queue *queue);
 
-/* Hands on to `out` what was reported with a mark up to `last`, and drops the rest. */
+/* Hands on to `out` what was reported with a mark up to `last`, and keeps the rest. */
 void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last);
 
 #endif

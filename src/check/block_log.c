@@ -12,12 +12,19 @@ void block_log_init(struct block_log *log)
 	diag_queue_init(&log->diags);
 }
 
+void block_page_release(struct block_page *page)
+{
+	arena_release(&page->texts);
+	free(page->blocks);
+	*page = (struct block_page){0};
+}
+
 void block_log_release(struct block_log *log)
 {
 	diag_queue_release(&log->diags);
-	arena_release(&log->texts);
+	block_page_release(&log->open);
+	block_page_release(&log->page);
 	free(log->findings);
-	free(log->blocks);
 	free(log->clearances);
 	free(log->chains);
 	free(log->out);
@@ -31,30 +38,49 @@ void block_log_begin(struct block_log *log, long block)
 
 struct block_record *block_log_complete(struct block_log *log, const struct block_record *block)
 {
+	struct block_page *page = &log->open;
 	struct block_record *copy;
 
-	log->blocks = mem_grow(log->blocks, &log->block_capacity, log->block_count + 1, sizeof(*log->blocks));
-	copy = &log->blocks[log->block_count++];
+	page->blocks = mem_grow(page->blocks, &page->block_capacity, page->block_count + 1, sizeof(*page->blocks));
+	copy = &page->blocks[page->block_count++];
 	*copy = *block;
-	copy->text = arena_strdup(&log->texts, block->text);
+	copy->text = arena_strdup(&page->texts, block->text);
 	if (block->caller_count)
 		copy->callers =
-		    arena_copy(&log->texts, block->callers, block->caller_count * sizeof(*block->callers));
+		    arena_copy(&page->texts, block->callers, block->caller_count * sizeof(*block->callers));
 	return copy;
+}
+
+static void swap(struct block_page *a, struct block_page *b)
+{
+	const struct block_page page = *a;
+
+	*a = *b;
+	*b = page;
+}
+
+void block_log_turn(struct block_log *log, struct block_page *page)
+{
+	swap(&log->open, page);
+}
+
+void block_log_show(struct block_log *log, struct block_page *page)
+{
+	swap(&log->page, page);
 }
 
 void block_log_forget(struct block_log *log)
 {
 	size_t kept = 0;
 
-	if (!log->block_count)
+	if (!log->page.block_count)
 		return;
 	for (size_t i = 0; i < log->clearance_count; i++)
-		if (log->clearances[i].block > log->blocks[log->block_count - 1].block)
+		if (log->clearances[i].block > log->page.blocks[log->page.block_count - 1].block)
 			log->clearances[kept++] = log->clearances[i];
 	log->clearance_count = kept;
-	log->block_count = 0;
-	arena_clear(&log->texts);
+	log->page.block_count = 0;
+	arena_clear(&log->page.texts);
 }
 
 /* --------------------------------------------------------------- findings */
@@ -84,10 +110,10 @@ void block_log_sort(struct block_log *log)
 
 static const struct block_record *find_block(const struct block_log *log, long block)
 {
-	if (!log->block_count || block < log->blocks[0].block ||
-	    block - log->blocks[0].block >= (long)log->block_count)
+	if (!log->page.block_count || block < log->page.blocks[0].block ||
+	    block - log->page.blocks[0].block >= (long)log->page.block_count)
 		return NULL;
-	return &log->blocks[block - log->blocks[0].block];
+	return &log->page.blocks[block - log->page.blocks[0].block];
 }
 
 bool block_log_finding(const struct block_log *log, size_t i, struct finding *out)
@@ -128,14 +154,14 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 /* Chains the clearances of each complete block, in the order in which they came. */
 static void chain_clearances(struct block_log *log)
 {
-	log->chains = mem_grow(log->chains, &log->chain_capacity, log->block_count, sizeof(*log->chains));
-	memset(log->chains, 0, log->block_count * sizeof(*log->chains));
+	log->chains = mem_grow(log->chains, &log->chain_capacity, log->page.block_count, sizeof(*log->chains));
+	memset(log->chains, 0, log->page.block_count * sizeof(*log->chains));
 	for (size_t i = 0; i < log->clearance_count; i++) {
 		struct block_pair_clearance *clearance = &log->clearances[i];
-		const long k = clearance->block - log->blocks[0].block;
+		const long k = clearance->block - log->page.blocks[0].block;
 		struct clearance_chain *chain;
 
-		if (k < 0 || k >= (long)log->block_count)
+		if (k < 0 || k >= (long)log->page.block_count)
 			continue;
 		chain = &log->chains[k];
 		*(chain->last ? &log->clearances[chain->last - 1].next : &chain->first) = i + 1;
@@ -174,11 +200,11 @@ static size_t gather(struct block_log *log, const struct clearance_chain *chain)
 
 void block_log_measured(struct block_log *log, long last, const struct check_sink *sink)
 {
-	if (!log->block_count)
+	if (!log->page.block_count)
 		return;
 	chain_clearances(log);
-	for (size_t i = 0; i < log->block_count && log->blocks[i].block <= last; i++) {
-		const struct block_record *block = &log->blocks[i];
+	for (size_t i = 0; i < log->page.block_count && log->page.blocks[i].block <= last; i++) {
+		const struct block_record *block = &log->page.blocks[i];
 		size_t count = gather(log, &log->chains[i]);
 		struct check_block out = {
 			.file = block->file, .line = block->line, .number = block->block + 1,

@@ -44,14 +44,20 @@ struct block_record {
 	double interpret, check;	/* s */
 };
 
+/* Complete blocks, in order, without a gap. All zero is empty. */
+struct block_page {
+	struct block_record *blocks;
+	size_t block_count, block_capacity;
+	struct arena texts;	/* the blocks' */
+};
+
 /* Not to be moved after block_log_init. */
 struct block_log {
 	struct diag_queue diags;	/* what is reported to its diag waits for its block */
 	struct block_finding *findings;
 	size_t finding_count, finding_capacity;
-	struct block_record *blocks;	/* complete blocks, in order, without a gap */
-	size_t block_count, block_capacity;
-	struct arena texts;	/* the blocks' */
+	struct block_page open;	/* the blocks since block_log_turn */
+	struct block_page page;	/* those that can be handed on (block_log_show) */
 	/* in any order; a pair may have several in one block: the least counts */
 	struct block_pair_clearance *clearances;
 	size_t clearance_count, clearance_capacity;
@@ -73,6 +79,17 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 /* The block is complete. Its text and its callers are copied. The result may be changed until the log is used again. */
 struct block_record *block_log_complete(struct block_log *log, const struct block_record *block);
 
+/* Moves the blocks that are complete to *page, which has none. Those that follow are collected apart. */
+void block_log_turn(struct block_log *log, struct block_page *page);
+
+/*
+ * Makes the page's blocks those that can be handed on, and leaves *page empty; the last ones must be forgotten. To the
+ * functions below these are the only complete blocks. Pages are shown in their order.
+ */
+void block_log_show(struct block_log *log, struct block_page *page);
+
+void block_page_release(struct block_page *page);
+
 /* Orders the findings by block, time, then rank. */
 void block_log_sort(struct block_log *log);
 
@@ -85,7 +102,7 @@ void block_log_drop_findings(struct block_log *log, size_t count);
 /* Hands the measured blocks up to the number `last` to sink->block. */
 void block_log_measured(struct block_log *log, long last, const struct check_sink *sink);
 
-/* Forgets all complete blocks and their measurements. Findings that remain belong to the incomplete block. */
+/* Forgets the page's blocks and their measurements. Findings that remain belong to blocks behind it. */
 void block_log_forget(struct block_log *log);
 
 #endif

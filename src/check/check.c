@@ -3,9 +3,10 @@
 #include <limits.h>
 #include <math.h>
 
+#include "check/at_rest.h"
+#include "check/batch_run.h"
 #include "check/checker.h"
 #include "check/measure/path_record.h"
-#include "check/read_ahead.h"
 
 /* Steps to a batch. It is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts. */
 #define BATCH_STEPS 1024
@@ -54,6 +55,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 static void on_step(struct checker *c, const struct motion_step *step)
 {
 	if (!c->moved) {
+		checker_settle(c);
 		c->moved = true;
 		c->position = step->span.q0;
 		c->tool = step->tool;
@@ -64,6 +66,7 @@ static void on_step(struct checker *c, const struct motion_step *step)
 		stock_check_log(&c->stock, step, c->number);
 	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c, c->block)) {
 		if (c->skipped) {
+			checker_settle(c);
 			scheduler_jump(&c->scheduler);
 			stock_check_jump(&c->stock);
 		}
@@ -142,9 +145,11 @@ static void on_block(struct checker *c, const struct motion_block *block)
 	c->stats->blocks_checked += ours;
 	c->skipped |= !ours;
 	/* Blocks without steps are collected too. Each step of a batch begins where the one before it ends. */
-	if (c->batch.step_count >= BATCH_STEPS || c->log.block_count >= BATCH_STEPS || checker_has_enough(c) ||
-	    c->limit_found || c->options->times || (ours && !checker_owns(c, c->block + 1)))
+	if (checker_has_enough(c) || c->limit_found || c->options->times)
 		checker_process(c, c->options->times ? record : NULL);
+	else if (c->batch.step_count >= BATCH_STEPS || c->log.open.block_count >= BATCH_STEPS ||
+		 (ours && !checker_owns(c, c->block + 1)))
+		checker_begin(c);
 	c->block++;
 	start_block(c);
 }
@@ -179,6 +184,17 @@ static bool on_event(void *context, const struct motion_event *event)
 	return !c->stopped;
 }
 
+static void on_opened(void *context, const char *path)
+{
+	struct checker *c = context;
+
+	/* The check may end with a batch before it. */
+	if (c->settled < c->begun)
+		file_names_keep(&c->opened, path);
+	else
+		c->options->read.opened->call(c->options->read.opened->context, path);
+}
+
 /* -------------------------------------------------------------------- run */
 
 /* Checks the remaining steps when the program has ended, or has stopped at a fault within a block. */
@@ -203,6 +219,41 @@ static void finish(struct checker *c, bool complete)
 	checker_process(c, c->options->times ? record : NULL);
 }
 
+/*
+ * Can batches be checked in the background? Not if this thread needs the results of one before it goes on: the time to
+ * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and who
+ * hears the events may hear none behind the batch that ends the check.
+ */
+static bool can_check_in_background(const struct checker *c)
+{
+	const struct check_options *options = c->options;
+
+	return options->threads > 1 && options->method != CHECK_NOTHING && !options->times && !options->watch &&
+	       !options->record && !c->stock.pair_count && !c->stock.tool_count;
+}
+
+/* As motion_run, with all that is checked in the background settled. */
+static bool read_program(struct checker *c, const struct motion_options *options, FILE *in)
+{
+	const struct motion_sink sink = {c, on_event};
+	struct background background;
+	bool complete;
+
+	if (can_check_in_background(c)) {
+		background_start(&background, checker_run_batch, c);
+		c->background = &background;
+		c->scheduler.loop = &background.loop;
+	}
+	complete = motion_run(c->scene->machine, c->scene->setup, options, in, c->file, &sink, &c->log.diags.diag,
+			      &c->summary);
+	checker_settle(c);
+	if (c->background)
+		background_end(&background);
+	c->background = NULL;
+	c->scheduler.loop = NULL;
+	return complete;
+}
+
 /* False: a fault was reported. */
 static bool run_program(struct checker *c, FILE *in)
 {
@@ -213,23 +264,12 @@ static bool run_program(struct checker *c, FILE *in)
 		.change = c->options->change,
 		.modes = c->options->watch != NULL,
 	};
-	const struct motion_sink sink = {c, on_event};
-	/* The time to read a block cannot be measured while another thread reads ahead. */
-	bool ahead = c->options->threads > 1 && !c->options->times, complete;
-	struct shared_loop loop;
+	const struct file_opened opened = {c, on_opened};
+	bool complete;
 
 	options.read.all_faults = c->options->method == CHECK_NOTHING && c->options->all;
-	if (ahead) {
-		shared_loop_init(&loop);
-		c->scheduler.loop = &loop;
-		complete = read_ahead_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink,
-					  &c->log.diags.diag, &c->summary, &loop);
-		c->scheduler.loop = NULL;
-		shared_loop_release(&loop);
-	} else {
-		complete = motion_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink,
-				      &c->log.diags.diag, &c->summary);
-	}
+	options.read.opened = options.read.opened ? &opened : NULL;
+	complete = read_program(c, &options, in);
 	if (!c->stopped)
 		c->stats->motion = c->summary;
 	return complete || c->stopped;
@@ -243,6 +283,9 @@ static void release(struct checker *c)
 	batch_release(&c->batch);
 	block_log_release(&c->log);
 	file_names_release(&c->names);
+	file_names_release(&c->opened);
+	checker_release_pending(c);
+	pthread_mutex_destroy(&c->telling);
 	sweep_release(&c->sweep);
 }
 
@@ -260,8 +303,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    double *proven)
 {
 	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
-			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name,
-			    .telling = ATOMIC_FLAG_INIT};
+			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name};
 	const size_t errors = diag->errors;
 	double start = checker_clock();
 	bool complete = false;
@@ -273,6 +315,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	stats->pairs_excused = scene_count_pairs(scene, PAIR_ADJACENT);
 	stats->pairs_skipped = scene->pair_count - stats->pairs_required - stats->pairs_excused;
 	block_log_init(&c.log);
+	pthread_mutex_init(&c.telling, NULL);
 	c.sweep.cancel = &c.asked;
 	c.asked = (struct cancel){&c, checker_asks};
 	c.position = machine_home(scene->machine);

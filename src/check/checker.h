@@ -2,11 +2,13 @@
 #ifndef FIVECHECK_CHECK_CHECKER_H
 #define FIVECHECK_CHECK_CHECKER_H
 
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 
 #include "base/diag.h"
 #include "base/file_names.h"
+#include "check/background.h"
 #include "check/batch.h"
 #include "check/block_log.h"
 #include "check/cutter_approach.h"
@@ -24,6 +26,31 @@ struct place {
 	long line;
 };
 
+/* A batch that is being checked, and what the check comes to if it ends with it. */
+struct pending_batch {
+	struct batch batch;
+	struct block_page page;	/* the blocks that were completed in it */
+	struct file_names opened;	/* files that were opened meanwhile, not told yet */
+	long block;	/* the last block of the page, or the one that is being read */
+	int tool;	/* in the spindle, during the whole batch */
+	struct place last;	/* the last step's block */
+	struct motion_summary summary;	/* of what was read so far */
+	long blocks_checked;
+	bool runs;	/* it has something to check */
+	bool complete;	/* it was not broken off; then the next are valid */
+	struct pair_check_result *results;	/* of all pairs in order */
+	size_t result_count, result_capacity;
+	double seconds, measuring;	/* the check took so long, and so much of that to measure clearances */
+};
+
+/* So many batches are being checked or wait for it, or for their results to be taken. */
+enum { PENDING = 4 };
+
+/*
+ * With several threads the batches that were collected are checked in the background, one by one, while this thread
+ * reads on and collects the next one. All else is this thread's: it takes the results in order. A batch with results is
+ * the last one that is checked until they are taken, so that no more is checked than with one thread.
+ */
 struct checker {
 	struct scene *scene;
 	const struct check_options *options;
@@ -32,13 +59,18 @@ struct checker {
 	struct check_stats *stats;
 	struct file_names names;
 	struct block_log log;
-	struct scheduler scheduler;
-	struct batch batch;
+	struct batch batch;	/* is being collected */
+	struct file_names opened;	/* meanwhile, if batches before it are being checked */
+	struct scheduler scheduler;	/* the background's while it has a batch to check */
+	struct background *background;	/* NULL: each batch is checked when it is collected */
+	struct pending_batch pending[PENDING];	/* that of batch i is i % PENDING */
+	size_t begun, settled;	/* batches: those between are the background's */
+	struct pending_batch *settling;	/* whose results are being taken */
 	struct stock_check stock;
 	struct cutter_approach approach;
 	struct sweep sweep;	/* for poses at which the axes stand still */
 	struct cancel asked;	/* sweeps ask it again and again whether to stop */
-	atomic_flag telling;	/* a thread is reporting progress */
+	pthread_mutex_t telling;	/* for progress */
 	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
 	long block;	/* number of the block that is being read */
@@ -54,6 +86,7 @@ struct checker {
 	axis_values position;
 	double time, block_time;	/* where the last step ended */
 	struct place last, checked;	/* the last step's block; the last block that was checked */
+	atomic_long checked_line;	/* the same for all threads */
 	struct motion_summary summary;	/* of what was read so far */
 	long last_block;	/* the check ends with it */
 	long steps;	/* of the block that is being read */
@@ -77,15 +110,24 @@ bool checker_has_enough(const struct checker *c);
 bool checker_owns(const struct checker *c, long block);
 
 /*
- * Checks the collected steps, and reports what is known of all complete blocks. `timed` is the record of the block that
- * was just completed if its times are wanted; else NULL.
+ * Adds a finding in the move with this number, in a step of this class (0: the axes stand). `tolerance`: the control
+ * may leave the path by so much, and the distance is measured; NULL: it may not.
  */
-void checker_process(struct checker *c, struct block_record *timed);
+void checker_add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
+			 int step_class, const struct contact *found, const axis_values *tolerance);
 
-/* Checks the pairs at the current position, where the axes stand still. tool_only: only the pairs of the tool. */
-void checker_at_rest(struct checker *c, bool tool_only, int move);
+/*
+ * Logs the contacts of the batch. Without `all`, *last becomes the first step with a contact: what comes later does not
+ * matter.
+ */
+void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count,
+			  size_t *last);
 
-/* Checks at the current position the cutters that may be in the part only while they cut. */
-void checker_spindle_stops(struct checker *c, int move);
+/* Reports what could not be decided up to the step `last` of the batch. */
+void checker_take_undecided(struct checker *c, const struct pair_check_result *results, size_t count,
+			    size_t last);
+
+/* Reports the findings whose blocks are complete, and the diagnostics that came before them. */
+void checker_hand_on_findings(struct checker *c);
 
 #endif

@@ -1,0 +1,276 @@
+#include "check/batch_run.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+static void add_clearance(struct checker *c, long block, size_t pair, double clearance, bool so_far)
+{
+	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap, so_far};
+
+	if (!least.capped || !c->options->least_clearances)
+		block_log_add_clearance(&c->log, block, &least);
+}
+
+/* Logs what scheduler_measure and stock_check_measure found. */
+static void take_clearances(struct checker *c)
+{
+	for (size_t i = 0; i < c->scheduler.count; i++) {
+		const struct pair_check *check = &c->scheduler.checks[i];
+
+		for (size_t k = 0; k < check->clearance_count; k++)
+			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance,
+				      check->clearances[k].so_far);
+	}
+	for (size_t i = 0; i < c->stock.pair_count; i++) {
+		const struct stock_clearance *measured = &c->stock.clearances[i];
+
+		for (size_t k = 0; k < measured->block_count; k++)
+			add_clearance(c, measured->blocks[k].block, c->stock.pairs[i].pair,
+				      measured->blocks[k].clearance, false);
+	}
+}
+
+/* False: broken off. */
+static bool measure_stock(struct checker *c)
+{
+	const double start = checker_clock();
+	const bool complete = stock_check_measure(&c->stock, &c->settling->batch, c->settling->tool);
+
+	c->measuring += checker_clock() - start;
+	return complete;
+}
+
+/* With cuts missing, what is clear would become a finding. */
+static void stop_at_log_fault(struct checker *c)
+{
+	if (!stock_check_fault(&c->stock) || c->stopped)
+		return;
+	diag_error(c->diag, (struct srcloc){c->file, 0, 0},
+		   "the cuts of the stock could not be kept in a temporary file: %s; the check stops here",
+		   strerror(stock_check_fault(&c->stock)));
+	c->failed = c->broken_off = c->stopped = true;
+	c->last_block = (c->settling->batch.step_count ? c->settling->batch.steps[0].block : c->settling->block) - 1;
+}
+
+static struct pending_batch *pending_of(struct checker *c, size_t number)
+{
+	/* One that is settled at once stays in the processor's cache for the next. */
+	return &c->pending[c->background ? number % PENDING : 0];
+}
+
+/* Measures clearances after scheduler_run. False: interrupted. */
+static bool measure(struct checker *c, struct pending_batch *pending)
+{
+	const double start = checker_clock();
+	const bool complete = scheduler_measure(&c->scheduler, &pending->batch, pending->tool, c->options);
+
+	pending->measuring = checker_clock() - start;
+	return complete;
+}
+
+/* Keeps the scheduler's results: it may go on to the next batch. */
+static void keep_results(struct pending_batch *pending, const struct scheduler *scheduler)
+{
+	pending->results = mem_grow(pending->results, &pending->result_capacity, scheduler->result_count,
+				    sizeof(*pending->results));
+	pending->result_count = scheduler->result_count;
+	if (pending->result_count)
+		memcpy(pending->results, scheduler->results, pending->result_count * sizeof(*pending->results));
+}
+
+bool checker_run_batch(void *context, size_t number)
+{
+	struct checker *c = context;
+	struct pending_batch *pending = pending_of(c, number);
+	const double start = checker_clock();
+
+	if (!pending->runs)
+		return true;
+	batch_close(&pending->batch);
+	pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
+	keep_results(pending, &c->scheduler);
+	if (pending->complete && c->options->block_clearances)
+		pending->complete = measure(c, pending);
+	pending->seconds = checker_clock() - start;
+	return pending->complete && !pending->result_count && !c->options->block_clearances;
+}
+
+/* Takes the results of the batch, and checks it against the stock. */
+static void take_pending(struct checker *c)
+{
+	struct pending_batch *pending = c->settling;
+	size_t last = pending->batch.step_count - 1;
+
+	c->broken_off = !pending->complete;
+	c->measuring += pending->measuring;
+	if (!c->broken_off) {
+		checker_take_results(c, pending->results, pending->result_count, &last);
+		c->broken_off = !stock_check_run(&c->stock, &pending->batch, last, pending->tool, c->options);
+	}
+	if (!c->broken_off) {
+		checker_take_results(c, c->stock.results, c->stock.result_count, &last);
+		checker_take_undecided(c, pending->results, pending->result_count, last);
+		checker_take_undecided(c, c->stock.results, c->stock.result_count, last);
+		c->broken_off = c->options->block_clearances && !measure_stock(c);
+	}
+	if (!c->broken_off && c->options->block_clearances)
+		take_clearances(c);
+	if (c->broken_off)
+		c->last_block = pending->batch.steps[0].block - 1;
+}
+
+/* False: the check is to stop. */
+static bool goes_on(struct checker *c)
+{
+	const struct check_sink *sink = c->sink;
+	bool goes_on;
+
+	if (!sink->progress)
+		return true;
+	pthread_mutex_lock(&c->telling);
+	goes_on = sink->progress(sink->context, c->checked.line);
+	pthread_mutex_unlock(&c->telling);
+	return goes_on;
+}
+
+/* Reports progress, or why the check ends here. */
+static void tell_progress(struct checker *c)
+{
+	if (c->exhausted && !c->stopped)
+		c->stopped = true;
+	if (c->stopped || (!c->broken_off && goes_on(c)))
+		return;
+	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},
+		   "interrupted after line %ld: the rest was not checked", c->checked.line);
+	c->stopped = c->failed = true;
+}
+
+static void tell_opened(const struct checker *c, struct file_names *files)
+{
+	const struct file_opened *opened = c->options->read.opened;
+
+	for (size_t i = 0; i < files->count; i++)
+		opened->call(opened->context, files->items[i]);
+	file_names_release(files);
+}
+
+static void swap_batches(struct batch *a, struct batch *b)
+{
+	const struct batch batch = *a;
+
+	*a = *b;
+	*b = batch;
+}
+
+/* Takes the results of the next batch, which are there, and reports what is known of its blocks. */
+static void settle_next(struct checker *c, struct block_record *timed)
+{
+	struct pending_batch *pending = c->settling = pending_of(c, c->settled++);
+	const double start = checker_clock() - (pending->runs ? pending->seconds : 0);
+
+	tell_opened(c, &pending->opened);
+	block_log_show(&c->log, &pending->page);
+	if (pending->runs)
+		take_pending(c);
+	stop_at_log_fault(c);
+	batch_clear(&pending->batch);
+	/* In a batch that was interrupted, it is unknown which finding comes first. */
+	if (!c->broken_off) {
+		checker_hand_on_findings(c);
+		c->checked = pending->last;
+		c->checked_line = pending->last.line;
+	}
+	c->stats->seconds_check += checker_clock() - start;
+	if (timed) {
+		const double check = c->stats->seconds_check - c->read_check;
+
+		timed->interpret = checker_clock() - c->read_from - check;
+		timed->check = check - c->measuring;
+	}
+	if (c->sink->block)
+		block_log_measured(&c->log, c->last_block, c->sink);
+	block_log_forget(&c->log);
+	tell_progress(c);
+	if (c->stopped) {
+		c->stats->motion = pending->summary;
+		c->stats->blocks_checked = pending->blocks_checked;
+	}
+}
+
+/* Settles batches until so many are, or the check stops. */
+static void settle(struct checker *c, size_t count, struct block_record *timed)
+{
+	while (c->settled < count && !c->stopped) {
+		if (c->background)
+			background_wait(c->background, c->settled + 1);
+		settle_next(c, timed);
+		if (c->background && !c->stopped)
+			background_take(c->background, c->settled);
+	}
+}
+
+/* Begins to check the collected steps. */
+static void begin(struct checker *c)
+{
+	struct pending_batch *pending = pending_of(c, c->begun);
+	const struct file_names opened = c->opened;
+
+	swap_batches(&c->batch, &pending->batch);
+	block_log_turn(&c->log, &pending->page);
+	c->opened = pending->opened;
+	pending->opened = opened;
+	pending->block = c->block;
+	pending->tool = c->tool;
+	pending->last = c->last;
+	pending->summary = c->summary;
+	pending->blocks_checked = c->stats->blocks_checked;
+	pending->runs = !checker_has_enough(c) && !c->broken_off && pending->batch.step_count;
+	pending->result_count = 0;
+	pending->measuring = 0;
+	c->begun++;
+	if (c->background)
+		background_give(c->background);
+	else
+		checker_run_batch(c, c->begun - 1);
+}
+
+void checker_begin(struct checker *c)
+{
+	if (!c->background) {
+		checker_process(c, NULL);
+		return;
+	}
+	settle(c, background_done(c->background), NULL);
+	if (c->begun - c->settled == PENDING)
+		settle(c, c->settled + 1, NULL);
+	if (!c->stopped)
+		begin(c);
+}
+
+void checker_settle(struct checker *c)
+{
+	settle(c, c->begun, NULL);
+}
+
+void checker_process(struct checker *c, struct block_record *timed)
+{
+	checker_settle(c);
+	if (c->stopped)
+		return;
+	begin(c);
+	settle(c, c->begun, timed);
+	if (!c->background)
+		swap_batches(&c->batch, &c->settling->batch);
+}
+
+void checker_release_pending(struct checker *c)
+{
+	for (size_t i = 0; i < PENDING; i++) {
+		batch_release(&c->pending[i].batch);
+		block_page_release(&c->pending[i].page);
+		file_names_release(&c->pending[i].opened);
+		free(c->pending[i].results);
+	}
+}
