@@ -21,3 +21,20 @@ for j in 1 2 5; do
 done
 cmp b.1 b.2 && cmp b.1 b.5
 head -1 b.1 | cut -d: -f1-4
+
+# What is read beyond the batch that ends the check is not known to it: no fault, no file of a subprogram, no block.
+printf 'o<deep> sub\nG1 Z-10\no<deep> endsub\n' >deep.ngc
+awk 'BEGIN {
+	print "G0 X20 Z-90\nF60000"
+	for (i = 0; i < 5000; i++)
+		printf i == 3000 ? "o<deep> call\n" : i == 4500 ? "G1 Q1\n" : "G1 X%.3f Z%.4f\n", 20 + i % 7, i == 1500 ? -100.01 : -90
+}' >c.nc
+for j in 1 2 3; do
+	for all in '' -a; do
+		fivecheck --stats $all -j $j --depfile=c.d -o out m.xml c.nc 2>err
+		cat out err c.d | sed '/^  time/d' >c.$j$all
+	done
+done
+cmp c.1 c.2 && cmp c.1 c.3 && cmp c.1-a c.2-a && cmp c.1-a c.3-a
+head -1 c.1 | cut -d: -f1-4
+grep -c 'deep\.ngc\|Q' c.1 c.1-a
