@@ -343,7 +343,7 @@ END_TEST
 /* Along a path a plane is measured again at each end; then the gaps at both ends prove a step, too. */
 START_TEST(what_the_ends_of_steps_prove_is_apart)
 {
-	long proved = 0, by_ends = 0, cases = random_cases(80);
+	long proved = 0, by_ends = 0, cases = random_cases(40);
 
 	for (long n = 0; n < cases; n++) {
 		struct scene_of_two s;
