@@ -19,11 +19,15 @@ export function toolChanges(path, tools) {
 	return marks;
 }
 
-/** The text of a line that is a comment and nothing else. @param {string} line @returns {string|null} */
+/** A block that was put in parentheses, such as (M104 S205), which names nothing. */
+const CODE = /^([A-Z]\s*[-+]?\d*\.?\d+\s+)+[A-Z]\s*[-+]?\d*\.?\d+$/i;
+
+/** The text of a line that is a comment and nothing else, and no code. @param {string} line @returns {string|null} */
 export function commentOf(line) {
 	const text = line.trim().replace(/^N?\d+\s+/i, '');
 	const match = /^\(([^()]*)\)$/.exec(text) || /^;+\s*(.*)$/.exec(text) || /^\*\s*-+\s*(.*)$/.exec(text);
-	return match && /[a-z]/i.test(match[1]) ? match[1].trim() : null;
+	const words = match ? match[1].trim() : '';
+	return /[a-z]/i.test(words) && !CODE.test(words) ? words : null;
 }
 
 /**

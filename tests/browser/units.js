@@ -143,6 +143,7 @@ const pathChecks = (async () => {
 
 // Comments of several controls, and numbers as a person reads them.
 check('comments', commentOf('(ROUGH)') === 'ROUGH' && commentOf('N10 ; Finish') === 'Finish' && commentOf('12 * - POCKET') === 'POCKET' &&
+	commentOf('( M104 S205 T1 )') === null && commentOf('(G92 E-0.5)') === null && commentOf('(BLADE 1)') === 'BLADE 1' && commentOf('(T1 BALL 10)') === 'T1 BALL 10' &&
 	commentOf('G0 (NOT ALONE)') === null && commentOf('(---)') === null);
 check('numbers', fixed(-0.0001, 3) === '0.000' && fixed(-0.1, 3) === '-0.100' && fixed(-10, 0) === '-10' && grouped(1234567) === '1,234,567');
 check('durations', duration(53.3388) === '53.339 s' && duration(59.9996) === '1 min 0.0 s' && duration(7300) === '2 h 1 min 40 s');
