@@ -163,8 +163,8 @@ static double gap_to_hull(struct approach_target *target, const struct cylinder 
 	hull = convex_of_mesh(&whole, &here);
 	if (!convex_direction(&hull, &moved, &search, &visits))
 		return 0;
-	return -convex_support(&moved, vec3_scale(-1, search.direction), NULL, &visits) -
-	       convex_support(&hull, search.direction, NULL, &visits);
+	return -convex_support(&moved, vec3_scale(-1, search.direction), 0, NULL, &visits) -
+	       convex_support(&hull, search.direction, 0, NULL, &visits);
 }
 
 /* The distance from a target, or less; exact to a few hundredths if it matters. */

@@ -24,6 +24,17 @@ struct bvh_node {
 	uint8_t used;	/* children in use; the boxes of the others are copies of the first */
 };
 
+/* mm, from the tree's origin: the box of a child. */
+static inline vec3 bvh_child_centre(const struct bvh_node *node, int lane)
+{
+	return (vec3){node->centre[0][lane], node->centre[1][lane], node->centre[2][lane]};
+}
+
+static inline vec3 bvh_child_half(const struct bvh_node *node, int lane)
+{
+	return (vec3){node->half[0][lane], node->half[1][lane], node->half[2][lane]};
+}
+
 struct bvh {
 	struct mesh mesh;	/* owned; triangles in the order of the leaves */
 	struct bvh_node *nodes;	/* nodes[0] is the root */

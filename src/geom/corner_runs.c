@@ -65,9 +65,9 @@ struct corner_runs *corner_runs_new(const struct bvh *bvh)
 
 	runs->holders = 1;
 	runs->kernels = simd_kernels_at_level(bvh->simd_level);
-	runs->runs = mem_zalloc(bvh->node_count, sizeof(*runs->runs));
 	if (bvh->mesh.count > RUN_MESH_TRIANGLES)
 		return runs;
+	runs->runs = mem_zalloc(bvh->node_count, sizeof(*runs->runs));
 	if (bvh->nodes[0].total <= RUN_TRIANGLES)
 		add_run(runs, &count, &capacity, bvh, 0);
 	for (size_t i = 0; i < bvh->node_count; i++) {

@@ -24,7 +24,7 @@ struct corner_runs {
 	float *points;	/* owned: groups of eight as for points_reach_fn, from the tree's origin */
 	struct corner_run {
 		uint32_t first, groups;	/* 0 groups: the branch has no run of its own */
-	} *runs;	/* owned: by node of the tree */
+	} *runs;	/* owned: by node of the tree; NULL: no branch has a run */
 	const struct simd_kernels *kernels;	/* of the tree's level */
 	int holders;
 };

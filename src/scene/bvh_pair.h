@@ -15,6 +15,12 @@ struct leaf {
 	uint8_t count;
 };
 
+/*
+ * A box around the triangles below a leaf or an inner node, from the tree's origin (mm). A node's is as tight as those
+ * of its children.
+ */
+void leaf_box(const struct bvh *bvh, struct leaf leaf, vec3 *centre, vec3 *half);
+
 struct subtree {
 	struct box box;
 	float size;	/* mm: the box's diagonal */

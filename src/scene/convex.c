@@ -12,76 +12,16 @@
  */
 #define SUPPORT_SLACK 0x1p-20
 
-/* The runs of triangles below a leaf or node. */
-static void run_of(const struct bvh *bvh, struct leaf leaf, size_t *first, size_t *count)
-{
-	*first = leaf.count ? leaf.first : bvh->nodes[leaf.first].begin;
-	*count = leaf.count ? leaf.count : bvh->nodes[leaf.first].total;
-}
-
-/* Into the piece of the axis that holds u. */
-static void widen_ring(struct profile *profile, int k, double u, double rho)
-{
-	bool first = profile->rho[k] < 0;
-
-	profile->low[k] = first ? u : smaller(profile->low[k], u);
-	profile->high[k] = first ? u : larger(profile->high[k], u);
-	profile->rho[k] = larger(profile->rho[k], rho);
-}
-
-void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
-		  vec3 axis)
-{
-	const vec3 along = mat3_apply_transposed(&place->rotation, axis);
-	const vec3 from = mat3_apply_transposed(&place->rotation, vec3_sub(location, place->translation));
-	double least = INFINITY, greatest = -INFINITY;
-	size_t first, count;
-
-	run_of(bvh, leaf, &first, &count);
-	for (size_t i = 0; i < 3 * count; i++) {
-		double u = vec3_dot(along, mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3)));
-
-		least = smaller(least, u);
-		greatest = larger(greatest, u);
-	}
-	for (int k = 0; k < PROFILE_RINGS; k++)
-		profile->rho[k] = -1;
-	for (size_t i = 0; i < 3 * count; i++) {
-		vec3 p = mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3)), to = vec3_sub(p, from);
-		double way = vec3_dot(along, p) - least;
-		int k = greatest > least ? (int)(way / (greatest - least) * PROFILE_RINGS) : 0;
-
-		widen_ring(profile, k < 0 ? 0 : k >= PROFILE_RINGS ? PROFILE_RINGS - 1 : k, vec3_dot(along, to),
-			   vec3_norm(vec3_cross(along, to)));
-	}
-	profile->count = 0;
-	for (int k = 0; k < PROFILE_RINGS; k++) {
-		if (profile->rho[k] < 0)
-			continue;
-		profile->low[profile->count] = profile->low[k];
-		profile->high[profile->count] = profile->high[k];
-		profile->rho[profile->count++] = profile->rho[k];
-	}
-}
-
 struct mesh_part mesh_part_of(const struct bvh *bvh, const struct corner_runs *corners, struct leaf leaf)
 {
 	struct mesh_part part = {bvh, corners, leaf, bvh->origin, bvh->radius};
-	vec3 least, greatest;
-	size_t first, count;
+	vec3 centre, half;
 
 	if (!leaf.count && !leaf.first)
 		return part;
-	run_of(bvh, leaf, &first, &count);
-	least = greatest = mesh_corner(&bvh->mesh.triangles[first], 0);
-	for (size_t i = 0; i < 3 * count; i++) {
-		vec3 p = mesh_corner(&bvh->mesh.triangles[first + i / 3], (int)(i % 3));
-
-		least = vec3_min(least, p);
-		greatest = vec3_max(greatest, p);
-	}
-	part.centre = vec3_scale(0.5, vec3_add(least, greatest));
-	part.radius = 0.5 * vec3_norm(vec3_sub(greatest, least));
+	leaf_box(bvh, leaf, &centre, &half);
+	part.centre = vec3_add(bvh->origin, centre);
+	part.radius = vec3_norm(half);
 	return part;
 }
 
@@ -139,8 +79,10 @@ struct farthest {
 	const struct corner_runs *corners;
 	vec3 m;
 	float direction[3];	/* m */
-	double slack;	/* what reaches at most so much farther is not looked for */
-	double most;	/* mm times |m|: of what reaches farthest */
+	double slack;	/* mm times |m|, as all that follow: what reaches at most so much farther is not looked for */
+	bool coarse;	/* more than rounding */
+	double closed;	/* how far boxes reach that were not looked into; counted if coarse */
+	double most;	/* of what reaches farthest */
 	vec3 at;	/* a triangle's corner; or anywhere in the run */
 	const struct corner_run *run;	/* or NULL */
 	long visits;
@@ -171,55 +113,70 @@ static void try_run(struct farthest *f, const struct corner_run *run)
 	}
 }
 
-/* The child that reaches farthest of those that reach far enough; the others are closed. None: BVH_WIDTH. */
-static int next_child(const float reach[BVH_WIDTH], double enough, unsigned *open)
-{
-	int best = BVH_WIDTH;
+static void try_child(struct farthest *f, const struct bvh_node *node, int i);
 
-	for (int i = 0; i < BVH_WIDTH && *open >> i; i++) {
-		if (!(*open >> i & 1))
-			continue;
-		if (!(reach[i] > enough))
-			*open &= ~(1u << i);
-		else if (best == BVH_WIDTH || reach[i] > reach[best])
-			best = i;
-	}
-	return best;
+/* In a coarse search, notes how far the children reach that are not looked into. */
+static void close_children(struct farthest *f, const float reach[BVH_WIDTH], unsigned closed)
+{
+	if (!f->coarse)
+		return;
+	for (int i = 0; closed >> i; i++)
+		f->closed = closed >> i & 1 ? larger(f->closed, reach[i]) : f->closed;
 }
 
-/* The child that may reach farthest is looked at first. The depth of a tree is bounded (bvh.c). */
+/*
+ * The child that may reach farthest is looked into first; after it most of the others do not reach far enough any more.
+ * The depth of a tree is bounded (bvh.c).
+ */
 static void try_node(struct farthest *f, uint32_t at)
 {
 	const struct bvh_node *node = &f->bvh->nodes[at];
 	float reach[BVH_WIDTH];
-	unsigned open;
-	int best;
+	unsigned open, closed;
+	int best = 0;
 
 	f->visits += node->used;
-	if (f->corners->runs[at].groups) {
+	if (f->corners->runs && f->corners->runs[at].groups) {
 		try_run(f, &f->corners->runs[at]);
 		return;
 	}
 	open = f->corners->kernels->boxes_reach(node, f->direction, (float)(f->most + f->slack), reach);
-	while ((best = next_child(reach, f->most + f->slack, &open)) < BVH_WIDTH) {
-		open &= ~(1u << best);
-		if (!node->count[best])
-			try_node(f, node->first[best]);
-		for (uint32_t i = 0; i < node->count[best]; i++)
-			try_triangle(f, node->first[best] + i);
+	closed = ((1u << node->used) - 1) & ~open;
+	for (int i = 1; open >> i; i++)
+		best = reach[i] > reach[best] ? i : best;
+	if (open)
+		try_child(f, node, best);
+	for (int i = 0; open >> i; i++) {
+		if (i == best || !(open >> i & 1))
+			continue;
+		if (reach[i] > f->most + f->slack)
+			try_child(f, node, i);
+		else
+			closed |= 1u << i;
 	}
+	close_children(f, reach, closed);
 }
 
-static double support_of_mesh(const struct mesh_part *part, vec3 m, vec3 *at, long *visits)
+static void try_child(struct farthest *f, const struct bvh_node *node, int i)
+{
+	if (!node->count[i])
+		try_node(f, node->first[i]);
+	for (uint32_t k = 0; k < node->count[i]; k++)
+		try_triangle(f, node->first[i] + k);
+}
+
+static double support_of_mesh(const struct mesh_part *part, vec3 m, double slack, vec3 *at, long *visits)
 {
 	const struct bvh *bvh = part->bvh;
-	double slack = SUPPORT_SLACK * vec3_norm(m) * vec3_norm(bvh->half);
+	const double norm = vec3_norm(m), rounding = SUPPORT_SLACK * norm * vec3_norm(bvh->half);
 	struct farthest f = {
 		.bvh = bvh,
 		.corners = part->corners,
 		.m = m,
 		.direction = {(float)m.x, (float)m.y, (float)m.z},
-		.slack = slack,
+		.slack = rounding + norm * slack,
+		.coarse = slack > 0,
+		.closed = -INFINITY,
 		.most = -INFINITY,
 	};
 
@@ -232,10 +189,10 @@ static double support_of_mesh(const struct mesh_part *part, vec3 m, vec3 *at, lo
 		f.at = corner_runs_farthest(part->corners, f.run, f.direction);
 	if (at)
 		*at = vec3_add(f.at, bvh->origin);
-	return vec3_dot(m, bvh->origin) + f.most + 3 * slack;
+	return vec3_dot(m, bvh->origin) + (f.coarse ? larger(f.most, f.closed) : f.most) + 3 * rounding;
 }
 
-double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits)
+double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits)
 {
 	double most;
 
@@ -243,7 +200,7 @@ double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visit
 		*visits += 1;
 		return support_of_profile(convex, m, at);
 	}
-	most = support_of_mesh(convex->mesh, mat3_apply_transposed(&convex->place->rotation, m), at, visits);
+	most = support_of_mesh(convex->mesh, mat3_apply_transposed(&convex->place->rotation, m), slack, at, visits);
 	if (at)
 		*at = xform_apply(convex->place, *at);
 	return most + vec3_dot(m, convex->place->translation);
@@ -253,6 +210,9 @@ double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visit
 
 /* The search ends where the gap along the direction is within this share of the distance. */
 #define DIRECTION_SHARE 0.02
+
+/* Of the same: what a support may be off. */
+#define SLACK_SHARE 0x1p-4
 
 /* Differences of a point of b and a point of a. */
 struct simplex {
@@ -348,8 +308,8 @@ bool convex_direction(const struct convex *a, const struct convex *b, struct con
 
 		if (!(norm > 1e-9))
 			return found;
-		convex_support(a, v, &on_a, visits);
-		convex_support(b, vec3_scale(-1, v), &on_b, visits);
+		convex_support(a, v, SLACK_SHARE * norm, &on_a, visits);
+		convex_support(b, vec3_scale(-1, v), SLACK_SHARE * norm, &on_b, visits);
 		simplex.p[simplex.count] = vec3_sub(on_b, on_a);
 		search->seen[search->count++] = simplex.p[simplex.count];
 		along = vec3_dot(v, simplex.p[simplex.count]);

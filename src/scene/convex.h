@@ -11,23 +11,7 @@
 #include "geom/corner_runs.h"
 #include "geom/xform.h"
 #include "scene/bvh_pair.h"
-
-enum { PROFILE_RINGS = 32 };
-
-/*
- * Rings about an axis whose convex hull holds a part of a body wherever a turn about the axis takes it. Ring i is
- * a piece of a cylinder: rho[i] mm from the axis, from low[i] to high[i] mm along it.
- */
-struct profile {
-	int count;
-	double low[PROFILE_RINGS], high[PROFILE_RINGS], rho[PROFILE_RINGS];
-};
-
-/*
- * The triangles below `leaf` of the tree, at `place`, about the axis through `location` along the unit vector `axis`.
- */
-void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
-		  vec3 axis);
+#include "scene/profile.h"
 
 /*
  * Part of a body at one pose. Borrows everything. With a profile it is the hull of the rings about the axis; the
@@ -58,11 +42,12 @@ struct convex convex_of_mesh(const struct mesh_part *part, const xform *place);
 struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis);
 
 /*
- * At least the greatest m.p over the points p, in double, and at most |m| times two millionths of the body's size more;
- * m is any vector. *at, unless NULL, is a point that reaches about so far. Adds the node pairs that this is worth to
- * *visits.
+ * At least the greatest m.p over the points p, in double, and at most |m| times `slack` mm and two millionths of the
+ * body's size more; m is any vector. *at, unless NULL, is a point that reaches as far to within the same. Of a finely
+ * meshed round body the boxes that stick out farther than a point known so far are many, and with a slack they need not
+ * be looked into. Adds the node pairs that this is worth to *visits.
  */
-double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits);
+double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits);
 
 enum { CONVEX_STEPS = 24 };
 

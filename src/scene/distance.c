@@ -1,12 +1,16 @@
 #include "geom/tolerance.h"
 #include "scene/sweep.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 
 #include "base/minmax.h"
 #include "geom/moved_tri.h"
 #include "scene/coherence.h"
+
+/* Triangles that are so many times as far apart as they were are not likely to be the nearest ones any more. */
+#define STALE 1.25
 
 /* One search. */
 struct search {
@@ -154,6 +158,45 @@ static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
 	}
 }
 
+/* Of the children of the larger subtree, the one whose box is nearest to the other subtree takes its place. */
+static void go_nearer(struct search *search, struct bvh_pair *at)
+{
+	const bool open_a = bvh_pair_opens_a(&at->a, &at->b);
+	struct subtree *opened = open_a ? &at->a : &at->b;
+	const struct subtree *kept = open_a ? &at->b : &at->a;
+	const struct bvh *bvh = open_a ? search->pair->a : search->pair->b;
+	const struct bvh_node *node = &bvh->nodes[opened->leaf.first];
+	float apart[BVH_WIDTH], lost[BVH_WIDTH];
+	int nearest = 0;
+
+	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, FLT_MAX, apart, lost);
+	search->sweep->visits += node->used;
+	for (int i = 1; i < node->used; i++)
+		nearest = apart[i] < apart[nearest] ? i : nearest;
+	*opened = subtree_child(node, nearest);
+}
+
+/*
+ * The triangles that were close last time are no longer if the bodies have gone on without distance queries. Then a
+ * share of their distance may be nearly all of the bodies', which is dear to prove, and no nearer triangles are met on
+ * the way. So some that are about as near as any are looked up first.
+ */
+static void look_nearer(struct search *search)
+{
+	const struct coherence *coherence = search->pair->coherence;
+	struct bvh_pair at = {subtree_root(search->pair->a), subtree_root(search->pair->b), 0};
+	tri a, b;
+
+	if (!coherence || search->found <= STALE * coherence->near)
+		return;
+	while (!at.a.leaf.count || !at.b.leaf.count)
+		go_nearer(search, &at);
+	a = tri_of(&search->pair->a->mesh, at.a.leaf.first);
+	b = tri_of(&search->pair->b->mesh, at.b.leaf.first);
+	b = tri_transform(&b, &search->pose);
+	measure_triangles(search, at.a.leaf.first, at.b.leaf.first, &a, &b);
+}
+
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough, long max_visits)
 {
@@ -170,6 +213,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_axis_displacement, no_displacement);
 	push(&search, &a, &b, 0);
 	recall(&search);
+	look_nearer(&search);
 	while (search.depth && search.found > enough && sweep->visits < visits_end && !sweep_breaks_off(sweep)) {
 		struct bvh_pair entry = sweep->queue[--search.depth];
 

@@ -69,15 +69,17 @@ START_TEST(the_support_is_just_enough_at_every_level)
 			const struct convex convex = convex_of_mesh(&part, &place);
 			const vec3 m = vec3_scale(random_size(&random, 1e-3, 1e3), random_unit(&random));
 			const double size = 2 * vec3_norm(bvh->half) * vec3_norm(m);
+			const double slack = random_below(&random, 2) ? random_size(&random, 1e-8, 1) * bvh->radius : 0;
+			const double off = slack * vec3_norm(m);
 			long visits = 0;
 			vec3 at;
-			double got = convex_support(&convex, m, &at, &visits);
+			double got = convex_support(&convex, m, slack, &at, &visits);
 			long double want = true_support(bvh, node ? node->begin : leaf.first,
 							node ? node->total : leaf.count, m);
 
-			require(got >= (double)want && got <= (double)want + 2e-6 * size + 1e-12 * fabs((double)want),
+			require(got >= (double)want && got <= (double)want + off + 2e-6 * size + 1e-12 * fabs((double)want),
 				"case %ld, level %d: %.17g, not %.17Lg", n, level, got, want);
-			require(vec3_dot(m, at) >= (double)want - 4e-6 * size - 1e-12 * fabs((double)want),
+			require(vec3_dot(m, at) >= (double)want - off - 4e-6 * size - 1e-12 * fabs((double)want),
 				"case %ld, level %d: the point reaches %.17g of %.17Lg", n, level, vec3_dot(m, at), want);
 			corner_runs_release(corners);
 			bvh_free(bvh);
@@ -99,7 +101,7 @@ START_TEST(every_level_gives_the_same_bits)
 			const xform place = xform_identity();
 			const struct convex convex = convex_of_mesh(&part, &place);
 			long visits = 0;
-			double got = convex_support(&convex, random_unit(&random), NULL, &visits);
+			double got = convex_support(&convex, random_unit(&random), 0, NULL, &visits);
 
 			if (level == LANES_SCALAR)
 				first = got;

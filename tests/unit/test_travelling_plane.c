@@ -163,13 +163,13 @@ static struct made make_plane(struct scene_of_two *s)
 		made.rings[body] = (body ? link < chain->count : link > 0) && joint->rotary && random_below(random, 2);
 		if (made.rings[body])
 			profile_init(&made.profiles[body], bvhs[body], root, body ? &pair->place_b : &pair->place_a,
-				     joint->location, joint->direction);
+				     joint->location, joint->direction, &visits);
 	}
 	if (random_below(random, 3) == 0)
 		made.n = pose.direction[random_below(random, (int)chain->count)];
 	a = shape_at(&made, &pose, 0);
 	b = shape_at(&made, &pose, 1);
-	gap = travelling_plane_gap(&pose, &a, &b, made.n, &visits);
+	gap = travelling_plane_gap(&pose, &a, &b, made.n, 0, &visits);
 	travelling_plane_init(&made.plane, &pose, &a, &b, made.n, link, gap, &visits);
 	return made;
 }
@@ -230,7 +230,7 @@ static double gap_left_at(const struct scene_of_two *s, const struct made *made,
 	plane_pose_init(&pose, &s->duo.pair, q);
 	a = shape_at(made, &pose, 0);
 	b = shape_at(made, &pose, 1);
-	return travelling_plane_gap(&pose, &a, &b, travelling_plane_normal(&made->plane, &pose), &visits) -
+	return travelling_plane_gap(&pose, &a, &b, travelling_plane_normal(&made->plane, &pose), 0, &visits) -
 	       pose.rounding;
 }
 
@@ -445,7 +445,7 @@ START_TEST(motion_across_the_normal_is_free)
 	a = convex_of_mesh(&parts[0], &places[0]);
 	b = convex_of_mesh(&parts[1], &places[1]);
 	travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 0, 1}, 1,
-			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, &visits), &visits);
+			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, 0, &visits), &visits);
 	motion.q0 = motion.q1 = at;
 	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 1, 1e-3);
 	motion.q1.v[SLOT_C] = 2;

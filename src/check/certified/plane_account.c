@@ -20,9 +20,9 @@
 /* After searches in vain at most so many chunks or steps are left out. */
 enum { BACKOFF_MAX = 64 };
 
-void plane_account_init(struct plane_account *account, size_t triangles)
+void plane_account_init(struct plane_account *account, size_t nodes)
 {
-	*account = (struct plane_account){.search_price = SEARCH_WEIGHT * (FIRST_PRICE + (double)triangles)};
+	*account = (struct plane_account){.search_price = SEARCH_WEIGHT * (FIRST_PRICE + (double)nodes)};
 }
 
 bool plane_account_allows(const struct plane_account *account)

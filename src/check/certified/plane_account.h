@@ -19,8 +19,8 @@ struct plane_account {
 	} chunks, halves;
 };
 
-/* triangles: of both bodies. The first search looks at all of them. */
-void plane_account_init(struct plane_account *account, size_t triangles);
+/* nodes: what the first search has to look at besides. */
+void plane_account_init(struct plane_account *account, size_t nodes);
 
 bool plane_account_allows(const struct plane_account *account);
 

@@ -90,7 +90,7 @@ static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
 	if (part->has_profile)
 		profile_init(&part->profile, bvh_of(cells, body), leaf,
 			     body ? &cells->bodies->place_b : &cells->bodies->place_a, joint->location,
-			     joint->direction);
+			     joint->direction, &cells->visits);
 }
 
 static void add_cell(struct plane_cells *cells, size_t a, size_t b)

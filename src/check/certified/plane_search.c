@@ -13,6 +13,13 @@
  */
 #define LIFE_AGAIN 0.3
 
+/*
+ * What a support may be off: as a share of what the gap is more than needed, and of what the largest gap is. Exact
+ * supports of balls of 500,000 triangles cost 6 times as much.
+ */
+#define GAP_SHARE 0x1p-4
+#define APART_SHARE 0x1p-6
+
 /* Keeps the plane with normal n that travels with the link, if it lasts longer than the best one. */
 static void try_plane(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n, size_t link,
 		      double gap)
@@ -30,12 +37,27 @@ static void try_plane(struct plane_search *search, const struct convex *a, const
 	}
 }
 
-/* Tries the normal with every link that makes a difference. */
-static void try_normal(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n)
+/*
+ * mm: the gap along n at the pose, which is hardly larger than `most`. A share of what that is more than needed may be
+ * missing, and a smaller share of what the shapes are apart in all.
+ */
+static double gap_of(const struct plane_search *search, const struct plane_pose *pose, const struct convex *a,
+		     const struct convex *b, vec3 n, double most)
+{
+	const double slack = larger(GAP_SHARE * (most - search->needed), APART_SHARE * search->apart);
+
+	return travelling_plane_gap(pose, a, b, n, larger(slack, 0), search->visits);
+}
+
+/* Tries the normal with every link that makes a difference; no gap along it is larger than `most`. */
+static void try_normal(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n, double most)
 {
 	const struct chain *chain = search->bodies->chain;
-	double gap = travelling_plane_gap(&search->pose, a, b, n, search->visits);
+	double gap;
 
+	if (!(most > search->needed))
+		return;
+	gap = gap_of(search, &search->pose, a, b, n, most);
 	if (!(gap > search->needed))
 		return;
 	for (size_t link = 0; link <= chain->count; link++) {
@@ -48,24 +70,33 @@ static void try_normal(struct plane_search *search, const struct convex *a, cons
 	}
 }
 
+/* mm: no gap along n is larger. */
+static double most_along(const struct convex_search *between, vec3 n)
+{
+	double most = INFINITY;
+
+	for (int k = 0; k < between->count; k++)
+		most = fmin(most, vec3_dot(n, between->seen[k]));
+	return most;
+}
+
 /* Tries the direction between the parts, and the joints' axes. */
 static void try_shapes(struct plane_search *search, const struct convex *a, const struct convex *b)
 {
 	const struct chain *chain = search->bodies->chain;
 	struct convex_search between;
 
-	if (convex_direction(a, b, &between, search->visits))
-		try_normal(search, a, b, between.direction);
+	search->apart = 0;
+	if (convex_direction(a, b, &between, search->visits)) {
+		search->apart = most_along(&between, between.direction) - search->needed;
+		try_normal(search, a, b, between.direction, search->apart + search->needed);
+	}
 	for (size_t i = 0; i < chain->count; i++) {
 		vec3 d = search->pose.direction[i];
-		double most = INFINITY;
 
 		if (vec3_dot(d, vec3_sub(b->centre, a->centre)) < 0)
 			d = vec3_scale(-1, d);
-		for (int k = 0; k < between.count; k++)
-			most = fmin(most, vec3_dot(d, between.seen[k]));
-		if (most > search->needed)
-			try_normal(search, a, b, d);
+		try_normal(search, a, b, d, most_along(&between, d));
 	}
 }
 
@@ -93,7 +124,7 @@ static void try_again(struct plane_search *search, const struct plane_part *cons
 	struct convex a = shape_of(&search->pose, parts[0], kept->rings[0]);
 	struct convex b = shape_of(&search->pose, parts[1], kept->rings[1]);
 	vec3 n = travelling_plane_normal(&kept->plane, &search->pose);
-	double gap = travelling_plane_gap(&search->pose, &a, &b, n, search->visits);
+	double gap = gap_of(search, &search->pose, &a, &b, n, kept->plane.gap);
 
 	if (gap > search->needed)
 		try_plane(search, &a, &b, n, kept->plane.link, gap);
@@ -123,7 +154,7 @@ static double gap_at_end(struct plane_search *search, const struct plane_part *c
 	n = travelling_plane_normal(&best->plane, pose);
 	a = shape_of(pose, parts[0], best->rings[0]);
 	b = shape_of(pose, parts[1], best->rings[1]);
-	return travelling_plane_gap(pose, &a, &b, n, search->visits) - pose->rounding;
+	return gap_of(search, pose, &a, &b, n, best->plane.gap) - pose->rounding;
 }
 
 /* Where the best plane does not last for the motion, its gaps at both ends may prove it. */
@@ -166,6 +197,7 @@ bool plane_search_between(struct plane_search *search, const struct plane_part *
 	const struct plane_part *const parts[2] = {a, b};
 
 	search->life = -1;
+	search->apart = 0;
 	search->held = false;
 	search->best.plane.gap = 0;
 	if (last) {

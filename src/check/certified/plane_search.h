@@ -32,6 +32,7 @@ struct plane_search {
 
 	struct plane_pose ends[2];	/* of a straight motion, once they are asked for */
 	bool has_end[2];
+	double apart;	/* mm: by how much more than needed the shapes are apart, about; 0: not known */
 	struct kept_plane best;
 	double life;	/* of the best plane: how many motions like this one it lasts; below 0: there is none */
 	bool held;	/* the best plane's gaps at both ends prove the motion, even if it does not last for one */

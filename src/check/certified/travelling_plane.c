@@ -55,10 +55,14 @@ bool travelling_plane_is_at(const struct travelling_plane *plane, const struct c
 }
 
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
-			    long *visits)
+			    double slack, long *visits)
 {
-	return -convex_support(b, vec3_scale(-1, n), NULL, visits) - convex_support(a, n, NULL, visits) - pose->rounding;
+	return -convex_support(b, vec3_scale(-1, n), slack, NULL, visits) - convex_support(a, n, slack, NULL, visits) -
+	       pose->rounding;
 }
+
+/* A lever may be wrong by this share of the part's radius: a hundredth of what the joint does to the gap. */
+#define LEVER_SHARE 0x1p-5
 
 /* What a rotary joint does to the part of the body that it carries. */
 static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part,
@@ -66,10 +70,10 @@ static void add_rotary(struct travelling_plane *plane, const struct plane_pose *
 {
 	vec3 axis = pose->direction[i], location = pose->location[i];
 	vec3 lever = vec3_cross(n, axis);
-	double from = vec3_dot(lever, location);
+	double from = vec3_dot(lever, location), slack = LEVER_SHARE * part->radius;
 
-	plane->high[i] = convex_support(part, lever, NULL, visits) - from + pose->rounding;
-	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), NULL, visits) - from - pose->rounding;
+	plane->high[i] = convex_support(part, lever, slack, NULL, visits) - from + pose->rounding;
+	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), slack, NULL, visits) - from - pose->rounding;
 	plane->turn[i] = vec3_norm(lever) + pose->slack;
 	plane->lever[i] =
 	    vec3_norm(vec3_cross(axis, vec3_sub(part->centre, location))) + part->radius + pose->rounding;

@@ -79,9 +79,9 @@ vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct 
 /* Was the plane measured at q? */
 bool travelling_plane_is_at(const struct travelling_plane *plane, const struct chain *chain, const axis_values *q);
 
-/* mm: the gap along n at the pose, rounding taken off. */
+/* mm: the gap along n at the pose, rounding taken off, or at most 2 `slack` less. */
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
-			    long *visits);
+			    double slack, long *visits);
 
 /*
  * Motion of the chain's joints. `straight`: from q0 to q1, all joints together. Else each may be anywhere between them.
