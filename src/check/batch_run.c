@@ -171,6 +171,8 @@ static void settle_next(struct checker *c, struct block_record *timed)
 	const double start = checker_clock() - (pending->runs ? pending->seconds : 0);
 
 	tell_opened(c, &pending->opened);
+	if (c->options->watch)
+		event_copies_tell(&pending->heard, c->options->watch);
 	block_log_show(&c->log, &pending->page);
 	if (pending->runs)
 		take_pending(c);
@@ -216,11 +218,14 @@ static void begin(struct checker *c)
 {
 	struct pending_batch *pending = pending_of(c, c->begun);
 	const struct file_names opened = c->opened;
+	const struct event_copies heard = c->heard;
 
 	swap_batches(&c->batch, &pending->batch);
 	block_log_turn(&c->log, &pending->page);
 	c->opened = pending->opened;
 	pending->opened = opened;
+	c->heard = pending->heard;
+	pending->heard = heard;
 	pending->block = c->block;
 	pending->tool = c->tool;
 	pending->last = c->last;
@@ -271,6 +276,7 @@ void checker_release_pending(struct checker *c)
 		batch_release(&c->pending[i].batch);
 		block_page_release(&c->pending[i].page);
 		file_names_release(&c->pending[i].opened);
+		event_copies_release(&c->pending[i].heard);
 		free(c->pending[i].results);
 	}
 }

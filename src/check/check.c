@@ -159,7 +159,9 @@ static bool on_event(void *context, const struct motion_event *event)
 	struct checker *c = context;
 
 	c->summary = event->summary;
-	if (c->options->watch)
+	if (c->options->watch && c->background)
+		event_copies_add(&c->heard, event);
+	else if (c->options->watch)
 		c->options->watch->event(c->options->watch->context, event);
 	switch (event->kind) {
 	case MOTION_STEP:
@@ -221,15 +223,15 @@ static void finish(struct checker *c, bool complete)
 
 /*
  * Can batches be checked in the background? Not if this thread needs the results of one before it goes on: the time to
- * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and who
- * hears the events may hear none behind the batch that ends the check.
+ * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and the
+ * record of the path may have nothing behind the batch that ends the check.
  */
 static bool can_check_in_background(const struct checker *c)
 {
 	const struct check_options *options = c->options;
 
-	return options->threads > 1 && options->method != CHECK_NOTHING && !options->times && !options->watch &&
-	       !options->record && !c->stock.pair_count && !c->stock.tool_count;
+	return options->threads > 1 && options->method != CHECK_NOTHING && !options->times && !options->record &&
+	       !c->stock.pair_count && !c->stock.tool_count;
 }
 
 /* As motion_run, with all that is checked in the background settled. */
@@ -284,6 +286,7 @@ static void release(struct checker *c)
 	block_log_release(&c->log);
 	file_names_release(&c->names);
 	file_names_release(&c->opened);
+	event_copies_release(&c->heard);
 	checker_release_pending(c);
 	pthread_mutex_destroy(&c->telling);
 	sweep_release(&c->sweep);

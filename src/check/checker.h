@@ -12,6 +12,7 @@
 #include "check/batch.h"
 #include "check/block_log.h"
 #include "check/cutter_approach.h"
+#include "check/event_copies.h"
 #include "check/options.h"
 #include "check/scheduler.h"
 #include "check/sink.h"
@@ -31,6 +32,7 @@ struct pending_batch {
 	struct batch batch;
 	struct block_page page;	/* the blocks that were completed in it */
 	struct file_names opened;	/* files that were opened meanwhile, not told yet */
+	struct event_copies heard;	/* what options->watch is told when the batches before are settled */
 	long block;	/* the last block of the page, or the one that is being read */
 	int tool;	/* in the spindle, during the whole batch */
 	struct place last;	/* the last step's block */
@@ -61,6 +63,7 @@ struct checker {
 	struct block_log log;
 	struct batch batch;	/* is being collected */
 	struct file_names opened;	/* meanwhile, if batches before it are being checked */
+	struct event_copies heard;	/* meanwhile, with a background */
 	struct scheduler scheduler;	/* the background's while it has a batch to check */
 	struct background *background;	/* NULL: each batch is checked when it is collected */
 	struct pending_batch pending[PENDING];	/* that of batch i is i % PENDING */

@@ -38,3 +38,10 @@ done
 cmp c.1 c.2 && cmp c.1 c.3 && cmp c.1-a c.2-a && cmp c.1-a c.3-a
 head -1 c.1 | cut -d: -f1-4
 grep -c 'deep\.ngc\|Q' c.1 c.1-a
+
+# A report shows the path up to the end of that batch, and nothing behind it.
+for j in 1 2 3; do
+	fivecheck -q -j $j --report=r.html m.xml c.nc >out 2>err
+	sed -E 's/[0-9.]+ s (load|interpret|check|of processor time)//g' r.html >r.$j
+done
+cmp r.1 r.2 && cmp r.1 r.3
