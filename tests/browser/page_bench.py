@@ -14,6 +14,7 @@ class Site:
     """The folder on 127.0.0.1, with a log of what was asked for."""
 
     def __init__(self, folder):
+        self.folder = folder
         self.asked = []
         self.missing = set()  # paths that are not there for now
         site = self

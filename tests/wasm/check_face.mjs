@@ -259,14 +259,19 @@ tests['a negative length of a holder is left to the check, which refuses it'] = 
 	assert.match(fivecheck.check(job).messages, /length="-60" of <section>/);
 };
 
-tests['a page whose browser has no room to keep files gets what the network has'] = async () => {
-	const heard = {}, kept = {put: async () => { throw new Error('no room'); }, match: async () => new Response('old')};
-	const network = async () => new Response('new');
-	new Function('addEventListener', 'caches', 'fetch', fs.readFileSync('src/web/app/service_worker.js', 'utf8'))(
-		(name, listener) => heard[name] = listener, {open: async () => kept}, network);
-	let answer;
-	heard.fetch({request: {method: 'GET'}, respondWith: (given) => answer = given});
-	assert.equal(await (await answer).text(), 'new');
+tests['what the page keeps is of its build; where there is no room for an example, the network has it'] = async () => {
+	const heard = {}, scope = 'https://here/app/', own = {'page.css': 'kept'};
+	const cache = {put: async () => { throw new Error('no room'); }, match: async (name) => own[name] && new Response(own[name])};
+	const worker = {registration: {scope, waiting: null}, addEventListener: (name, listener) => heard[name] = listener};
+	new Function('self', 'caches', 'fetch', fs.readFileSync('src/web/app/service_worker.js', 'utf8'))(
+		worker, {open: async () => cache}, async () => new Response('new'));
+	const answered = async (path) => {
+		let answer;
+		heard.fetch({request: {method: 'GET', url: scope + path}, respondWith: (given) => answer = given});
+		return (await answer).text();
+	};
+	assert.equal(await answered('page.css'), 'kept');
+	assert.equal(await answered('examples/part.nc'), 'new');
 };
 
 tests['hostile files end with a status, and the next job is as before'] = () => {

@@ -1,32 +1,78 @@
 // @ts-check
-/** service_worker.js - the page works offline after the first visit. What the network has is newer and is taken first. */
-const CACHE = 'fivecheck';
-const CORE = ['./', 'index.html', 'report.html', 'page.css', 'main.js', 'client.js', 'modules.js', 'worker.js', 'fivecheck.js', 'files.js', 'wasi.js', 'job_files.js',
-	'machine_form.js', 'machine_arguments.js', 'machine_families.js', 'cautions.js', 'program_result.js', 'setup_form.js', 'setup_proposal.js', 'setup_xml.js', 'fields.js', 'page.js', 'learn.html', 'viewer/stage.css', 'learn.css', 'learn.js', 'axis_picture.js', 'editor.js', 'jog.js', 'jog_stage.js', 'session_client.js',
-	'session_worker.js', 'tour.js', 'fivecheck.wasm', 'fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', 'fivecheck-more.wasm', 'viewer.js', 'examples/index.json'];
+/**
+ * service_worker.js - the page works offline after the first visit, and is always of one build as a whole.
+ *
+ * Each build has a cache of its own. It is filled before it is used, and each file is compared with its digest below: while
+ * a server holds old and new files, the old build stays. A page that is open keeps its build; the newer one takes its place
+ * when the page is loaded again and no other is open.
+ */
 
-addEventListener('install', (event) => {
-	/** @type {any} */ (event).waitUntil(caches.open(CACHE).then((cache) => cache.addAll(CORE)));
-});
+/** The files of the page, each with its SHA-256, and a name for all of them; `make web` writes both (scripts/web-build). */
+const FILES = /** @type {Record<string, string>} */ ({});
+const BUILD = '';
 
-/** @param {Request} request */
-async function answer(request) {
+const worker = /** @type {any} */ (self), scope = worker.registration.scope;
+const OWN = `fivecheck ${scope} `, CACHE = OWN + BUILD;
+/** Of versions before there were builds. */
+const FORMER = 'fivecheck';
+
+/** Puts a file of this build into the cache. @param {Cache} cache @param {string} name */
+async function keep(cache, name) {
+	const response = await fetch(name, {cache: 'no-cache'}), kept = response.clone();
+	const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
+	if ([...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') !== FILES[name])
+		throw new Error(`${name} is not of the build ${BUILD}`);
+	await cache.put(name, kept);
+}
+
+async function install() {
 	const cache = await caches.open(CACHE);
 	try {
-		const fresh = await fetch(request);
-		if (fresh.ok)
-			await cache.put(request, fresh.clone()).catch(() => undefined);  // there may be no room
-		return fresh;
+		await Promise.all(Object.keys(FILES).map((name) => keep(cache, name)));
 	} catch (error) {
-		const kept = await cache.match(request);
-		if (kept)
-			return kept;
+		await caches.delete(CACHE);
 		throw error;
 	}
 }
 
-addEventListener('fetch', (event) => {
-	const {request} = /** @type {any} */ (event);
-	if (request.method === 'GET')
-		/** @type {any} */ (event).respondWith(answer(request));
+/** Other builds are of no more use. */
+async function tidy() {
+	const names = await caches.keys();
+	await Promise.all(names.filter((name) => name === FORMER || (name.startsWith(OWN) && name !== CACHE)).map((name) => caches.delete(name)));
+}
+
+/**
+ * Has the newer build answer where a page is loaded again; undefined: there is none, or another page is open, or this one
+ * comes beside it.
+ * @param {Request} request
+ */
+async function handOver({cache, destination}) {
+	const newer = worker.registration.waiting, again = cache === 'no-cache' || cache === 'reload';
+	if (destination !== 'document' || !again || !newer || (await worker.clients.matchAll()).length > 1)
+		return undefined;
+	newer.postMessage('take over');
+	return new Response('<link rel="icon" href="data:,">', {headers: {'Content-Type': 'text/html', Refresh: '0'}});
+}
+
+/** @param {Request} request @param {string} name */
+async function answer(request, name) {
+	const cache = await caches.open(CACHE), kept = await cache.match(name);
+	if (kept)
+		return kept;
+	const fresh = await fetch(request);
+	// The files of an example are kept once it was opened.
+	if (fresh.ok)
+		await cache.put(name, fresh.clone()).catch(() => undefined);  // there may be no room
+	return fresh;
+}
+
+worker.addEventListener('install', (/** @type {any} */ event) => event.waitUntil(install()));
+worker.addEventListener('activate', (/** @type {any} */ event) => event.waitUntil(tidy()));
+worker.addEventListener('message', (/** @type {any} */ event) => event.waitUntil(worker.skipWaiting()));
+worker.addEventListener('fetch', (/** @type {any} */ event) => {
+	const {request} = event, {origin, pathname} = new URL(request.url);
+	if (request.method !== 'GET' || !(origin + pathname).startsWith(scope))
+		return;
+	const name = (origin + pathname).slice(scope.length) || 'index.html';
+	event.respondWith(handOver(request).then((loadAgain) => loadAgain ?? answer(request, name)));
 });

@@ -1,0 +1,126 @@
+"""The page when the server gets another build of it: a page is of one build as a whole, kept until it is loaded again."""
+import contextlib
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+from bench import same, test, true
+from driver import BrowserError
+from page_bench import VERDICTS, Bench, Site
+
+CACHES = "(await caches.keys()).length"
+# Asks for an update of the page until a newer build came so far; the browser may be asking for it by itself, too.
+UPDATED = """await (async () => {
+    const registration = await navigator.serviceWorker.getRegistration();
+    const come = async () => {
+        const found = new Promise((done) => registration.addEventListener('updatefound', () => done(registration.installing), {once: true}));
+        await registration.update();
+        const newer = registration.waiting ?? registration.installing ?? await found;
+        while (newer.state === 'installing')
+            await new Promise((done) => newer.addEventListener('statechange', done, {once: true}));
+        return newer.state;
+    };
+    while (await come() !== '%s');
+})()"""
+# What was begun of a build is thrown away.
+ONE_CACHE = "await (async () => { while ((await caches.keys()).length > 1) await new Promise((done) => setTimeout(done, 20)); })()"
+TITLE = "document.querySelector('h1').textContent"
+
+
+def change(folder):
+    """Puts a file of another build into the folder: the page with another title."""
+    page = os.path.join(folder, "index.html")
+    with open(page, encoding="utf-8") as file:
+        text = file.read()
+    # The server tells versions apart by seconds.
+    later = os.stat(page).st_mtime + 10
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(text.replace("<h1>fivecheck</h1>", "<h1>newer</h1>"))
+    os.utime(page, (later, later))
+
+
+def tell(folder):
+    """Writes the service worker of the build that is in the folder."""
+    names = [os.path.relpath(os.path.join(path, name), folder) for path, _, files in os.walk(folder) for name in files]
+    names = [name for name in names if name != "service_worker.js" and (not name.startswith("examples/") or name == "examples/index.json")]
+    with open(os.path.join(folder, "service_worker.js"), "wb") as file:
+        subprocess.run(["sh", "scripts/web-build", folder, "src/web/app/service_worker.js", *names], stdout=file, check=True)
+
+
+@contextlib.contextmanager
+def copy_of_page(bench):
+    """A copy of the page on a server, that may change: its folder, and a bench."""
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(bench.site.folder, folder, dirs_exist_ok=True)
+        site = Site(folder)
+        try:
+            yield folder, Bench(bench, site, bench.browser)
+        finally:
+            if site.thread.is_alive():
+                site.close()
+
+
+def load_again(page, title):
+    """Loads the page until it has this title: a build that hands over to a newer one loads it twice."""
+    page.reload()
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        try:
+            if page.run(f"document.readyState === 'complete' && window.counts?.['fivecheck-ready'] > 0 && {TITLE} === '{title}'"):
+                return
+        except BrowserError:
+            pass  # the document went while it was asked
+    raise AssertionError(f"the title is {page.run(TITLE)}, not {title}")
+
+
+def visited(bench):
+    """A page that its service worker answers for."""
+    page = bench.open()
+    page.run("await navigator.serviceWorker.ready")
+    load_again(page, "fivecheck")
+    return page
+
+
+@test
+def newer_build(bench):
+    """The page stays of its build, parts that it loads later included, until it is loaded again; then all of it is new."""
+    with copy_of_page(bench) as (folder, visitor):
+        page = visited(visitor)
+        change(folder)
+        os.remove(os.path.join(folder, "fivecheck-more.wasm"))
+        shutil.copy(os.path.join(folder, "fivecheck-klartext.wasm"), os.path.join(folder, "fivecheck-more.wasm"))
+        tell(folder)
+        page.run(UPDATED % "installed")
+        same("caches", page.run(CACHES), 2)
+        true("a part is that of the page's build", page.run("(await (await fetch('fivecheck-more.wasm')).arrayBuffer()).byteLength"
+             " !== (await (await fetch('fivecheck-klartext.wasm')).arrayBuffer()).byteLength"))
+        other = visitor.open("learn.html")
+        load_again(page, "fivecheck")
+        other.close()
+        load_again(page, "newer")
+        same("caches", page.run(CACHES), 1)
+        true("a part of the newer build", page.run("(await (await fetch('fivecheck-more.wasm')).arrayBuffer()).byteLength"
+             " === (await (await fetch('fivecheck-klartext.wasm')).arrayBuffer()).byteLength"))
+        visitor.example(page, "cb-head")
+        visitor.check(page)
+        same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+        visitor.done(page)
+
+
+@test
+def half_a_build(bench):
+    """While the server has files of two builds, the page stays what it was; once all are there, it becomes the newer one."""
+    with copy_of_page(bench) as (folder, visitor):
+        page = visited(visitor)
+        change(folder)
+        tell(folder)
+        shutil.copy2(os.path.join(bench.site.folder, "index.html"), folder)
+        page.run(UPDATED % "redundant")
+        page.run(ONE_CACHE)
+        load_again(page, "fivecheck")
+        change(folder)
+        page.run(UPDATED % "installed")
+        load_again(page, "newer")
+        page.close()
