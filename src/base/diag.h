@@ -34,9 +34,12 @@ struct diag {
 	size_t warnings;
 };
 
-void diag_error(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
-void diag_warning(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
-void diag_note(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Faults are rare: what only reports one stays out of the code that runs for every block. */
+#define DIAG_REPORTS __attribute__((cold, format(printf, 3, 4)))
+
+void diag_error(struct diag *diag, struct srcloc loc, const char *format, ...) DIAG_REPORTS;
+void diag_warning(struct diag *diag, struct srcloc loc, const char *format, ...) DIAG_REPORTS;
+void diag_note(struct diag *diag, struct srcloc loc, const char *format, ...) DIAG_REPORTS;
 
 /* The general form; excerpt may be NULL. */
 void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc loc, const char *excerpt,

@@ -7,6 +7,9 @@
 
 #include "base/mem.h"
 
+/* Bytes: the room for a text before its length is known. */
+#define SHORT_TEXT 64
+
 void strbuf_add(struct strbuf *buf, const char *bytes, size_t count)
 {
 	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + count + 1, 1);
@@ -27,14 +30,20 @@ void strbuf_addf(struct strbuf *buf, const char *format, ...)
 void strbuf_addv(struct strbuf *buf, const char *format, va_list args)
 {
 	va_list again;
+	size_t room;
 	int length;
 
+	/* Most of what is added is short, and is printed once. */
+	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + SHORT_TEXT, 1);
+	room = buf->capacity - buf->length;
 	va_copy(again, args);
-	length = vsnprintf(NULL, 0, format, again);
-	va_end(again);
+	length = vsnprintf(buf->text + buf->length, room, format, args);
 	assert(length >= 0);
-	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + (size_t)length + 1, 1);
-	vsnprintf(buf->text + buf->length, (size_t)length + 1, format, args);
+	if ((size_t)length >= room) {
+		buf->text = mem_grow(buf->text, &buf->capacity, buf->length + (size_t)length + 1, 1);
+		vsnprintf(buf->text + buf->length, (size_t)length + 1, format, again);
+	}
+	va_end(again);
 	buf->length += (size_t)length;
 }
 

@@ -182,8 +182,11 @@ static void find_callers(struct interp *interp)
 		chain->count++;
 }
 
-/* A line with its messages: in a subprogram, they are followed by the calls that led there. */
-static bool run_line_called(struct interp *interp)
+/*
+ * A line with its messages: in a subprogram, they are followed by the calls that led there. It stays a function of its
+ * own: browsers replace the slow first code of a function when it is called again, which the loop over all lines is not.
+ */
+__attribute__((noinline)) static bool run_line_called(struct interp *interp)
 {
 	size_t said = interp->diag->errors + interp->diag->warnings;
 	bool good;

@@ -10,6 +10,7 @@
 
 static void finish(char digest[DIGEST_SIZE], struct sha256_ctx *context)
 {
+	static const char digits[] = "0123456789abcdef";
 	uint8_t bytes[SHA256_DIGEST_SIZE];
 
 #if NETTLE_VERSION_MAJOR >= 4
@@ -17,8 +18,11 @@ static void finish(char digest[DIGEST_SIZE], struct sha256_ctx *context)
 #else
 	sha256_digest(context, sizeof(bytes), bytes);
 #endif
-	for (size_t i = 0; i < sizeof(bytes); i++)
-		snprintf(digest + 2 * i, 3, "%02x", (unsigned)bytes[i]);
+	for (size_t i = 0; i < sizeof(bytes); i++) {
+		digest[2 * i] = digits[bytes[i] >> 4];
+		digest[2 * i + 1] = digits[bytes[i] & 15];
+	}
+	digest[2 * sizeof(bytes)] = '\0';
 }
 
 void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count)
