@@ -5,7 +5,7 @@ import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fi
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
 import {missingFiles, withMeshes} from '../../src/web/app/job_files.js';
 import {Modules, partsOf} from '../../src/web/app/modules.js';
-import {setupXml} from '../../src/web/app/setup_form.js';
+import {setupXml} from '../../src/web/app/setup_xml.js';
 import {addFromDisk} from './disk.mjs';
 
 const folder = process.argv[2], viewer = fs.readFileSync(`${folder}/viewer.js`, 'utf8');
@@ -255,7 +255,7 @@ tests['a negative length of a holder is left to the check, which refuses it'] = 
 		data.set(`t.${name}`, value);
 	const job = exampleJob('clear');
 	job.setup = 'own.xml';
-	job.files.add('own.xml', setupXml(data, ['X'], ['t']));
+	job.files.add('own.xml', setupXml(data, ['X'], {offset: ['offset'], part: [], fixture: [], tool: ['t']}));
 	assert.match(fivecheck.check(job).messages, /length="-60" of <section>/);
 };
 
