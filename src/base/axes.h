@@ -3,7 +3,6 @@
 #define FIVECHECK_BASE_AXES_H
 
 #include <stdbool.h>
-#include <string.h>
 
 /* X Y Z and U V W are linear (mm), A B C rotary (radians inside, degrees in files). */
 enum axis_slot { SLOT_X, SLOT_Y, SLOT_Z, SLOT_A, SLOT_B, SLOT_C, SLOT_U, SLOT_V, SLOT_W, SLOT_COUNT };
@@ -33,9 +32,12 @@ static inline axis_values axis_values_between(const axis_values *a, const axis_v
 /* The slot of an upper-case letter, or -1. */
 static inline int slot_of_letter(char letter)
 {
-	const char *at = letter ? strchr(AXIS_LETTERS, letter) : NULL;
+	static const signed char after[] = {
+	    ['X' - 'A'] = SLOT_X + 1, ['Y' - 'A'] = SLOT_Y + 1, ['Z' - 'A'] = SLOT_Z + 1,
+	    ['A' - 'A'] = SLOT_A + 1, ['B' - 'A'] = SLOT_B + 1, ['C' - 'A'] = SLOT_C + 1,
+	    ['U' - 'A'] = SLOT_U + 1, ['V' - 'A'] = SLOT_V + 1, ['W' - 'A'] = SLOT_W + 1};
 
-	return at ? (int)(at - AXIS_LETTERS) : -1;
+	return letter >= 'A' && letter <= 'Z' ? after[letter - 'A'] - 1 : -1;
 }
 
 #endif

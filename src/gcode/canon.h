@@ -118,6 +118,16 @@ static inline void canon_move_begin(struct canon_move *move, enum canon_kind kin
 	move->tool = 0;
 }
 
+/* Is it known only as a set of paths, or as one that may end early? */
+static inline bool canon_move_is_bounded(const struct canon_move *move)
+{
+	bool bounded = move->may_stop || move->after_probe;
+
+	for (int i = 0; i < 3; i++)
+		bounded |= move->spread[i] > 0 || move->turn_spread[i] > 0;
+	return bounded;
+}
+
 /* A block has been carried out. */
 struct canon_block {
 	const char *file;	/* as in canon_move */

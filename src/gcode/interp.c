@@ -116,21 +116,26 @@ static bool run_block(struct interp *interp)
 	    .vectors = interp->state.length_code == G43_5,
 	};
 	const size_t errors = interp->diag->errors;
-	struct line_place checked = interp->at;
-	struct diag unheard = {0};
+	const struct line_place *checked = &interp->at;
+	struct line_place again;
+	struct diag unheard;
 
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
 	    !dialect->read_block(interp))
 		return false;
 	/* A word less: what the rest lacks for it is no fault of its own. */
-	if (read_on(interp, errors))
-		checked.diag = &unheard;
+	if (read_on(interp, errors)) {
+		unheard = (struct diag){0};
+		again = interp->at;
+		again.diag = &unheard;
+		checked = &again;
+	}
 	interp->begun = interp->begun || block->words > 0 ||
 			(traits_of(interp)->text_before_percent != ANSWER_YES && *line_start(&interp->at) != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
-	if (!block_check(block, &checked, interp->config, &modes))
+	if (!block_check(block, checked, interp->config, &modes))
 		return false;
 	if (dialect->before_block && !dialect->before_block(interp))
 		return false;

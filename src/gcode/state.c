@@ -84,12 +84,6 @@ static double to_canonical(int slot, double value)
 	return slot_is_rotary(slot) ? radians(value) : value;
 }
 
-void state_set_position(struct state *state, int slot, double value)
-{
-	state->position.v[slot] = value;
-	state->canonical.v[slot] = to_canonical(slot, value);
-}
-
 static void update_origin(struct state *state)
 {
 	struct canon_origin *origin = &state->origin;

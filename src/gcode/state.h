@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/call_chain.h"
+#include "base/units.h"
 #include "gcode/canon.h"
 #include "gcode/config.h"
 #include "gcode/execute/cutter_comp/comp_corner.h"
@@ -298,8 +299,12 @@ int state_motion_after_g80(const struct state *state, const struct dialect_trait
 /* Recomputes state->offset after a change of anything that it is made of. */
 void state_update_offset(struct state *state);
 
-/* Puts the axes elsewhere. */
-void state_set_position(struct state *state, int slot, double value);
+/* Puts an axis elsewhere. */
+static inline void state_set_position(struct state *state, int slot, double value)
+{
+	state->position.v[slot] = value;
+	state->canonical.v[slot] = slot_is_rotary(slot) ? radians(value) : value;
+}
 
 /*
  * "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on, "G505" and on for SYSTEM_SETTABLE and on, "G500" at the

@@ -39,7 +39,8 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 					     .sink = sink,
 					     .diag = diag,
 					     .name = name,
-					     .position = machine_home(machine)};
+					     .position = machine_home(machine),
+					     .tells_steps = true};
 	converter->controller = converter->position;
 	axis_table_init(&converter->axes, machine);
 	take_tool(converter, setup ? setup->initial_tool : 0);
@@ -154,15 +155,6 @@ static bool swing_out(struct run *run, const struct path *box)
 		}
 	}
 	return true;
-}
-
-static bool is_bounded(const struct canon_move *move)
-{
-	bool bounded = move->may_stop || move->after_probe;
-
-	for (int i = 0; i < 3; i++)
-		bounded = bounded || move->spread[i] > 0 || move->turn_spread[i] > 0;
-	return bounded;
 }
 
 /* How far the axes may be beside the path of the move because it is known only as a set of paths. */
@@ -362,11 +354,9 @@ static enum step_class class_of(const struct run *run)
 	return cutter_hand_reversed(&run->converter->hand, run->move) ? STEP_FEED_REVERSED : STEP_FEED_TURNING;
 }
 
-/* Sends the steps of the leg, then moves the clock and the axes to its end. */
-static bool send_leg(const struct run *run, const struct leg *leg)
+static bool send_steps(const struct run *run, const struct leg *leg)
 {
 	struct canon_to_spans *converter = run->converter;
-	double seconds = leg->path.seconds;
 	/* The event is filled in place, because it is large and there are many. */
 	struct motion_step *step = &converter->event.of.step;
 
@@ -378,18 +368,28 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->outside = run->outside;
 	step->bounded = run->bounded;
 	step->step_class = class_of(run);
-	if (span_is_flat(&leg->span, converter->flatness)) {
-		step->span = leg->span;
-		if (!send_step(converter, seconds))
-			return false;
-	} else if (!send_curved(converter, leg)) {
+	if (!span_is_flat(&leg->span, converter->flatness))
+		return send_curved(converter, leg);
+	step->span = leg->span;
+	return send_step(converter, leg->path.seconds);
+}
+
+/* Sends the steps of the leg, then moves the clock and the axes to its end. */
+static bool send_leg(const struct run *run, const struct leg *leg)
+{
+	struct canon_to_spans *converter = run->converter;
+	double seconds = leg->path.seconds;
+
+	if (!converter->tells_steps)
+		converter->event.summary.spans += span_count(&leg->span, converter->flatness);
+	else if (!send_steps(run, leg))
 		return false;
-	}
 	converter->time += seconds;
 	converter->block_time += seconds;
 	converter->position = leg->span.q1;
-	converter->controller = leg->path.end;
 	converter->controller_guided = leg->path.kind == PATH_TCP;
+	if (converter->controller_guided)
+		converter->controller = leg->path.end;
 	return true;
 }
 
@@ -403,7 +403,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	run.outside = run.has_room = run.swings = run.turns = false;
 	blend_take(&converter->blend, converter->machine, &converter->axes, move);
 	run.tolerance = converter->blend.tolerance;
-	run.bounded = is_bounded(move);
+	run.bounded = canon_move_is_bounded(move);
 	if (run.bounded) {
 		run.room = (axis_values){{0}};
 		add_spread(&run);

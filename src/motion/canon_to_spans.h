@@ -33,7 +33,7 @@ struct canon_to_spans {
 	struct length_check length;	/* of that tool */
 	struct blend blend;	/* of the last move */
 	double time, block_time;
-	bool tells_modes;
+	bool tells_steps, tells_modes;
 	struct motion_modes modes;	/* that were sent last */
 	bool modes_told;
 	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */

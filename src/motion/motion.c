@@ -75,6 +75,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 
 	canon_to_spans_init(&run.converter, machine, setup, options->flatness, sink, diag, name);
 	run.converter.tells_modes = options->modes;
+	run.converter.tells_steps = !options->counts_steps;
 	kinematics = motion_kinematics(&run.converter);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);

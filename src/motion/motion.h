@@ -24,6 +24,7 @@ struct motion_options {
 	struct file_names *names;	/* holds the events' file names; NULL: they live as long as the run */
 	const struct setup_change *change;	/* or NULL */
 	bool modes;	/* send MOTION_MODES */
+	bool counts_steps;	/* send no MOTION_STEP: the summary counts them */
 };
 
 /*

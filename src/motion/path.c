@@ -1,6 +1,7 @@
 #include "motion/path.h"
 
 #include "base/math/math_functions.h"
+#include "base/minmax.h"
 #include "geom/tolerance.h"
 
 #include <float.h>
@@ -171,7 +172,7 @@ static axis_values reach_of(const struct path *path, double *arc_rounding)
 	double radius;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		reach.v[slot] = fmax(fabs(path->start.v[slot]), fabs(path->end.v[slot]));
+		reach.v[slot] = larger(fabs(path->start.v[slot]), fabs(path->end.v[slot]));
 	*arc_rounding = 0;
 	if (!path->circular)
 		return reach;
@@ -220,7 +221,7 @@ static axis_values guided_chord_error(const struct path *path, double u0, double
 		arc_rounding += arc_miss(path);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		/* An error of the arc goes through M (at most sqrt(3) long) and a row of its inverse. */
-		rounding.v[slot] += 2 * arc_rounding * vec3_norm(path->tcp->rows[slot]);
+		rounding.v[slot] += 2 * arc_rounding * path->tcp->row_norms[slot];
 		chord_error.v[slot] = h * h / 8 * chord_error.v[slot] * BOUND_SLACK + rounding.v[slot];
 	}
 	return chord_error;

@@ -90,3 +90,16 @@ bool span_walk_next(struct span_walk *walk, struct span *piece)
 	}
 	return true;
 }
+
+long span_count(const struct span *whole, double linear)
+{
+	struct span_walk walk;
+	struct span piece;
+	long count = 0;
+
+	if (span_is_flat(whole, linear))
+		return 1;
+	for (span_walk_init(&walk, whole, linear); span_walk_next(&walk, &piece);)
+		count++;
+	return count;
+}

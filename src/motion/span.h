@@ -55,4 +55,7 @@ void span_walk_init(struct span_walk *walk, const struct span *whole, double lin
 /* The next piece; false at the end. */
 bool span_walk_next(struct span_walk *walk, struct span *piece);
 
+/* How many pieces such a walk has. */
+long span_count(const struct span *whole, double linear);
+
 #endif

@@ -1,5 +1,6 @@
 #include "motion/tcp.h"
 
+#include "base/minmax.h"
 #include "base/same_double.h"
 #include "geom/tolerance.h"
 
@@ -85,6 +86,29 @@ static bool derive_axes(struct tcp *tcp, const struct machine *machine, struct s
 	return invert(tcp, loc, diag);
 }
 
+/* The lengths of a chain's constant vectors, twice each. */
+static void add_chain_lengths(const struct chain *chain, double *lengths)
+{
+	for (size_t k = 0; k < chain->count; k++)
+		*lengths += 2 * vec3_norm(chain->joints[k].location);
+}
+
+static void take_norms(struct tcp *tcp)
+{
+	const vec3 columns[3] = {tcp->matrix.x, tcp->matrix.y, tcp->matrix.z};
+
+	tcp->lengths = vec3_norm(tcp->gauge_zero) + vec3_norm(tcp->tip);
+	add_chain_lengths(&tcp->table, &tcp->lengths);
+	add_chain_lengths(&tcp->head, &tcp->lengths);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		tcp->row_norms[slot] = vec3_norm(tcp->rows[slot]);
+		tcp->condition += tcp->row_norms[slot];
+		tcp->axis_norms[slot] = vec3_norm(columns[slot]);
+	}
+	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
+		tcp->axis_norms[slot] = vec3_norm(tcp->others[slot]);
+}
+
 bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct kinematics_tcp *state, struct srcloc loc,
 	      struct diag *diag)
 {
@@ -105,6 +129,7 @@ bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct kinem
 	made.gauge_zero = xform_apply(&head, gauge);
 	made.spindle = machine->spindle.direction;
 	made.tip = vec3_mad(gauge, state->length, machine->spindle.direction);
+	take_norms(&made);
 	*tcp = made;
 	return true;
 }
@@ -166,14 +191,14 @@ struct carried {
 };
 
 /*
- * How much of a unit vector across `axis` the row can see, when the axis leans
+ * How much of a unit vector across `axis` the row of M^-1 can see, when the axis leans
  * from where it is in the middle by at most `lean` radians.
  */
-static double share(vec3 row, vec3 axis, double lean)
+static double share(const struct tcp *tcp, int slot, vec3 axis, double lean)
 {
-	double whole = vec3_norm(row);
+	double whole = tcp->row_norms[slot];
 
-	return fmin(whole, vec3_norm(vec3_cross(axis, row)) + whole * lean);
+	return smaller(whole, vec3_norm(vec3_cross(axis, tcp->rows[slot])) + whole * lean);
 }
 
 /*
@@ -211,27 +236,43 @@ static void add_chain_second_derivative(const struct tcp *tcp, const struct chai
 		double own = turn * (turn * rho + 2 * across);
 
 		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-			second_derivative->v[slot] += own * share(tcp->rows[slot], axes[k], leans[k]);
+			second_derivative->v[slot] += own * share(tcp, slot, axes[k], leans[k]);
 		carried.velocity = mat3_apply(&turns[k], vec3_mad(carried.velocity, omega, vec3_cross(d, r)));
 		carried.point = vec3_add(joint->location, mat3_apply(&turns[k], r));
 		carried.acceleration += own;
 	}
 }
 
+/* A chain whose joints stand still bends nothing. */
+static bool is_turning(const struct chain *chain, const axis_values *rate)
+{
+	for (size_t k = 0; k < chain->count; k++) {
+		if (!same_double(rate->v[chain->joints[k].slot], 0))
+			return true;
+	}
+	return false;
+}
+
 axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axis_values *rate, double acceleration,
 		     double half)
 {
-	vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, middle), other_axes(tcp, middle)), tcp->gauge_zero);
-	vec3 velocity = vec3_add(linear_axes(tcp, rate), other_axes(tcp, rate));
-	struct carried workpiece = {xform_apply(&tcp->table_zero_inverse, at_zero),
-				    mat3_apply(&tcp->table_zero_inverse.rotation, velocity), acceleration};
-	struct carried tip = {tcp->tip, {0, 0, 0}, 0};
 	axis_values second_derivative = {{0}};
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		second_derivative.v[slot] = vec3_norm(tcp->rows[slot]) * acceleration;
-	add_chain_second_derivative(tcp, &tcp->table, workpiece, middle, rate, half, &second_derivative);
-	add_chain_second_derivative(tcp, &tcp->head, tip, middle, rate, half, &second_derivative);
+		second_derivative.v[slot] = tcp->row_norms[slot] * acceleration;
+	if (is_turning(&tcp->table, rate)) {
+		vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, middle), other_axes(tcp, middle)), tcp->gauge_zero);
+		vec3 velocity = vec3_add(linear_axes(tcp, rate), other_axes(tcp, rate));
+		struct carried workpiece = {xform_apply(&tcp->table_zero_inverse, at_zero),
+					    mat3_apply(&tcp->table_zero_inverse.rotation, velocity), acceleration};
+
+		add_chain_second_derivative(tcp, &tcp->table, workpiece, middle, rate, half, &second_derivative);
+	}
+	if (is_turning(&tcp->head, rate)) {
+		struct carried tip = {tcp->tip, {0, 0, 0}, 0};
+
+		add_chain_second_derivative(tcp, &tcp->head, tip, middle, rate, half, &second_derivative);
+	}
 	return second_derivative;
 }
 
@@ -329,33 +370,29 @@ void tcp_turn(const struct tcp *tcp, struct kinematics_turn *turn)
 	turn->tool = vec3_unit(found[3]);
 }
 
-/* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */
-static void add_chain_scale(const struct tcp *tcp, const struct chain *chain, const axis_values *reach, double *scale,
-			    double *angles)
+/* The angles whose rounding the lengths are multiplied by. */
+static void add_chain_angles(const struct tcp *tcp, const struct chain *chain, const axis_values *reach, double *angles)
 {
 	for (size_t k = 0; k < chain->count; k++) {
-		const struct joint *joint = &chain->joints[k];
+		const int slot = chain->joints[k].slot;
 
-		*scale += 2 * vec3_norm(joint->location);
-		*angles += reach->v[joint->slot] + fabs(tcp->state.rotary_zero.v[joint->slot]);
+		*angles += reach->v[slot] + fabs(tcp->state.rotary_zero.v[slot]);
 	}
 }
 
 axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach)
 {
-	const vec3 columns[3] = {tcp->matrix.x, tcp->matrix.y, tcp->matrix.z};
-	double scale = vec3_norm(tcp->gauge_zero) + vec3_norm(tcp->tip), angles = 1, condition = 0;
+	double scale = tcp->lengths, angles = 1;
 	axis_values rounding = {{0}};
 
-	add_chain_scale(tcp, &tcp->table, reach, &scale, &angles);
-	add_chain_scale(tcp, &tcp->head, reach, &scale, &angles);
-	for (int i = 0; i < 3; i++) {
-		scale += vec3_norm(columns[i]) * reach->v[i];
-		condition += vec3_norm(tcp->rows[i]);
-	}
-	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
-		scale += 2 * vec3_norm(tcp->others[slot]) * reach->v[slot];
+	add_chain_angles(tcp, &tcp->table, reach, &angles);
+	add_chain_angles(tcp, &tcp->head, reach, &angles);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		rounding.v[slot] = POSITION_ROUNDING * vec3_norm(tcp->rows[slot]) * scale * (angles + condition);
+		scale += tcp->axis_norms[slot] * reach->v[slot];
+	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
+		scale += 2 * tcp->axis_norms[slot] * reach->v[slot];
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		rounding.v[slot] =
+		    POSITION_ROUNDING * tcp->row_norms[slot] * scale * (angles + tcp->condition);
 	return rounding;
 }

@@ -29,6 +29,10 @@ struct tcp {
 	xform table_zero_inverse;	/* T(theta0)^-1 */
 	vec3 gauge_zero;	/* H(theta0) gauge */
 	vec3 tip;	/* t */
+	/* What tcp_bend and tcp_rounding need for every move: */
+	double row_norms[3], condition;	/* of M^-1, and their sum */
+	double axis_norms[SLOT_COUNT];	/* of the columns of M and N; rotary slots 0 */
+	double lengths;	/* mm: the constant part of the lengths that rounding is a share of */
 	vec3 spindle;	/* direction of the spindle at the zero pose, towards the tip */
 	struct kinematics_tcp state;
 };

@@ -46,7 +46,7 @@ static double needed(const struct axis_table *axes, const struct span *span, con
 
 double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds)
 {
-	const axis_values none = {{0}};
+	static const axis_values none;
 	axis_values second_derivative;
 	struct span_walk walk;
 	struct span piece;

@@ -44,6 +44,12 @@ START_TEST(numbers_are_correctly_rounded)
 		expected = strtod(text, NULL);
 		value = read_number(text, &used);
 		require(!memcmp(&expected, &value, sizeof(value)) && used == length, "%s", text);
+		if (strchr(text, '.') && random_bits(&random) % 2)
+			*strchr(text, '.') = ',';
+		used = 0;
+		require(number_read_with_comma(text, &used, &value) == NUMBER_OK &&
+				!memcmp(&expected, &value, sizeof(value)) && used == length,
+			"%s", text);
 	}
 }
 END_TEST
@@ -81,6 +87,12 @@ START_TEST(number_forms)
 	digits[NUMBER_LENGTH_MAX] = '9';
 	digits[NUMBER_LENGTH_MAX + 1] = '\0';
 	ck_assert_int_eq(number_read(digits, &(size_t){0}, &value, &point), NUMBER_TOO_LONG);
+	ck_assert_int_eq(number_read_with_comma(digits, &(size_t){0}, &value), NUMBER_TOO_LONG);
+	used = 0;
+	ck_assert_int_eq(number_read_with_comma("+7,25,5", &used, &value), NUMBER_OK);
+	ck_assert(value == 7.25 && used == 5);
+	ck_assert_int_eq(number_read_with_comma("-,", &(size_t){0}, &value), NUMBER_MISSING);
+	ck_assert_int_eq(number_read_with_comma("- 5", &(size_t){0}, &value), NUMBER_MISSING);
 }
 END_TEST
 

@@ -5,19 +5,26 @@
 #include "motion_record.h"
 #include "suite.h"
 
-static bool run(struct record *record, const struct machine *machine, const struct setup *setup, const char *program,
-		struct motion_summary *summary)
+static bool run_with(const struct motion_options *options, struct record *record, const struct machine *machine,
+		     const struct setup *setup, const char *program, struct motion_summary *summary)
 {
-	struct motion_options options = {.flatness = 0.001};
 	FILE *in = fmemopen((void *)(uintptr_t)program, strlen(program), "r");
 	bool ok;
 
 	ck_assert_ptr_nonnull(in);
 	listen(record);
-	ok = motion_run(machine, setup, &options, in, "part.nc", &record->sink, &record->messages.diag,
+	ok = motion_run(machine, setup, options, in, "part.nc", &record->sink, &record->messages.diag,
 			summary);
 	fclose(in);
 	return ok;
+}
+
+static bool run(struct record *record, const struct machine *machine, const struct setup *setup, const char *program,
+		struct motion_summary *summary)
+{
+	const struct motion_options options = {.flatness = 0.001};
+
+	return run_with(&options, record, machine, setup, program, summary);
 }
 
 /* Millimetres a minute, an offset, a tool with its length, a dwell, and G53 home again. */
@@ -111,6 +118,37 @@ START_TEST(a_faulty_program)
 }
 END_TEST
 
+/* Steps that are not sent are counted, and change nothing else: limits, blocks, the clock. */
+START_TEST(steps_that_are_counted)
+{
+	static const char program[] = "G21 G90 G17 G1 F600 X10\nG2 X30 Y0 I10 J0\nG4 P2\nG0 X5000\nX0 Y0 Z0\nM2\n";
+	const struct motion_options options = {.flatness = 0.001, .counts_steps = true};
+	struct machine machine = rig_three_axes();
+	struct motion_summary told, counted;
+	struct record all, few;
+
+	for (size_t i = 0; i < machine.axis_count; i++) {
+		machine.axes[i].limit_min = -1000;
+		machine.axes[i].limit_max = 1000;
+	}
+	ck_assert_msg(run(&all, &machine, NULL, program, &told), "%s", all.messages.text);
+	ck_assert_msg(run_with(&options, &few, &machine, NULL, program, &counted), "%s", few.messages.text);
+	ck_assert_int_gt(all.step_count, 20);
+	ck_assert_int_eq(few.step_count, 0);
+	ck_assert_int_eq((int)counted.spans, all.step_count);
+	ck_assert_int_eq((int)counted.moves, (int)told.moves);
+	ck_assert_double_eq(counted.seconds, told.seconds);
+	ck_assert_int_eq(few.blocks, all.blocks);
+	ck_assert_int_gt(all.limit_count, 0);
+	ck_assert_int_eq(few.limit_count, all.limit_count);
+	for (int i = 0; i < all.limit_count; i++) {
+		ck_assert_int_eq((int)few.limits[i].line, (int)all.limits[i].line);
+		ck_assert_double_eq(few.limits[i].time, all.limits[i].time);
+		ck_assert_double_eq(few.limits[i].excess, all.limits[i].excess);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tests = tcase_create("motion");
@@ -118,5 +156,6 @@ int main(void)
 	tcase_add_test(tests, a_program);
 	tcase_add_test(tests, a_guided_program);
 	tcase_add_test(tests, a_faulty_program);
+	tcase_add_test(tests, steps_that_are_counted);
 	return run_suite("motion", tests);
 }

@@ -94,6 +94,7 @@ static long walk(const struct path *path, double linear)
 	}
 	ck_assert_double_eq(last.u1, 1);
 	ck_assert_mem_eq(&last.q1, &whole.q1, sizeof(last.q1));
+	ck_assert_int_eq(span_count(&whole, linear), count);
 	return count;
 }
 

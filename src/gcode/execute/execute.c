@@ -228,14 +228,13 @@ static bool is_count(const struct block *block, const struct dialect_traits *tra
  * 162: a number without a decimal point counts least input increments. In
  * inches an increment is a tenth of the figure in mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */
-static bool execute_increments(struct interp *interp)
+static bool take_increments(struct interp *interp, uint32_t left)
 {
 	struct block *block = &interp->block;
 	enum whole_numbers whole = traits_of(interp)->whole_numbers;
 	double increment = interp->config->controller.least_input;
 	/* With 1, parameter 3401#0 (DPI) or setting 162 has whole numbers count whole units, of either kind. */
 	double linear = interp->state.scale > 1 && increment < 1 ? increment / 10 : increment;
-	uint32_t left = block->letters & ~block->points & (AXIS_BITS | ARC_BITS | letter_bit('Q'));
 
 	if (block->corner && !block->corner_point && whole == WHOLE_NUMBERS_INCREMENTS) {
 		if (!(increment > 0))
@@ -264,6 +263,14 @@ static bool execute_increments(struct interp *interp)
 				    polar_coordinates_is_angle(interp, *letter) ? increment : linear;
 	}
 	return true;
+}
+
+static bool execute_increments(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const uint32_t whole = block->letters & ~block->points & (AXIS_BITS | ARC_BITS | letter_bit('Q'));
+
+	return (!whole && !block->corner) || take_increments(interp, whole);
 }
 
 static void execute_modes(struct interp *interp)
@@ -348,7 +355,8 @@ static bool execute_motion(struct interp *interp)
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
-	if ((interp->block.vectors && !tool_vector_check_block(interp)) || !spline_move_check_block(interp) ||
+	if ((interp->block.vectors && !tool_vector_check_block(interp)) ||
+	    ((interp->spline.open || interp->spline.goes_on) && !spline_move_check_block(interp)) ||
 	    (state->dynamic.unsure_code != CODE_NONE && !dynamic_work_offset_check_cut(interp)) ||
 	    (state->length_moves && !length_change_go(interp)))
 		return false;
@@ -393,7 +401,7 @@ static bool start_block(struct interp *interp)
 static bool execute_plain(struct interp *interp)
 {
 	return execute_feed(interp) && execute_increments(interp) && cutter_comp_check_block(interp) &&
-	       work_offset_use_check(interp) && execute_motion(interp);
+	       (!interp->state.work_assigned || work_offset_use_check(interp)) && execute_motion(interp);
 }
 
 /* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */

@@ -53,33 +53,12 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 	       fault(&interp->at, 1, "too many blocks under cutter compensation without a move in its plane");
 }
 
-/* What motion_commands_fill adds to, as the caller of motion_commands_emit has said it. */
-struct said {
-	double spread[3], turn_spread[3], spindle_speed;
-	bool between[3], spindle_turns;
-	enum canon_turn turn;
-};
-
-static struct said said_of(const struct canon_move *move)
+/* Does motion_commands_fill widen moves? */
+static bool widens(const struct interp *interp)
 {
-	return (struct said){{move->spread[0], move->spread[1], move->spread[2]},
-			     {move->turn_spread[0], move->turn_spread[1], move->turn_spread[2]},
-			     move->spindle_speed,
-			     {move->between[0], move->between[1], move->between[2]},
-			     move->spindle_turns,
-			     move->turn};
-}
+	const double *loose = interp->comp.loose;
 
-static void say_again(struct canon_move *move, const struct said *said)
-{
-	for (int i = 0; i < 3; i++) {
-		move->spread[i] = said->spread[i];
-		move->turn_spread[i] = said->turn_spread[i];
-		move->between[i] = said->between[i];
-	}
-	move->spindle_speed = said->spindle_speed;
-	move->spindle_turns = said->spindle_turns;
-	move->turn = said->turn;
+	return loose[SLOT_X] > 0 || loose[SLOT_Y] > 0 || loose[SLOT_Z] > 0 || interp->state.cylinder.on;
 }
 
 static bool send(struct interp *interp, const struct canon_move *move)
@@ -92,18 +71,27 @@ static bool send(struct interp *interp, const struct canon_move *move)
 
 bool motion_commands_emit(struct interp *interp, struct canon_move *move)
 {
-	struct said said;
+	const bool spindle_turns = move->spindle_turns;
+	const double spindle_speed = move->spindle_speed;
+	const enum canon_turn turn = move->turn;
 	bool good;
 
 	if (interp->state.pocket_milling.takes) {
 		pocket_outline_take(&interp->state.pocket_milling, move);
 		return true;
 	}
-	/* In place: to copy the move would cost more than all that is filled in. */
-	said = said_of(move);
+	/* What is filled in must not count for the caller's next move. A copy is slow, and seldom needed. */
+	if (widens(interp)) {
+		struct canon_move wide = *move;
+
+		motion_commands_fill(interp, &wide);
+		return send(interp, &wide);
+	}
 	motion_commands_fill(interp, move);
 	good = send(interp, move);
-	say_again(move, &said);
+	move->spindle_turns = spindle_turns;
+	move->spindle_speed = spindle_speed;
+	move->turn = turn;
 	return good;
 }
 

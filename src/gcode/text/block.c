@@ -55,8 +55,7 @@ static int as_executed(int number)
 	return number;
 }
 
-/* The row of a G-code, in tenths; NULL: the dialect has none. Programs repeat their codes. */
-static const struct code *find_g(struct block *block, const struct dialect *dialect, int number)
+const struct code *block_find_g(struct block *block, const struct dialect *dialect, int number)
 {
 	if (!block->recent || block->recent->number != number)
 		block->recent = code_find(dialect->g_codes, number);
@@ -78,7 +77,7 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	/* LinuxCNC takes what is within 0.0001 of a code for it. */
 	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		number = (int)nearest;
-		code = find_g(block, dialect, number);
+		code = block_find_g(block, dialect, number);
 	}
 	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
@@ -354,11 +353,15 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 
 /* ------------------------------------------------------------ plain blocks */
 
-/* The slot of an axis letter, from 1; 0: it is none. */
-static const unsigned char axis_of_letter[26] = {
-    ['X' - 'A'] = SLOT_X + 1, ['Y' - 'A'] = SLOT_Y + 1, ['Z' - 'A'] = SLOT_Z + 1,
-    ['A' - 'A'] = SLOT_A + 1, ['B' - 'A'] = SLOT_B + 1, ['C' - 'A'] = SLOT_C + 1,
-    ['U' - 'A'] = SLOT_U + 1, ['V' - 'A'] = SLOT_V + 1, ['W' - 'A'] = SLOT_W + 1};
+/* What words a plain block can have besides N and G. */
+static uint32_t plain_letters(const struct gcode_config *config)
+{
+	uint32_t letters = ARC_BITS | letter_bit('F');
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		letters |= config->has_axis[slot] ? letter_bit(AXIS_LETTERS[slot]) : 0;
+	return letters;
+}
 
 /* G0 to G3, if it is the block's first G-code and the dialect has it. */
 static bool take_plain_motion(struct block *block, double value, int column, const struct dialect *dialect)
@@ -368,7 +371,7 @@ static bool take_plain_motion(struct block *block, double value, int column, con
 
 	if (!same_double(value, whole) || block->g[G_MOTION] != CODE_NONE)
 		return false;
-	code = find_g(block, dialect, 10 * whole);
+	code = block_find_g(block, dialect, 10 * whole);
 	if (!code || code->group != G_MOTION || code->state == CODE_REFUSED)
 		return false;
 	block->g[G_MOTION] = code->number;
@@ -383,12 +386,15 @@ static bool take_plain_motion(struct block *block, double value, int column, con
  */
 static bool read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config)
 {
-	uint32_t open = AXIS_BITS | ARC_BITS | letter_bit('F');
 	const char *at = line_start(line), *end;
+	uint32_t open;
 	double value;
 	bool point;
 
 	block_clear(block);
+	if (!block->plain_letters)
+		block->plain_letters = plain_letters(config);
+	open = block->plain_letters;
 	if (*at == 'N') {
 		end = number_read_usual(at + 1, &value, &point);
 		if (!end || point || value < 0)
@@ -397,11 +403,11 @@ static bool read_plain(struct block *block, const struct line_place *line, const
 		at = end;
 	}
 	for (; *at >= 'A' && *at <= 'Z'; at = end) {
-		const int index = *at - 'A', axis = axis_of_letter[index], column = (int)(at - line->text) + 1;
+		const int index = *at - 'A', column = (int)(at - line->text) + 1;
 		const uint32_t bit = letter_bit(*at);
 
 		end = number_read_usual(at + 1, &value, &point);
-		if (!end || (axis && !config->has_axis[axis - 1]))
+		if (!end)
 			return false;
 		block->words++;
 		if (open & bit) {

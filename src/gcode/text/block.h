@@ -20,6 +20,7 @@ struct block {
 	double value[26];
 	int column[26];
 	const struct code *recent;	/* the row of the G-code that was read last, whatever its block; or NULL */
+	uint32_t plain_letters;	/* what words plain blocks of this machine can have; 0: not asked yet */
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
 	char corner;	/* 'C' or 'R' of a word behind a comma, 'L' of a chamfer by its length, or NUL */
@@ -46,6 +47,9 @@ struct block_cautions {
 
 /* No words and no codes. */
 void block_clear(struct block *block);
+
+/* The row of a G-code, in tenths; NULL: the dialect has none. Programs repeat their codes: the last one is kept. */
+const struct code *block_find_g(struct block *block, const struct dialect *dialect, int number);
 
 static inline uint32_t letter_bit(char letter)
 {

@@ -13,6 +13,10 @@ static const double power_of_ten[EXACT_POWER_MAX + 1] = {1e0,  1e1,  1e2,  1e3, 
 							 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
 							 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
+const double number_power_of_ten[2][NUMBER_USUAL_DIGITS + 1] = {
+    {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15},
+    {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14, -1e15}};
+
 static bool is_blank(char c)
 {
 	return c == ' ' || c == '\t';
@@ -46,54 +50,6 @@ static bool exact_value(uint64_t mantissa, int fraction_digits, double *value)
 	/* Processors convert signed integers in one step. */
 	*value = (double)(int64_t)mantissa / power_of_ten[fraction_digits];
 	return true;
-}
-
-static const char *skip_blanks(const char *at)
-{
-	while (is_blank(*at))
-		at++;
-	return at;
-}
-
-/* Appends the digits that come next, of which there may be too many. */
-static const char *take_digits(const char *at, uint64_t *mantissa)
-{
-	uint64_t value = *mantissa;
-	unsigned digit;
-
-	for (; (digit = (unsigned char)*at - (unsigned)'0') <= 9; at++)
-		value = 10 * value + digit;
-	*mantissa = value;
-	return at;
-}
-
-/* So many digits are at most 10^15 with a power of ten of at most 10^15, which are exact. */
-#define USUAL_DIGITS_MAX 15
-
-const char *number_read_usual(const char *text, double *value, bool *point)
-{
-	/* A quotient of two exact doubles is correctly rounded: Clinger, as above. */
-	static const double signed_power[2][USUAL_DIGITS_MAX + 1] = {
-	    {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15},
-	    {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14, -1e15}};
-	const bool negative = *text == '-';
-	const char *first = text + (negative || *text == '+'), *dot, *end;
-	uint64_t mantissa = 0;
-	size_t fraction = 0;
-
-	dot = end = take_digits(first, &mantissa);
-	if (*dot == '.') {
-		end = take_digits(dot + 1, &mantissa);
-		fraction = (size_t)(end - dot) - 1;
-	}
-	if ((size_t)(dot - first) + fraction - 1 >= USUAL_DIGITS_MAX)
-		return NULL;
-	end = skip_blanks(end);
-	if (is_digit(*end) || *end == '.')
-		return NULL;
-	*value = (double)(int64_t)mantissa / signed_power[negative][fraction];
-	*point = *dot == '.';
-	return end;
 }
 
 /* Any number. */
@@ -146,17 +102,19 @@ enum number_status number_read(const char *text, size_t *position, double *value
 	return NUMBER_OK;
 }
 
-enum number_status number_read_with_comma(const char *text, size_t *position, double *value)
+/* Any number that number_read_with_comma reads. */
+static enum number_status read_slowly_with_comma(const char *text, size_t *position, double *value)
 {
 	const char *first = text + *position + (text[*position] == '-' || text[*position] == '+'), *at, *end;
 	uint64_t mantissa = 0;
 	int digits, fraction_digits = 0;
+	unsigned next;
 	double size;
 
-	at = end = take_digits(first, &mantissa);
+	at = end = number_take_digits(first, &mantissa, &next);
 	digits = (int)(at - first);
 	if (*at == '.' || *at == ',') {
-		end = take_digits(at + 1, &mantissa);
+		end = number_take_digits(at + 1, &mantissa, &next);
 		fraction_digits = (int)(end - at) - 1;
 	}
 	if (digits + fraction_digits == 0)
@@ -166,6 +124,17 @@ enum number_status number_read_with_comma(const char *text, size_t *position, do
 	if (digits + fraction_digits > MANTISSA_DIGITS_MAX || !exact_value(mantissa, fraction_digits, &size))
 		size = slow_value(text, (size_t)(first - text), (size_t)(end - text), fraction_digits);
 	*value = text[*position] == '-' ? -size : size;
+	*position = (size_t)(end - text);
+	return NUMBER_OK;
+}
+
+enum number_status number_read_with_comma(const char *text, size_t *position, double *value)
+{
+	bool point;
+	const char *end = number_take_usual(text + *position, true, value, &point);
+
+	if (!end)
+		return read_slowly_with_comma(text, position, value);
 	*position = (size_t)(end - text);
 	return NUMBER_OK;
 }

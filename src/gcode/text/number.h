@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* Bytes of one number, sign and blanks apart; LinuxCNC takes lines of 255. */
 #define NUMBER_LENGTH_MAX 255
@@ -18,11 +19,74 @@ enum number_status { NUMBER_OK, NUMBER_MISSING, NUMBER_TOO_LONG };
  */
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point);
 
+/* So many digits are less than 10^15, and their power of ten is at most 10^15: both are exact as doubles. */
+#define NUMBER_USUAL_DIGITS 15
+
+/* 10^i, and in the second row -10^i. */
+extern const double number_power_of_ten[2][NUMBER_USUAL_DIGITS + 1];
+
+/*
+ * Appends the digits that come next to the mantissa, of which there may be too many. *next is the byte behind them,
+ * counted from '0'.
+ */
+static inline const char *number_take_digits(const char *at, uint64_t *mantissa, unsigned *next)
+{
+	uint64_t value = *mantissa;
+	unsigned digit;
+
+	for (; (digit = (unsigned char)*at - (unsigned)'0') <= 9; at++)
+		value = 10 * value + digit;
+	*mantissa = value;
+	*next = digit;
+	return at;
+}
+
+/*
+ * [+-] digits [.] digits at `text`, without any blank, in one pass; with `comma` the point may be one. Returns what
+ * follows. NULL: it is no such number, or has more digits than a double holds for certain, and nothing was set.
+ */
+static inline const char *number_take_usual(const char *text, bool comma, double *value, bool *point)
+{
+	const bool negative = *text == '-';
+	const char *first = text + (negative || *text == '+'), *end;
+	uint64_t mantissa = 0;
+	size_t digits, fraction = 0;
+	unsigned next;
+	bool found;
+
+	end = number_take_digits(first, &mantissa, &next);
+	digits = (size_t)(end - first);
+	found = next == (unsigned)'.' - '0' || (comma && next == (unsigned)',' - '0');
+	if (found) {
+		const char *dot = end;
+
+		end = number_take_digits(dot + 1, &mantissa, &next);
+		fraction = (size_t)(end - dot) - 1;
+		digits += fraction;
+	}
+	if (digits - 1 >= NUMBER_USUAL_DIGITS)
+		return NULL;
+	/*
+	 * A quotient of two exact doubles is correctly rounded (Clinger, "How to Read Floating Point Numbers
+	 * Accurately", 1990). Processors convert signed integers in one step.
+	 */
+	*value = (double)(int64_t)mantissa / number_power_of_ten[negative][fraction];
+	*point = found;
+	return end;
+}
+
 /*
  * The usual number at `text` in one pass: no blanks but behind it, and not more digits than a double holds. Returns
- * what follows the number and its blanks. NULL: it is no such number, and nothing was set; number_read reads any.
+ * what follows the number and its blanks. NULL: it is no such number; number_read reads any.
  */
-const char *number_read_usual(const char *text, double *value, bool *point);
+static inline const char *number_read_usual(const char *text, double *value, bool *point)
+{
+	const char *end = number_take_usual(text, false, value, point);
+
+	while (end && (*end == ' ' || *end == '\t'))
+		end++;
+	return end && (unsigned char)(*end - '0') > 9 && *end != '.' ? end : NULL;
+}
 
 /* The same for [+-] digits [, or .] digits without any blank. */
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value);

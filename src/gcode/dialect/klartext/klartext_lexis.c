@@ -16,12 +16,11 @@ struct lexer klartext_lexer(struct interp *interp)
 	return lexer;
 }
 
-bool klartext_ends(struct lexer *lexer)
+bool klartext_ends_by_tilde(const struct lexer *lexer)
 {
-	char byte = lexer_peek(lexer);
-	const char *rest = lexer->at->text + lexer->position;
+	const char *rest = lexer->at->text + lexer->position + 1;
 
-	return byte == '\0' || byte == ';' || (byte == '~' && rest[1 + strspn(rest + 1, " \t")] == '\0');
+	return rest[strspn(rest, " \t")] == '\0';
 }
 
 bool klartext_expect_end(struct lexer *lexer)

@@ -19,8 +19,16 @@ static inline char klartext_upper(char byte)
 /* A lexer for the line in hand, whose context is the interpreter. */
 struct lexer klartext_lexer(struct interp *interp);
 
+/* Does nothing but blanks follow the '~' that comes next? */
+bool klartext_ends_by_tilde(const struct lexer *lexer);
+
 /* Has the line nothing more but a comment or the '~' that continues it? */
-bool klartext_ends(struct lexer *lexer);
+static inline bool klartext_ends(struct lexer *lexer)
+{
+	const char byte = lexer_peek(lexer);
+
+	return byte == '\0' || byte == ';' || (byte == '~' && klartext_ends_by_tilde(lexer));
+}
 
 /* Nothing more may follow. False: reported. */
 bool klartext_expect_end(struct lexer *lexer);

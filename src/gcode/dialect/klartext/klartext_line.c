@@ -283,8 +283,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 {
 	const size_t start = lexer->position;
 	const struct statement *statement;
-	char word[KLARTEXT_WORD];
-	char behind;
+	char word[KLARTEXT_WORD], behind;
 
 	klartext_word(lexer, word);
 	behind = lexer->at->text[lexer->position];
@@ -402,7 +401,8 @@ static bool may_belong_before(struct lexer *lexer, bool numbered)
 	char word[KLARTEXT_WORD];
 
 	klartext->tail_goes_on = strchr(text, ';') && klartext_continues(text);
-	klartext_word(&look, word);
+	if (behind)
+		klartext_word(&look, word);
 	return behind && !klartext->definition.open && !find_statement(word) && starts_word(word, text[look.position]);
 }
 

@@ -246,8 +246,10 @@ static bool go(struct interp *interp, const struct klartext_target *target, stru
 bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
 			const struct canon_feed *feed)
 {
-	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED, .feed = *feed};
+	struct canon_move move;
 
+	canon_move_begin(&move, rapid ? CANON_RAPID : CANON_FEED);
+	move.feed = *feed;
 	return go(interp, target, &move);
 }
 

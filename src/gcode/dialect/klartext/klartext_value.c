@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -211,7 +212,8 @@ bool klartext_value_follows(struct lexer *lexer)
 	return is_q(text) || (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
 }
 
-bool klartext_value(struct lexer *lexer, double *value)
+/* A value that is no plain number, or a longer one than most. */
+static bool read_value(struct lexer *lexer, double *value)
 {
 	char byte = lexer_peek(lexer);
 	const size_t behind = behind_sign(lexer);
@@ -239,6 +241,19 @@ bool klartext_value(struct lexer *lexer, double *value)
 	if (!klartext_q_read(lexer, value))
 		return false;
 	*value = negative ? -*value : *value;
+	return true;
+}
+
+bool klartext_value(struct lexer *lexer, double *value)
+{
+	const char *text = lexer->at->text, *end;
+	bool point;
+
+	lexer_peek(lexer);
+	end = number_take_usual(text + lexer->position, true, value, &point);
+	if (!end)
+		return read_value(lexer, value);
+	lexer->position = (size_t)(end - text);
 	return true;
 }
 

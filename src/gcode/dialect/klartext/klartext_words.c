@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_words.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -397,7 +398,7 @@ static bool read_word(struct lexer *lexer, struct klartext_words *words)
 
 bool klartext_words_read(struct lexer *lexer, struct klartext_words *words)
 {
-	memset(words, 0, sizeof(*words));
+	memset(words, 0, offsetof(struct klartext_words, m));
 	words->first_column = klartext_column(lexer);
 	while (!klartext_ends(lexer)) {
 		if (!read_word(lexer, words))

@@ -45,12 +45,12 @@ struct klartext_words {
 	bool has_spatial; /* A, B or C of AXIS SPAT */
 	bool has_normal, has_tool; /* LN */
 	double normal[3], tool[3];
-	struct klartext_m m[KLARTEXT_M_MAX];
 	int m_count;
 	unsigned handwheel; /* bits 1 << slot: a limit behind M118 */
 	bool has_length, has_centre_angle; /* LEN and CCA of APPR and DEP */
 	double length, centre_angle;
 	int first_column; /* of the first word */
+	struct klartext_m m[KLARTEXT_M_MAX]; /* the first m_count, the others are left open */
 };
 
 /* Reads words up to the end of the block. False: reported. */

@@ -1,6 +1,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,21 +21,9 @@ struct reading {
 
 void sinumerik_block_clear(struct sinumerik_block *block)
 {
-	*block = (struct sinumerik_block){.any = false};
+	memset(block, 0, offsetof(struct sinumerik_block, value));
 	for (int group = 0; group < SINUMERIK_GROUPS; group++)
 		block->code[group] = CODE_NONE;
-}
-
-int sinumerik_block_axis_column(const struct sinumerik_block *block)
-{
-	uint32_t left = block->letters & (AXIS_BITS | letter_bit('I') | letter_bit('J') | letter_bit('K'));
-	int least = 0;
-
-	for (int index = 0; left; index++, left >>= 1) {
-		if ((left & 1) && (!least || block->column[index] < least))
-			least = block->column[index];
-	}
-	return least ? least : 1;
 }
 
 static bool set_code(struct reading *r, int group, int code, int column)
@@ -73,6 +62,8 @@ static bool add_letter(struct reading *r, char letter, int column, double value,
 	if (sinumerik_block_has(block, letter))
 		return fault(r->lexer->at, column, "the word %c stands twice in the block, at columns %d and %d",
 			     letter, block->column[index], column);
+	if (!block->axis_column && (letter_bit(letter) & (AXIS_BITS | SINUMERIK_CENTRE_BITS)))
+		block->axis_column = column;
 	block->letters |= letter_bit(letter);
 	block->value[index] = value;
 	block->way[index] = way;
@@ -102,7 +93,7 @@ static bool read_g(struct reading *r, double value, int column)
 		return fault(r->lexer->at, column, "%g is no G-code", value);
 	if (value >= 505 && value <= 599)
 		return set_code(r, SINUMERIK_SYSTEM, (int)tenths, column);
-	code = code_find(r->interp->config->dialect->g_codes, (int)tenths);
+	code = block_find_g(&r->interp->block, r->interp->config->dialect, (int)tenths);
 	if (!code && is_iso(value))
 		return fault(
 		    r->lexer->at, column,
@@ -188,6 +179,20 @@ static bool has_blank(const char *text, size_t start, size_t end)
 	return false;
 }
 
+/* A number that is not the usual one. The position stays where it is if there is none. */
+static bool read_spaced(struct reading *r, char letter, int column, size_t *position, double *value)
+{
+	const struct line_place *at = r->lexer->at;
+	const size_t start = *position;
+	bool point;
+
+	if (number_read(at->text, position, value, &point) == NUMBER_TOO_LONG)
+		return fault(at, column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
+	if (has_blank(at->text, start, *position))
+		return fault(at, column, "a blank inside the number of %c; what a control makes of it differs", letter);
+	return true;
+}
+
 /* X10.5, G1, M3: a letter and a plain number. An integer with '=' behind it belongs to a name: R1=, A3=. */
 static bool read_plain(struct reading *r, char letter, int column, bool *done)
 {
@@ -197,20 +202,14 @@ static bool read_plain(struct reading *r, char letter, int column, bool *done)
 	size_t position = start;
 	double value;
 	bool point;
+	const char *end = number_read_usual(text + start, &value, &point);
 
 	*done = false;
-	switch (number_read(text, &position, &value, &point)) {
-	case NUMBER_OK:
-		break;
-	case NUMBER_TOO_LONG:
-		return fault(lexer->at, column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
-	case NUMBER_MISSING:
-		return true;
-	}
-	if (has_blank(text, start, position))
-		return fault(lexer->at, column, "a blank inside the number of %c; what a control makes of it differs",
-			     letter);
-	if (text[position] == '=' || (text[position] == '[' && letter == 'R') || letter == 'R')
+	if (end)
+		position = (size_t)(end - text);
+	else if (!read_spaced(r, letter, column, &position, &value))
+		return false;
+	if (position == start || text[position] == '=' || (text[position] == '[' && letter == 'R') || letter == 'R')
 		return true;
 	*done = true;
 	lexer->position = position;

@@ -12,20 +12,12 @@ struct sinumerik_block {
 	bool any;	/* there is something in the line, N and labels included */
 	bool machine_axes;	/* X1= and the like, which G74 and G75 may have */
 	uint32_t letters;	/* bits of letter_bit: the block has this word; G, M, N and R apart */
-	double value[26];
-	unsigned char way[26];
-	int column[26];
+	int axis_column;	/* of the first word of an axis or of a circle's centre; 0: there is none */
 	uint32_t addresses;	/* 1 << enum sinumerik_address */
-	double address_value[SINUMERIK_ADDRESSES];
-	unsigned char address_way[SINUMERIK_ADDRESSES];
-	int address_column[SINUMERIK_ADDRESSES];
+	int column[26], address_column[SINUMERIK_ADDRESSES], code_column[SINUMERIK_GROUPS];
 	int code[SINUMERIK_GROUPS];	/* in tenths, or one of words; CODE_NONE */
-	int code_column[SINUMERIK_GROUPS];
-	int m[SINUMERIK_M_MAX];
-	int m_column[SINUMERIK_M_MAX];
 	int m_count;
 	bool names_tool;	/* T="NAME", in tool_name */
-	struct sinumerik_text tool_name;
 	bool positions;	/* POS[axis]=: the axis is among the letters */
 	int positions_column;
 	bool spindle_stands;	/* SPOS= */
@@ -35,6 +27,14 @@ struct sinumerik_block {
 	char call[SINUMERIK_NAME + 1];	/* "": none; a cycle or a subprogram: its name in upper case */
 	int call_column;
 	bool call_has_arguments;	/* '(' comes next in the lexer */
+	/* What is behind here counts only of what the block has, and is left open for all else. */
+	double value[26];
+	unsigned char way[26];
+	double address_value[SINUMERIK_ADDRESSES];
+	unsigned char address_way[SINUMERIK_ADDRESSES];
+	int m[SINUMERIK_M_MAX];
+	int m_column[SINUMERIK_M_MAX];
+	struct sinumerik_text tool_name;
 };
 
 static inline bool sinumerik_block_has(const struct sinumerik_block *block, char letter)
@@ -47,13 +47,19 @@ static inline bool sinumerik_block_has_address(const struct sinumerik_block *blo
 	return block->addresses & 1U << address;
 }
 
+/* Words that say where the centre of a circle is. */
+#define SINUMERIK_CENTRE_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K'))
+
 /* Words that give the tool a direction: A3= B3= C3= and, by angles, A2= B2= C2=. */
 #define SINUMERIK_VECTOR_BITS (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)
 #define SINUMERIK_ANGLE_BITS (1U << SINUMERIK_A2 | 1U << SINUMERIK_B2 | 1U << SINUMERIK_C2)
 #define SINUMERIK_DIRECTION_BITS (SINUMERIK_VECTOR_BITS | SINUMERIK_ANGLE_BITS)
 
 /* The column of the first axis word, or 1. */
-int sinumerik_block_axis_column(const struct sinumerik_block *block);
+static inline int sinumerik_block_axis_column(const struct sinumerik_block *block)
+{
+	return block->axis_column ? block->axis_column : 1;
+}
 
 /*
  * Reads the words up to the end of the line, or up to the arguments of a call; variables get their values on the

@@ -18,7 +18,6 @@
 #include "gcode/execute/parallel_moves.h"
 #include "gcode/execute/tool_length.h"
 
-#define CENTRE_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K'))
 #define CIRCLE_BITS (1U << SINUMERIK_CR | 1U << SINUMERIK_AR | 1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | \
 		     1U << SINUMERIK_J1 | 1U << SINUMERIK_K1)
 
@@ -157,10 +156,11 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 static bool run_line(struct interp *interp, const struct sinumerik_block *block, bool machine)
 {
 	const bool rapid = interp->state.motion == G0;
-	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED};
+	struct canon_move move;
 	struct sinumerik_turn turn = {.on_circle = false};
 	slot_values target;
 
+	canon_move_begin(&move, rapid ? CANON_RAPID : CANON_FEED);
 	if (!rapid && !motion_commands_feed(interp, &move.feed))
 		return false;
 	if (machine)
@@ -327,7 +327,7 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	slot_values target;
 
 	if ((axes & (axes - 1)) || (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) ||
-	    (block->letters & CENTRE_BITS))
+	    (block->letters & SINUMERIK_CENTRE_BITS))
 		return fault(&interp->at, column,
 			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a "
 			     "block");
@@ -364,7 +364,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 		 state->motion == SINUMERIK_CT;
 	axes = (block->letters & AXIS_BITS) ||
 	       (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) ||
-	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
+	       (circle && ((block->letters & SINUMERIK_CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;
 	if (!axes)

@@ -134,7 +134,7 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 
 bool sinumerik_target_check_cycle(struct interp *interp, int column)
 {
-	struct sinumerik_block block = {.letters = LINEAR_BITS};
+	struct sinumerik_block block = {.letters = LINEAR_BITS, .axis_column = column};
 
 	for (const char *letter = "XYZ"; *letter; letter++) {
 		block.column[*letter - 'A'] = column;
