@@ -49,6 +49,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 	if (checker_has_enough(c) || !checker_owns(c, c->block))
 		return;
 	block_log_add_finding(&c->log, &finding);
+	c->last = (struct place){limit->file, limit->line};
 	c->limit_found = true;
 }
 
@@ -131,6 +132,24 @@ static void start_block(struct checker *c)
 	}
 }
 
+/* Where steps are only counted, the summary tells at the end of a block that there were any. */
+static void count_steps(struct checker *c, const struct motion_block *block)
+{
+	if (c->number == c->summary.spans)
+		return;
+	c->number = c->summary.spans;
+	c->last = (struct place){block->file, block->line};
+}
+
+/* Then a block that passes no limit is reported for nothing, and need not be kept. */
+static void pass_block(struct checker *c)
+{
+	c->stats->blocks_checked += checker_owns(c, c->block);
+	if (++c->block % BATCH_STEPS == 0)
+		checker_process(c, NULL);
+	start_block(c);
+}
+
 static void on_block(struct checker *c, const struct motion_block *block)
 {
 	const struct block_record complete = {.block = c->block, .file = block->file, .line = block->line,
@@ -180,7 +199,12 @@ static bool on_event(void *context, const struct motion_event *event)
 		/* For the watcher alone. */
 		break;
 	case MOTION_BLOCK:
-		on_block(c, &event->of.block);
+		if (c->counts_steps)
+			count_steps(c, &event->of.block);
+		if (c->counts_steps && !c->limit_found)
+			pass_block(c);
+		else
+			on_block(c, &event->of.block);
 		break;
 	}
 	return !c->stopped;
@@ -210,7 +234,7 @@ static void finish(struct checker *c, bool complete)
 
 	if (c->stopped)
 		return;
-	if (!c->moved && complete) {
+	if (!c->summary.spans && complete) {
 		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
 			     c->options->method == CHECK_NOTHING
 				     ? "the program moves no axis"
@@ -265,6 +289,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.names = &c->names,
 		.change = c->options->change,
 		.modes = c->options->watch != NULL,
+		.counts_steps = c->counts_steps,
 	};
 	const struct file_opened opened = {c, on_opened};
 	bool complete;
@@ -317,6 +342,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	stats->pairs_required = scene_count_pairs(scene, PAIR_CHECKED);
 	stats->pairs_excused = scene_count_pairs(scene, PAIR_ADJACENT);
 	stats->pairs_skipped = scene->pair_count - stats->pairs_required - stats->pairs_excused;
+	c.counts_steps = options->method == CHECK_NOTHING && !options->record && !options->watch && !sink->block;
 	block_log_init(&c.log);
 	pthread_mutex_init(&c.telling, NULL);
 	c.sweep.cancel = &c.asked;

@@ -74,6 +74,7 @@ struct checker {
 	struct sweep sweep;	/* for poses at which the axes stand still */
 	struct cancel asked;	/* sweeps ask it again and again whether to stop */
 	pthread_mutex_t telling;	/* for progress */
+	bool counts_steps;	/* nothing is checked, recorded or watched: steps are not sent, but counted */
 	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
 	long block;	/* number of the block that is being read */
