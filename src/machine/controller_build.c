@@ -201,6 +201,8 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->orientation_pole && !frames, "orientation_pole", NO_PARAMETER},
 		{told->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},
 		{told->increments_after_shift && !frames && !planes, "increments_after_shift", NO_PARAMETER},
+		{told->increments_after_shift == INCREMENTS_TRAVERSE_SHIFT && !frames && planes,
+		 "increments_after_shift", "knows \"stay\" alone"},
 		{told->cycle_19_angles && !planes, "cycle_19_angles", NO_PARAMETER},
 		{told->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
 		{told->tool_def && !planes, "tool_def", NO_PARAMETER},

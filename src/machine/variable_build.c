@@ -141,11 +141,23 @@ void variable_build(struct machine_description *described, struct machine *machi
 	machine->controller.variables = variables;
 }
 
-/* A name with a type makes a variable, and without one it has a value: one does not replace the other. */
-static bool replaces(const struct control_variable *items, size_t count, const struct control_variable *other)
+/*
+ * A name with a type makes a variable, and without one it has a value: a value does not replace the type. What makes an
+ * array anew leaves nothing of the elements that it had.
+ */
+static bool replaces(const struct control_variable *own, const struct control_variable *other)
+{
+	const size_t length = strlen(own->name);
+
+	if (strncmp(own->name, other->name, length) != 0)
+		return false;
+	return other->name[length] == '\0' ? own->typed || !other->typed : own->typed && other->name[length] == '[';
+}
+
+static bool is_replaced(const struct control_variable *items, size_t count, const struct control_variable *other)
 {
 	for (size_t i = 0; i < count; i++) {
-		if (items[i].typed == other->typed && !strcmp(items[i].name, other->name))
+		if (replaces(&items[i], other))
 			return true;
 	}
 	return false;
@@ -165,7 +177,7 @@ void variable_build_setup(struct setup_description *described, const struct mach
 	count = build_all(&described->file, described->variables, given, &dialect_rows[controller->dialect],
 			  &setup->arena, own);
 	for (size_t i = 0; i < controller->variable_count; i++) {
-		if (!replaces(own, count, &controller->variables[i]))
+		if (!is_replaced(own, count, &controller->variables[i]))
 			all[kept++] = controller->variables[i];
 	}
 	memcpy(all + kept, own, count * sizeof(*all));

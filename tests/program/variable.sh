@@ -57,6 +57,12 @@ status fivecheck -q -s setup.xml --dump-path f.xml c.nc | cut -f 1-6
 machine sinumerik '<variable name="_ready" type="INT" value="0"/><variable name="_POS" type="REAL" size="3,2" value="1"/><variable name="R5" value="7"/><variable name="_MADE" type="STRING"/><variable name="$MN_TOP" value="40"/>' >s.xml
 echo '<setup version="1"><variable name="_READY" value="1"/><variable name="_POS[2,1]" value="15"/><variable name="$MN_TOP" value="30"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
 status fivecheck -q -s setup.xml --dump-path s.xml a.mpf | cut -f 1-6
+# What makes an array anew leaves nothing of its elements; a name without a value takes the value away.
+sed 's|<variable name="R5"|<variable name="_POS[2,1]" value="11"/>&|' s.xml >e.xml
+echo '<setup version="1"><variable name="_READY" value="1"/><variable name="_POS" type="REAL" size="3,2" value="16"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
+status fivecheck -q -s setup.xml --dump-path e.xml a.mpf | cut -f 1-6
+echo '<setup version="1"><variable name="_READY"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
+status fivecheck -q -s setup.xml --parse-only e.xml a.mpf 2>&1 | grep error
 echo '<setup version="1"><variable name="_POS" value="1"/></setup>' >setup.xml
 status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
 printf '<setup version="1"><variable name="R5" value="9"/>\n<variable name="R5" value="8"/></setup>\n' >setup.xml

@@ -42,6 +42,10 @@ static const struct kept accepted[] = {
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {4}, .text = "2", .number = 2},
 			      VALUE("_POS[3]", 9)},
 	 "G500\nG0 X=_POS[0] Y=_POS[3] Z=_POS[2]\n", "2 9 2"},
+	/* an element without a value gets one from the program, whatever the array's is */
+	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {4}, .text = "2", .number = 2},
+			      {.name = "_POS[3]"}},
+	 "G500\n_POS[3]=1\nG0 X=_POS[0] Y=_POS[3]\n", "2 1 0"},
 	/* INT rounds what is assigned to it, REAL does not */
 	{&dialect_sinumerik, {{.name = "WHOLE", .typed = true, .type = CONTROL_INT}, REAL_OF("PART", CONTROL_REAL)},
 	 "G500\nWHOLE=2.5\nPART=2.5\nG0 X=WHOLE Y=PART\n", "3 2.5 0"},

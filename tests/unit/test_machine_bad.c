@@ -155,6 +155,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: cycle_11_axes of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='klartext' frames_outlive_cycle800='no'/><base/>"),
      "m.xml:2: error: frames_outlive_cycle800 of <controller>: Heidenhain Klartext has no such parameter\n"},
+    {MACHINE("<controller dialect='klartext' increments_after_shift='traverse'/><base/>"),
+     "m.xml:2: error: increments_after_shift of <controller>: Heidenhain Klartext knows \"stay\" alone\n"},
     {MACHINE("<controller dialect='haas' increments_after_shift='stay'/><base/>"),
      "m.xml:2: error: increments_after_shift of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),

@@ -222,7 +222,7 @@ static const struct question {
     {"cycle_19_angles=\"", "cycle_19_angles=\"spatial\" or \"axes\"",
      CHOICE(cycle_19_angles, CYCLE_19_ANGLES_SPATIAL)},
     {"cycle_11_axes=\"", "cycle_11_axes=\"plane\" or \"all\"", CHOICE(cycle_11_axes, CYCLE_11_AXES_ALL)},
-    {"increments_after_shift=\"", "increments_after_shift=\"stay\" or \"traverse\"",
+    {"increments_after_shift=\"", "increments_after_shift=\"stay\" (or \"traverse\", where the control has it)",
      CHOICE(increments_after_shift, INCREMENTS_FROM_POSITION)},
     {"power_on_motion=\"", "power_on_motion=\"rapid\" or \"feed\"", CHOICE(power_on_motion, POWER_ON_RAPID)},
     {"cycle_repeats=\"", "cycle_repeats=\"K\" or \"L\"", CHOICE(cycle_repeats, CYCLE_REPEATS_L)},

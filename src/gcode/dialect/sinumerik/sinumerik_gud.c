@@ -131,6 +131,9 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 		       !find_element(&sinumerik->variables[found], from->name + length + 1, &element)))
 		return fault(&interp->at, 1, "<variable name=\"%s\"> is no element of that array",
 			     from->name);
+	/* Without a value the program has to assign one, whatever the name holds by its type elsewhere. */
+	if (!from->text)
+		sinumerik->variables[found].given[element] = false;
 	return !from->text || set_value(interp, &sinumerik->variables[found], element, from);
 }
 
