@@ -25,7 +25,7 @@ struct background {
 /* Starts the second thread, which waits for work. Not to be moved afterwards. */
 void background_start(struct background *background, background_fn *work, void *context);
 
-/* Ends the thread. What was given must be done. */
+/* Ends the thread when it has done what it is doing. What was given besides is left undone. */
 void background_end(struct background *background);
 
 /* Gives the next piece of work: the second thread sees all that the caller has written so far. */

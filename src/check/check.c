@@ -57,6 +57,8 @@ static void on_step(struct checker *c, const struct motion_step *step)
 {
 	if (!c->moved) {
 		checker_settle(c);
+		if (c->stopped)
+			return;
 		c->moved = true;
 		c->position = step->span.q0;
 		c->tool = step->tool;
@@ -68,6 +70,8 @@ static void on_step(struct checker *c, const struct motion_step *step)
 	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c, c->block)) {
 		if (c->skipped) {
 			checker_settle(c);
+			if (c->stopped)
+				return;
 			scheduler_jump(&c->scheduler);
 			stock_check_jump(&c->stock);
 		}
@@ -90,6 +94,8 @@ static void on_step(struct checker *c, const struct motion_step *step)
 static void on_tool(struct checker *c, const struct motion_tool *change)
 {
 	checker_process(c, NULL);
+	if (c->stopped)
+		return;
 	/*
 	 * Before the first motion the new tool is checked later, with the start pose. The old tool is gone by then, so
 	 * it is checked now.
@@ -112,6 +118,8 @@ static void on_spindle_stop(struct checker *c, const struct motion_spindle_stop 
 	if (!c->moved)
 		return;
 	checker_process(c, NULL);
+	if (c->stopped)
+		return;
 	c->position = stop->position;
 	c->time = stop->time;
 	checker_spindle_stops(c, stop->move);
@@ -164,7 +172,7 @@ static void on_block(struct checker *c, const struct motion_block *block)
 	c->stats->blocks_checked += ours;
 	c->skipped |= !ours;
 	/* Blocks without steps are collected too. Each step of a batch begins where the one before it ends. */
-	if (checker_has_enough(c) || c->limit_found || c->options->times)
+	if (checker_has_enough(c) || (c->limit_found && !c->options->all) || c->options->times)
 		checker_process(c, c->options->times ? record : NULL);
 	else if (c->batch.step_count >= BATCH_STEPS || c->log.open.block_count >= BATCH_STEPS ||
 		 (ours && !checker_owns(c, c->block + 1)))

@@ -82,7 +82,7 @@ struct checker {
 	bool moved;
 	bool failed;	/* something could not be decided, and that was reported */
 	bool found;	/* two bodies came too close; without `all` nothing later needs to be checked */
-	bool limit_found;
+	bool limit_found;	/* without `all` the check ends with this block */
 	bool exhausted;	/* one step needs more than options->effort: reported; the check ends with its batch */
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* the batch was not checked to its end */

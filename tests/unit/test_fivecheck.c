@@ -84,6 +84,7 @@ struct seen {
 	pthread_t thread;
 	int findings;
 	long progress;
+	long times;	/* that progress was told */
 	bool go_on;	/* after progress */
 	enum fivecheck_kind kind;
 	long line;
@@ -148,6 +149,7 @@ static bool on_progress(void *context, long lines)
 	struct seen *seen = context;
 
 	seen->progress = lines;
+	seen->times++;
 	return seen->go_on;
 }
 
@@ -238,6 +240,33 @@ START_TEST(goes_on_or_gives_up)
 }
 END_TEST
 
+/* Behind a limit finding blocks are still checked many at a time. The way back from a place is a finding, too. */
+START_TEST(goes_on_past_a_limit)
+{
+	struct seen seen = {.thread = pthread_self(), .go_on = true};
+	const struct fivecheck_events events = {.context = &seen, .progress = on_progress};
+	fivecheck_statistics *statistics = fivecheck_statistics_new();
+	FILE *in = fopen("long.nc", "w+");
+
+	ck_assert(fivecheck_prepare(model, 0, diag));
+	fivecheck_options_set_all(options, true);
+	fprintf(in, "G1 Z60 F6000\n");
+	for (int i = 0; i < 10000; i++)
+		fprintf(in, "G1 Z%d\n", i == 9990 ? -120 : -(i % 90));
+	for (int threads = 1; threads <= 2; threads++) {
+		rewind(in);
+		seen.times = 0;
+		ck_assert(fivecheck_options_set_threads(options, threads));
+		ck_assert_int_eq((int)fivecheck_check(model, options, in, "long.nc", &events, diag, statistics, NULL),
+				 FIVECHECK_FOUND);
+		ck_assert_int_eq((int)fivecheck_statistics_findings(statistics), 4);
+		ck_assert_int_lt((int)seen.times, 100);
+	}
+	fclose(in);
+	fivecheck_statistics_free(statistics);
+}
+END_TEST
+
 START_TEST(reports_faults)
 {
 	fivecheck_model *none = fivecheck_load("nowhere.xml", NULL, diag);
@@ -296,6 +325,7 @@ int main(void)
 	tcase_add_test(tcase, keeps_clearances);
 	tcase_add_test(tcase, parses_without_bodies);
 	tcase_add_test(tcase, goes_on_or_gives_up);
+	tcase_add_test(tcase, goes_on_past_a_limit);
 	tcase_add_test(tcase, reports_faults);
 	tcase_add_test(tcase, reads_other_dialects_and_folders);
 	return run_suite("fivecheck", tcase);
