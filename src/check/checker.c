@@ -164,7 +164,7 @@ void checker_hand_on_findings(struct checker *c)
 	while (!c->stopped && done < log->finding_count && block_log_finding(log, done, &finding)) {
 		const long block = log->findings[done].block;
 
-		diag_queue_deliver(&log->diags, c->diag, c->options->all ? c->settling->block : block);
+		diag_queue_deliver(&log->diags, c->diag, block);
 		c->stats->findings++;
 		done++;
 		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all) {

@@ -14,8 +14,12 @@ touch -d '-2 hours' ./*.stl machine.xml a.nc
 echo "one changed:"
 status make -s -k check
 echo "a mesh changed:"
+# Files that are written one after the other may have the same time.
+touch -d '-1 hour' a.checked b.checked
 touch head.stl
 status make -s -k check
+touch -d '-1 minute' ./*.stl
+touch -d '-30 seconds' a.checked b.checked
 printf 'G1 Z-120 F6000\n' >b.nc
 echo "a collision:"
 status make -s -k check 2>/dev/null
