@@ -215,7 +215,7 @@ struct joint_way {
 static double bulge_of(const struct travelling_plane *plane, const struct chain *chain, const struct outward *out,
 		       const struct joint_way *ways, double *lost)
 {
-	double lever[SLOT_COUNT], outer = 0, turned = 0, turning = 0, sum = 0;
+	double lever[SLOT_COUNT] = {0}, outer = 0, turned = 0, turning = 0, sum = 0;
 
 	for (size_t k = out->count; k-- > 0;) {
 		const size_t i = out->joints[k];

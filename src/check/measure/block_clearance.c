@@ -246,20 +246,20 @@ static const struct seen_distance *seen_at(const struct block_clearance *block, 
 static double distance_at(struct block_clearance *block, struct measured_step *measured, const axis_values *q)
 {
 	const struct coherence *coherence = &block->coherence;
-	const struct seen_distance *seen = seen_at(block, q);
+	const struct seen_distance *known = seen_at(block, q);
+	const double distance = known ? known->distance : near_pair_distance(&block->bodies, q);
 
-	if (!seen) {
+	if (!known) {
 		block->oldest_seen = (block->oldest_seen + 1) % SEEN_KEPT;
 		block->seen[block->oldest_seen] = (struct seen_distance){
 			.known = true,
 			.q = *q,
 			.triangles = {coherence->near_a, coherence->near_b},
-			.distance = near_pair_distance(&block->bodies, q),
+			.distance = distance,
 		};
-		seen = &block->seen[block->oldest_seen];
 	}
-	measured->seen = smaller(measured->seen, seen->distance);
-	return seen->distance;
+	measured->seen = smaller(measured->seen, distance);
+	return distance;
 }
 
 /*
