@@ -43,7 +43,7 @@ static vec3 direction_of(const struct machine_plan *plan, int slot)
 		double across = sense * math_sin_degrees(plan->axes[slot].inclination);
 
 		return (vec3){k == 0 ? across : 0, k == 1 ? across : 0,
-			      sense * math_cos_degrees(plan->axes[slot].inclination)};
+			      sense * math_cos_degrees(plan->axes[slot].inclination) + 0.0}; /* 0, not -0, at 90 */
 	}
 	/* Halfway between its own coordinate axis and Z, as usual heads and tables nutate. */
 	if (slot == machine_plan_tilted(plan))
