@@ -300,6 +300,12 @@ static const struct refused_program programs[] = {
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nR1=$P_EP[Z]\n", 3, 4,
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
 	 "certain: write CYCLE800 behind it"},
+	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nG111 X1\nG110 X1\nCYCLE800()\n", 4, 1,
+	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
+	 "certain: write CYCLE800 behind it"},
+	{"G110 X1\n", 1, 1,
+	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or the like, "
+	 "or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>"},
 	{"G500 TRANS X1\nCYCLE800()\nATRANS Y1\n", 3, 1,
 	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant, or "
 	 "say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>"},

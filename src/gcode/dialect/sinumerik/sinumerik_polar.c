@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 
 /* Lines nearer to the other axis than this, as a slope, do not determine its coordinate. */
@@ -138,7 +139,10 @@ bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_bloc
 
 	if (interp->state.unknown_modes & (1U << G_PLANE | 1U << G_UNITS))
 		return fault(&interp->at, column, "a pole needs G17, G18 or G19, and G70, G71, G700 or G710 before it");
-	if (code == SINUMERIK_G(110) && !sinumerik_open_place_check(interp, column, "a pole (G110)"))
+	if (code == SINUMERIK_G(110) &&
+	    (!sinumerik_open_place_check(interp, column, "a pole (G110)") ||
+	     !sinumerik_place_check(interp, comp_slot_a(interp), column) ||
+	     !sinumerik_place_check(interp, comp_slot_b(interp), column)))
 		return false;
 	if (code == SINUMERIK_G(110))
 		from = (struct plane_point){place->v[comp_slot_a(interp)], place->v[comp_slot_b(interp)]};
