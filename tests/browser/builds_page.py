@@ -63,13 +63,19 @@ def copy_of_page(bench):
 
 
 def load_again(page, title):
-    """Loads the page until it has this title: a build that hands over to a newer one loads it twice."""
+    """
+    Loads the page until it has this title: a build that hands over to a newer one loads it twice, and does not yet while a
+    page that was closed has not quite gone.
+    """
     page.reload()
     end = time.monotonic() + 60
     while time.monotonic() < end:
         try:
-            if page.run(f"document.readyState === 'complete' && window.counts?.['fivecheck-ready'] > 0 && {TITLE} === '{title}'"):
+            if not page.run("document.readyState === 'complete' && window.counts?.['fivecheck-ready'] > 0"):
+                continue
+            if page.run(TITLE) == title:
                 return
+            page.reload()
         except BrowserError:
             pass  # the document went while it was asked
     raise AssertionError(f"the title is {page.run(TITLE)}, not {title}")
