@@ -128,6 +128,24 @@ bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_blo
 	return true;
 }
 
+/* Does the block say where the pole is? False: reported. */
+static bool names_pole(const struct interp *interp, const struct sinumerik_block *block)
+{
+	const int code = block->code[SINUMERIK_ONCE], column = block->code_column[SINUMERIK_ONCE];
+	const unsigned axes = block->letters & AXIS_BITS, polar = block->addresses & SINUMERIK_POLAR_BITS;
+	const char a = letter_a(interp), b = letter_b(interp);
+
+	if (interp->state.unknown_modes & (1U << G_PLANE | 1U << G_UNITS))
+		return fault(&interp->at, column, "a pole needs G17, G18 or G19, and G70, G71, G700 or G710 before it");
+	if (axes & ~(letter_bit(a) | letter_bit(b)))
+		return fault(&interp->at, column, "G%d has coordinates of the plane only, %c and %c", code / 10, a, b);
+	if (polar && (axes || polar != SINUMERIK_POLAR_BITS))
+		return fault(&interp->at, column, "a pole has AP= and RP=, or coordinates");
+	if (!polar && !axes)
+		return fault(&interp->at, column, "G%d needs the coordinates of the pole", code / 10);
+	return true;
+}
+
 /* G110 counts from where the tool is, G111 from the workpiece's zero, G112 from the last pole. */
 bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_block *block)
 {
@@ -137,8 +155,8 @@ bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_bloc
 	const char a = letter_a(interp), b = letter_b(interp);
 	struct plane_point from = {0, 0};
 
-	if (interp->state.unknown_modes & (1U << G_PLANE | 1U << G_UNITS))
-		return fault(&interp->at, column, "a pole needs G17, G18 or G19, and G70, G71, G700 or G710 before it");
+	if (!names_pole(interp, block))
+		return false;
 	if (code == SINUMERIK_G(110) &&
 	    (!sinumerik_open_place_check(interp, column, "a pole (G110)") ||
 	     !sinumerik_place_check(interp, comp_slot_a(interp), column) ||
@@ -148,16 +166,10 @@ bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_bloc
 		from = (struct plane_point){place->v[comp_slot_a(interp)], place->v[comp_slot_b(interp)]};
 	else if (code == SINUMERIK_G(112))
 		from = sinumerik_polar_pole(interp);
-	if (block->letters & AXIS_BITS & ~(letter_bit(a) | letter_bit(b)))
-		return fault(&interp->at, column, "G%d has coordinates of the plane only, %c and %c", code / 10, a, b);
 	if (block->addresses & SINUMERIK_POLAR_BITS) {
-		if ((block->letters & AXIS_BITS) || (block->addresses & SINUMERIK_POLAR_BITS) != SINUMERIK_POLAR_BITS)
-			return fault(&interp->at, column, "a pole has AP= and RP=, or coordinates");
 		if (!take_words(interp, block))
 			return false;
 		from = away(interp, from);
-	} else if (!(block->letters & AXIS_BITS)) {
-		return fault(&interp->at, column, "G%d needs the coordinates of the pole", code / 10);
 	}
 	if (sinumerik_block_has(block, a))
 		from.a += block->value[a - 'A'] * interp->state.scale;
