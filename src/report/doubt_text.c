@@ -280,11 +280,13 @@ static const struct {
 
 static field_fn *find_field(const char *name, size_t length)
 {
-	for (size_t i = 0; i < sizeof(fields) / sizeof(*fields); i++)
-		if (strlen(fields[i].name) == length && !memcmp(fields[i].name, name, length))
-			return fields[i].add;
-	assert(!"a word in braces that is none of the fields");
-	return NULL;
+	size_t i = 0;
+
+	while (strlen(fields[i].name) != length || memcmp(fields[i].name, name, length) != 0) {
+		i++;
+		assert(i < sizeof(fields) / sizeof(*fields));
+	}
+	return fields[i].add;
 }
 
 void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)

@@ -14,7 +14,6 @@
 static double brute_force(struct scene *scene, const struct scene_pair *pair, const axis_values *q)
 {
 	struct body_pair bodies;
-	struct diag diag = {0};
 	double least = INFINITY;
 	xform pose;
 
