@@ -55,7 +55,7 @@ ROWS = [
     ('memory a triangle; 10,000,000 blocks against 10,000',
      [target('peak memory a triangle'), target('peak memory, longest / shortest program')]),
     ('1,000 to 1,000,000 triangles, a block', [target('1,000 to 1,000,000 triangles, a block')]),
-    ('two threads: eight programs; one program, its pairs divided', [target('-j 2, eight programs'),
+    ('two threads: eight programs; one program, read by one and checked by the other', [target('-j 2, eight programs'),
                                                                      target('-j 2, one large program')]),
     ('processor time of two threads against one: the same', [target('-j 2, processor time, eight programs'),
                                                              target('-j 2, processor time, one large program')]),
