@@ -51,6 +51,9 @@ enum {
 };
 
 static char folder[512];	/* of the job; empty: none was made */
+/* So much more than is allowed is read, to be thrown away. */
+#define DISCARDED_MAX (64L << 20)
+
 static long unread;	/* bytes of the body */
 static volatile sig_atomic_t child;
 
@@ -464,7 +467,8 @@ int main(void)
 
 	sigaction(SIGALRM, &ring, NULL);
 	umask(077);
-	unread = size <= most ? size : 0;
+	/* Also what is too large is taken, up to a bound: an answer to who is still sending may be lost. */
+	unread = size - most <= DISCARDED_MAX ? size : most + DISCARDED_MAX;
 	alarm(WAIT_SECONDS);
 	if (!method || strcmp(method, "POST") != 0)
 		refuse("405 Method Not Allowed", "send the files of a job as a tar archive with POST");
