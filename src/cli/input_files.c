@@ -153,39 +153,53 @@ static bool is_loaded_once(const struct report_file *file)
 	return false;
 }
 
-static bool take_known(struct report_file *file, const struct known_digests *known)
+static struct report_file *find_known(const struct known_digests *known, const char *path)
 {
 	for (size_t i = 0; i < known->count; i++) {
-		if (!strcmp(known->items[i].path, file->path)) {
-			memcpy(file->digest, known->items[i].digest, DIGEST_SIZE);
-			return true;
-		}
+		if (!strcmp(known->items[i].path, path))
+			return &known->items[i];
 	}
-	return false;
+	return NULL;
 }
 
-static void remember(struct known_digests *known, const struct report_file *file)
-{
-	known->items = mem_grow(known->items, &known->capacity, known->count + 1, sizeof(*known->items));
-	known->items[known->count] = *file;
-	known->items[known->count++].path = mem_strndup(file->path, strlen(file->path));
-}
-
-void input_files_digest(struct input_files *inputs, struct known_digests *known)
+void input_files_take_known(struct input_files *inputs, const struct known_digests *known)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
 		struct report_file *file = &inputs->items[i];
-		const bool keep = known && is_loaded_once(file);
-		struct stat status;
+		const struct report_file *found = is_loaded_once(file) ? find_known(known, file->path) : NULL;
 
-		if (file->digest[0] || (keep && take_known(file, known)))
-			continue;
-		/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
-		if (!stat(file->path, &status) && S_ISREG(status.st_mode))
-			digest_file(file->digest, file->path);
-		if (keep && file->digest[0])
-			remember(known, file);
+		if (found)
+			memcpy(file->digest, found->digest, DIGEST_SIZE);
 	}
+}
+
+void input_files_remember(const struct input_files *inputs, struct known_digests *known)
+{
+	for (size_t i = 0; i < inputs->count; i++) {
+		const struct report_file *file = &inputs->items[i];
+
+		if (!file->digest[0] || !is_loaded_once(file) || find_known(known, file->path))
+			continue;
+		known->items = mem_grow(known->items, &known->capacity, known->count + 1, sizeof(*known->items));
+		known->items[known->count] = *file;
+		known->items[known->count++].path = mem_strndup(file->path, strlen(file->path));
+	}
+}
+
+void input_files_digest_one(struct input_files *inputs, size_t i, const struct cancel *cancel)
+{
+	struct report_file *file = &inputs->items[i];
+	struct stat status;
+
+	/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
+	if (!file->digest[0] && !stat(file->path, &status) && S_ISREG(status.st_mode))
+		digest_file(file->digest, file->path, cancel);
+}
+
+void input_files_digest(struct input_files *inputs)
+{
+	for (size_t i = 0; i < inputs->count; i++)
+		input_files_digest_one(inputs, i, NULL);
 }
 
 bool input_files_verify(const struct input_files *inputs, bool strict, struct diag *diag)

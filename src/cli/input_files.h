@@ -48,11 +48,20 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 /* Sorts by kind and name; to be called after the check, when all subprograms are known. */
 void input_files_sort(struct input_files *inputs);
 
+/* Takes the digests of the machine, the setup, tool libraries and meshes from `known`. */
+void input_files_take_known(struct input_files *inputs, const struct known_digests *known);
+
+/* Adds the digests of these files to `known`. */
+void input_files_remember(const struct input_files *inputs, struct known_digests *known);
+
 /*
- * Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". Those
- * of the machine, the setup, tool libraries and meshes are taken from `known`, and put there; NULL: each file is read.
+ * Computes the SHA-256 of file i, if it has none yet. A pipe, a file that cannot be read, and one at which `cancel` (or
+ * NULL) asked to stop keep the digest "". Several threads may do so for different files while none is added.
  */
-void input_files_digest(struct input_files *inputs, struct known_digests *known);
+void input_files_digest_one(struct input_files *inputs, size_t i, const struct cancel *cancel);
+
+/* The same for all files. */
+void input_files_digest(struct input_files *inputs);
 
 /*
  * False, reported: a file has changed since input_files_init, so that nobody can tell what was checked; or, with

@@ -225,7 +225,7 @@ static struct report_file *files_of(const struct program_reports *reports, const
 		struct report_file *file = &files[(*count)++];
 
 		*file = (struct report_file){.kind = "subprogram", .path = recorder->files[i].name};
-		if (!digest_file(file->digest, file->path))
+		if (!digest_file(file->digest, file->path, NULL))
 			file->digest[0] = '\0';
 	}
 	return files;

@@ -204,7 +204,7 @@ static enum run_status finish(struct session *session, const struct programs_run
 	if (!path_checks_inputs(run->options, inputs, diag))
 		sinks_discard(run->sinks);
 	if (options_want_digests(run->options)) {
-		input_files_digest(inputs, NULL);
+		input_files_digest(inputs);
 		input_files_verify(inputs, run->options->record, diag);
 	}
 	if (session->context.reports && run->sinks->count)

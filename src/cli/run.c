@@ -6,6 +6,7 @@
 #include "check/model.h"
 #include "cli/dialect_choice.h"
 #include "cli/diag_tee.h"
+#include "cli/digesting.h"
 #include "cli/error_list.h"
 #include "cli/failure_report.h"
 #include "cli/input_files.h"
@@ -39,6 +40,7 @@ struct job {
 	struct model *model;
 	bool borrowed;	/* the caller has loaded and prepared the model */
 	struct known_digests *known;	/* of the borrowed model's files; or NULL */
+	struct digesting digesting;	/* of the files that a check reads */
 	double seconds;	/* that loading took */
 };
 
@@ -54,7 +56,7 @@ static bool has_digest(const char *path, const char *digest)
 {
 	char found[DIGEST_SIZE] = "none";
 
-	if (!digest || (path && !digest_file(found, path)))
+	if (!digest || (path && !digest_file(found, path, NULL)))
 		return !digest;
 	return !strcmp(found, digest);
 }
@@ -105,7 +107,8 @@ static void note_order(const struct options *options, struct diag *diag)
 		diag_note(diag, nowhere, "the machine file comes first: fivecheck %s %s", first, options->machine);
 }
 
-static bool job_load(struct job *job, const struct options *options, struct diag *diag)
+/* Reads the machine, the setup and the waivers, without a mesh. False: reported. */
+static bool job_read(struct job *job, const struct options *options, struct diag *diag)
 {
 	double start = stderr_ui_seconds();
 
@@ -128,6 +131,15 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 		job->model->machine->controller.dialect = options->dialect;
 	}
 	fivecheck_set_threads(job->model, options->check.threads);
+	job->seconds = stderr_ui_seconds() - start;
+	return true;
+}
+
+/* Reads the bodies if they are needed and not known, and derives their pairs. False: reported. */
+static bool job_prepare(struct job *job, const struct options *options, struct diag *diag)
+{
+	double start = stderr_ui_seconds();
+
 	if (job->borrowed) {
 		/* Its bodies are known. */
 	} else if (options->mode == RUN_CHECK) {
@@ -136,7 +148,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	} else if (needs_pairs(options->mode) && !model_add_scene(job->model, options->clearance, diag)) {
 		return false;
 	}
-	job->seconds = stderr_ui_seconds() - start;
+	job->seconds += stderr_ui_seconds() - start;
 	return diag->errors == 0;
 }
 
@@ -178,10 +190,27 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 	return true;
 }
 
-/* Reads everything but the programs. False: reported. */
-static bool load_all(struct job *job, const struct options *options, struct diag *diag)
+/* From here on a change of these files is noticed. */
+static void add_inputs(struct job *job, const struct options *options, struct input_files *inputs)
 {
-	return job_load(job, options, diag) && check_kinds(options, job->model->scene, diag);
+	const bool meshes = options->mode == RUN_CHECK || job->model->scene;
+
+	input_files_add_files(inputs, options, job->model->machine, job->model->setup, meshes);
+	input_files_sort(inputs);
+	if (!options_want_digests(options))
+		return;
+	if (job->known)
+		input_files_take_known(inputs, job->known);
+	digesting_begin(&job->digesting, inputs, options->check.threads);
+}
+
+/* Reads everything but the programs. False: reported. */
+static bool load_all(struct job *job, const struct options *options, struct input_files *inputs, struct diag *diag)
+{
+	if (!job_read(job, options, diag))
+		return false;
+	add_inputs(job, options, inputs);
+	return job_prepare(job, options, diag) && check_kinds(options, job->model->scene, diag);
 }
 
 /* Checks the programs. Reports are kept even if the check is incomplete, since they say so themselves. */
@@ -191,10 +220,9 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	struct diag *diag = &ui->diag;
 	enum run_status status;
 
-	input_files_add_files(inputs, options, job->model->machine, job->model->setup, job->model->scene != NULL);
-	input_files_sort(inputs);
-	if (options_want_digests(options))
-		input_files_digest(inputs, job->known);
+	digesting_finish(&job->digesting);
+	if (job->known)
+		input_files_remember(inputs, job->known);
 	status = programs_check(&(struct programs_run){
 		.options = options, .model = job->model, .seconds = job->seconds, .ui = ui, .sinks = sinks,
 		.inputs = inputs, .waiving = &job->waiving, .tables = block_tables_are_wanted(tables) ? tables : NULL});
@@ -223,11 +251,12 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	if (!open_channels(&sinks, options, diag) ||
 	    !block_tables_open(&tables, options->clearance_report, options->timing, diag)) {
 		/* No report can be written. */
-	} else if (!load_all(job, options, &tee.diag)) {
+	} else if (!load_all(job, options, &inputs, &tee.diag)) {
 		failure_report_write(options, &tee.errors, &sinks, diag);
 	} else if (path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
 		status = check_programs(job, options, ui, &sinks, &tables, &inputs);
 	}
+	digesting_end(&job->digesting);
 	block_tables_discard(&tables);
 	sinks_discard(&sinks);
 	diag_tee_release(&tee);
@@ -344,7 +373,8 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	enum run_status status = RUN_INCOMPLETE;
 	struct output out = {0};
 
-	if (output_open(&out, options->output, diag) && job_load(job, options, diag) &&
+	if (output_open(&out, options->output, diag) && job_read(job, options, diag) &&
+	    job_prepare(job, options, diag) &&
 	    path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
 		status = run_mode(job, options, diag, &out);
 		/* Standard output already has the text, and a failed write must be reported. */

@@ -34,7 +34,7 @@ void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count)
 	finish(digest, &context);
 }
 
-bool digest_file(char digest[DIGEST_SIZE], const char *path)
+bool digest_file(char digest[DIGEST_SIZE], const char *path, const struct cancel *cancel)
 {
 	struct sha256_ctx context;
 	uint8_t bytes[16384];
@@ -48,9 +48,12 @@ bool digest_file(char digest[DIGEST_SIZE], const char *path)
 		return false;
 	sha256_init(&context);
 	errno = 0;
-	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0)
+	while (!cancel_asked(cancel) && (count = fread(bytes, 1, sizeof(bytes), in)) > 0)
 		sha256_update(&context, count, bytes);
-	error = ferror(in) ? (errno ? errno : EIO) : 0;
+	if (ferror(in))
+		error = errno ? errno : EIO;
+	else
+		error = cancel_asked(cancel) ? ECANCELED : 0;
 	fclose(in);
 	errno = error;
 	if (!error)

@@ -5,12 +5,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/callbacks.h"
+
 /* 64 digits and the terminating NUL. */
 enum { DIGEST_SIZE = 65 };
 
 void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count);
 
-/* False: the file could not be read, see errno. */
-bool digest_file(char digest[DIGEST_SIZE], const char *path);
+/* False: the file could not be read, see errno, or `cancel` (or NULL) has asked to stop: ECANCELED. */
+bool digest_file(char digest[DIGEST_SIZE], const char *path, const struct cancel *cancel);
 
 #endif
