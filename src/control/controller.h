@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "base/axes.h"
+#include "base/diag.h"
 
 /* Lengths in mm, angles in radians. */
 
@@ -152,6 +153,7 @@ struct control_variable {
 	int size[CONTROL_DIMENSIONS];
 	const char *text;	/* of each of its elements; NULL: none was given */
 	double number;	/* that the text is, or TRUE or FALSE; NAN: it is none */
+	struct srcloc at;	/* of its element; borrows the name of the file */
 };
 
 /* A place in machine coordinates where the control sends axes by itself. */

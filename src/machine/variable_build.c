@@ -47,15 +47,17 @@ static void check_value(struct description_file *file, const struct variable_des
 			const struct control_variable *variable)
 {
 	const bool number = variable->typed && variable->type != CONTROL_STRING && variable->type != CONTROL_AXIS;
+	const bool macro = variable->name[0] == '#';
 
 	if (!variable->text)
 		return;
 	if (!variable->text[0] && !(variable->typed && variable->type == CONTROL_STRING))
 		description_fault(file, described->at, "value", "value of <variable> is empty: what does %s hold?",
 				  variable->name);
-	else if (number && isnan(variable->number))
-		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no number",
-				  description_quote(file, described->at, "value").text);
+	else if ((number || (macro && strcmp(variable->text, "vacant") != 0)) && isnan(variable->number))
+		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no number%s",
+				  description_quote(file, described->at, "value").text,
+				  macro ? ", and not \"vacant\"" : "");
 	else if (variable->typed && variable->type == CONTROL_AXIS && !is_axis(variable->text))
 		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no letter of an axis",
 				  description_quote(file, described->at, "value").text);
@@ -109,6 +111,8 @@ static void build_one(struct description_file *file, const struct variable_descr
 				  "size of <variable>: one to three whole numbers, beside a type: size=\"10\", "
 				  "size=\"3,4\"");
 	variable.name = arena_strdup(arena, name);
+	variable.at = description_place(file, described->at);
+	variable.at.file = arena_strdup(arena, variable.at.file);
 	check_value(file, described, &variable);
 	if (!is_known(file, described, variables, *count, name))
 		variables[(*count)++] = variable;

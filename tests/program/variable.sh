@@ -68,3 +68,20 @@ status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
 printf '<setup version="1"><variable name="R5" value="9"/>\n<variable name="R5" value="8"/></setup>\n' >setup.xml
 status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
 status fivecheck -q -s setup.xml --parse-only m.xml a.mpf 2>&1 | grep error
+# What is wrong with an element that only the reading of a program finds is told at the element.
+cat >k.h <<'NC'
+BEGIN PGM K MM
+FN 18: SYSREAD Q1 = ID50 NR3 IDX1
+L X+Q1 R0 FMAX
+END PGM K MM
+NC
+for element in 'ID50 NR3 IDX1" value="3,5' 'ID240 NR1 IDX1" value="3' 'Q120" value="3' 'Q5" value="five' 'QS1900x" value="a'; do
+	sed "s|<base|<controller dialect=\"klartext\">\n<variable name=\"$element\"/></controller>&|" m.xml >k.xml
+	status fivecheck -q --parse-only k.xml k.h 2>&1 | grep error:
+done
+for element in '_A" type="INT" size="2" value="1"/><variable name="_A[2]" value="1' 'R05" value="1' '_B" value="1' '_X" type="AXIS" value="B' '_T" type="BOOL" value="7' '$AA_IM[X]" value="1'; do
+	machine sinumerik "<variable name=\"$element\"/>" | sed "s/<variable/\n&/" >k.xml
+	status fivecheck -q --parse-only k.xml a.mpf 2>&1 | grep error:
+done
+machine fanuc '<variable name="#500" value="none"/>' | sed 's/<variable/\n&/' >k.xml
+status fivecheck -q --parse-only k.xml b.nc 2>&1 | grep error:

@@ -245,7 +245,10 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:4: error: FN 14 stops the program here with an error of its own"},
 	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n",
 	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to "
-	 "check the program, assign the value by FN 0 behind it"},
+	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
+	{"FN 20: WAIT FOR SYNC\nL X+3 FMAX\nFN 18: SYSREAD Q1 = ID240 NR1 IDX1\nL X+Q1 FMAX\n",
+	 "p.nc:5:5: error: Q1 was read from the control (FN 18, ID240 NR1 IDX1), and that value is not known here: to "
+	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
 	{"FN 28: TABREAD Q1 = +5/\"X,Y\"\nL X+Q2 FMAX\n",
 	 "p.nc:3:5: error: Q2 was read from the control (FN 28), and that value is not known here: to check the "
 	 "program, assign the value by FN 0 behind it"},
@@ -278,11 +281,11 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:11: error: DL was given before and is left out here: whether it still counts is not known here; write it, "
 	 "too"},
 	{"L X+Q108 FMAX\n",
-	 "p.nc:2:5: error: Q108 is a value of the control that is not known here"},
+	 "p.nc:2:5: error: Q108 is a value of the control that is not known here: write the value in its place"},
 	{"TOOL CALL 3 Z\nL X+Q108 FMAX\n",
-	 "p.nc:3:5: error: Q108 is a value of the control that is not known here"},
+	 "p.nc:3:5: error: Q108 is a value of the control that is not known here: write the value in its place"},
 	{"L M3\nL M5\nL X+Q110 FMAX\n",
-	 "p.nc:4:5: error: Q110 is a value of the control that is not known here"},
+	 "p.nc:4:5: error: Q110 is a value of the control that is not known here: write the value in its place"},
 	{"FN 99: Q1 = 1\n",
 	 "p.nc:2:4: error: FN 99 is not supported yet"},
 	{"TOOL CALL 9 Z\n",

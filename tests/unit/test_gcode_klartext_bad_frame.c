@@ -99,7 +99,7 @@ static const struct klartext_fault faults[] = {
 	{"PLANE AXIAL B+5 STAY\n",
 	 "p.nc:2:13: error: the machine has no B axis"},
 	{"PLANE AXIAL A+30 STAY\nL A+Q120 FMAX\n",
-	 "p.nc:3:5: error: Q120 is a value of the control that is not known here"},
+	 "p.nc:3:5: error: Q120 is a value of the control that is not known here: write the value in its place"},
 	{"PLANE AXIAL STAY\n",
 	 "p.nc:2:13: error: PLANE AXIAL needs A, B or C"},
 	{"PLANE AXIAL IA+5 STAY\n",

@@ -50,6 +50,12 @@ static const struct klartext_program parameters[] = {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFN 18: SYSREAD Q1 = ID210 NR2\nFN 18: SYSREAD Q2 = ID280 NR1\n"
 	 "FN 18: SYSREAD Q3 = ID210 NR3\nFN 18: SYSREAD Q4 = ID210 NR4 IDX2\nL X+Q4 Y+Q2 Z+Q1 FMAX\n",
 	 "rapid 0 1 90 0 0\n"},
+	/* Positions, once the axes have come to them: of the program (ID 270) and of the machine (ID 240). */
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+3 Y-4 C+20 FMAX\n"
+	 "FN 20: WAIT FOR SYNC\nFN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 18: SYSREAD Q2 = ID270 NR1 IDX2\n"
+	 "FN 18: SYSREAD Q6 = ID270 NR1 IDX6\nFN 18: SYSREAD Q7 = ID240 NR1 IDX1\n"
+	 "L X+Q7 FMAX M91\nL X+Q1 Y+Q2 Z+Q6 FMAX\n",
+	 "rapid 104 3 0 0 20\nrapid 104 3 0 0 20\nrapid 104 3 20 0 20\n"},
 	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 28: TABREAD Q2 = 5/\"X,Y\"\nFN 26: TABOPEN TNC:\\A.TAB\n"
 	 "FN 27: TABWRITE 5/\"X\" = Q1\nFN 20: WAIT FOR SYNC\nFN 15: PRINT Q1\nFN 0: Q1 = +7\nL X+Q1 FMAX\n",
 	 "rapid 7 0 0 0 0\n"},

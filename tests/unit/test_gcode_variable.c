@@ -137,7 +137,7 @@ static const struct kept refused[] = {
 	 "230, 350), such as ID50 NR3 IDX1"},
 	{&dialect_klartext, {{0}}, KLARTEXT("FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n"),
 	 "Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to check the program, "
-	 "assign the value by FN 0 behind it"},
+	 "assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
 	{&dialect_klartext, {VALUE("Q5", 1)}, KLARTEXT("L X+QL5 FMAX\n"),
 	 "QL5 has no value: the program has not assigned one"},
 	{&dialect_klartext, {VALUE("QL5", 1)}, KLARTEXT("L X+1 FMAX\n"),

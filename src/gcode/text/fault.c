@@ -7,6 +7,13 @@ struct srcloc line_loc(const struct line_place *at, int column)
 	return (struct srcloc){at->file, at->line, column};
 }
 
+struct line_place fault_place(const struct line_place *at, struct srcloc element)
+{
+	if (!element.file)
+		return *at;
+	return (struct line_place){.diag = at->diag, .file = element.file, .line = element.line};
+}
+
 void fault_report(const struct line_place *at, int column, const char *format, ...)
 {
 	va_list args;

@@ -35,6 +35,12 @@ void fault_report(const struct line_place *at, int column, const char *format, .
 /* Reports a warning. */
 void caution(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
+/*
+ * The place of an element of the machine file or the setup, for faults that only the reading of a program finds there.
+ * Without a file it is `at`.
+ */
+struct line_place fault_place(const struct line_place *at, struct srcloc element);
+
 /* The place itself, for messages that are reported in another way. */
 struct srcloc line_loc(const struct line_place *at, int column);
 

@@ -112,7 +112,7 @@ static const struct code_word words[] = {
     {"FN 14", CODE_REFUSED, "error message of the program"},
     {"FN 15, 16", CODE_IGNORED, "output"},
     {"FN 17", CODE_REFUSED, "writes data of the control"},
-    {"FN 18", CODE_READ, "data of the control: a value that is not known is refused where it is used"},
+    {"FN 18", CODE_READ, "data of the control, positions behind WAIT FOR SYNC; one that is not known is refused where it is used"},
     {"FN 19, 20", CODE_REFUSED, "PLC; WAIT FOR SYNC is read"},
     {"FN 26, 27", CODE_IGNORED, "freely definable tables are opened and written"},
     {"FN 28", CODE_READ, "values of a table, which are refused where they are used"},

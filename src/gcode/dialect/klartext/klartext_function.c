@@ -37,8 +37,10 @@ static bool run_other(struct lexer *lexer, int number, int column)
 		return klartext_system_read(lexer);
 	case 20:
 		/* It waits until the axes have done what was read ahead. */
-		if (klartext_take(lexer, "WAIT") && klartext_take(lexer, "FOR") && klartext_take(lexer, "SYNC"))
+		if (klartext_take(lexer, "WAIT") && klartext_take(lexer, "FOR") && klartext_take(lexer, "SYNC")) {
+			klartext_system_synchronise(lexer->context);
 			return true;
+		}
 		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);
 	case 19:
 		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);

@@ -35,17 +35,17 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 	const long number = number_behind(name, letters, name[1] == 'R' ? KLARTEXT_QL_COUNT : KLARTEXT_Q_COUNT);
 
 	if (number < 0)
-		return fault(lexer->at, 1,
+		return fault(lexer->at, 0,
 			     "<variable name=\"%s\"> is no parameter that is kept: Q, QR or QS and its "
 			     "number, or data of FN 18, such as ID50 NR3 IDX1",
 			     name);
 	if (letters == 1 && changes(number))
-		return fault(lexer->at, 1, "<variable name=\"%s\">: the control itself changes this "
+		return fault(lexer->at, 0, "<variable name=\"%s\">: the control itself changes this "
 					   "parameter while the program runs", name);
 	if (text)
-		return klartext_string_set(lexer, 1, (int)number, variable->text);
+		return klartext_string_set(lexer, 0, (int)number, variable->text);
 	if (isnan(variable->number))
-		return fault(lexer->at, 1, "%s: the value of its <variable> is no number", name);
+		return fault(lexer->at, 0, "%s: the value of its <variable> is no number", name);
 	(name[1] == 'R' ? klartext->qr : klartext->q)[number] =
 	    (struct klartext_q){.value = variable->number, .given = true};
 	return true;
@@ -67,8 +67,9 @@ static const char *take_numbered(const char *text, const char *word, int *number
 }
 
 /* "ID50NR3IDX1", as FN 18 asks for it, of a table that no program changes. */
-static bool check_data(struct lexer *lexer, const char *name)
+static bool check_data(struct lexer *lexer, const struct control_variable *variable)
 {
+	const char *name = variable->name;
 	struct klartext_query query = {0};
 	const char *at = take_numbered(name, "ID", &query.id);
 
@@ -76,11 +77,13 @@ static bool check_data(struct lexer *lexer, const char *name)
 	query.has_index = at && *at != '\0';
 	if (query.has_index)
 		at = take_numbered(at, "IDX", &query.index);
-	return (at && *at == '\0' && klartext_query_is_table(&query)) ||
-	       fault(lexer->at, 1,
-		     "<variable name=\"%s\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
-		     "230, 350), such as ID50 NR3 IDX1",
-		     name);
+	if (!at || *at != '\0' || !klartext_query_is_table(&query))
+		return fault(lexer->at, 0,
+			     "<variable name=\"%s\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
+			     "230, 350), such as ID50 NR3 IDX1",
+			     name);
+	return !isnan(variable->number) ||
+	       fault(lexer->at, 0, "%s: the value of its <variable> is no number", name);
 }
 
 bool klartext_kept_load(struct lexer *lexer)
@@ -90,9 +93,12 @@ bool klartext_kept_load(struct lexer *lexer)
 
 	for (size_t i = 0; i < controller->variable_count; i++) {
 		const struct control_variable *variable = &controller->variables[i];
+		const struct line_place place = fault_place(lexer->at, variable->at);
+		struct lexer there = *lexer;
 
-		if (variable->text && !(strncmp(variable->name, "ID", 2) ? load(lexer, variable)
-									 : check_data(lexer, variable->name)))
+		there.at = &place;
+		if (variable->text && !(strncmp(variable->name, "ID", 2) ? load(&there, variable)
+									 : check_data(&there, variable)))
 			return false;
 	}
 	return true;

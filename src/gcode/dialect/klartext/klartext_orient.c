@@ -7,13 +7,11 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-bool klartext_orient_is_no_farther(const struct interp *interp, const struct kinematics_solution *a,
+bool klartext_orient_is_no_farther(const axis_values *from, const struct kinematics_solution *a,
 				   const struct kinematics_solution *b)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double here = interp->state.canonical.v[slot];
-
-		if (fabs(a->rotary.v[slot] - here) > fabs(b->rotary.v[slot] - here) + TIE_TOLERANCE)
+		if (fabs(a->rotary.v[slot] - from->v[slot]) > fabs(b->rotary.v[slot] - from->v[slot]) + TIE_TOLERANCE)
 			return false;
 	}
 	return true;
@@ -41,8 +39,8 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 	*chosen = fitting[0];
 	if (count == 1)
 		return true;
-	first = klartext_orient_is_no_farther(interp, fitting[0], fitting[1]);
-	second = klartext_orient_is_no_farther(interp, fitting[1], fitting[0]);
+	first = klartext_orient_is_no_farther(&interp->state.canonical, fitting[0], fitting[1]);
+	second = klartext_orient_is_no_farther(&interp->state.canonical, fitting[1], fitting[0]);
 	if (first == second)
 		return fault(
 		    &interp->at, column,

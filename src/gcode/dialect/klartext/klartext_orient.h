@@ -9,8 +9,8 @@
 /* Puts the positions of the rotary axes into the target. False: reported. */
 bool klartext_orient_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target);
 
-/* Is no way of a rotary axis to `a` longer than to `b`? */
-bool klartext_orient_is_no_farther(const struct interp *interp, const struct kinematics_solution *a,
+/* Is no way of a rotary axis from `from` to `a` longer than to `b`? */
+bool klartext_orient_is_no_farther(const axis_values *from, const struct kinematics_solution *a,
 				   const struct kinematics_solution *b);
 
 #endif

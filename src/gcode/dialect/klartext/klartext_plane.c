@@ -179,7 +179,7 @@ static bool tilt_by_axes(struct interp *interp, const struct klartext_swivel *re
 /*
  * "WORKING PLANE (Cycle 19)": a machine parameter says whether its angles are spatial angles or positions of the
  * rotary axes. Without angles, or with 0 alone, it takes the tilting back. Without F no axis moves: the program turns
- * the rotary axes to Q120 to Q122.
+ * the rotary axes to Q120 to Q122. Of two positions it takes the one that is nearer to the zero of the axes.
  */
 bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
 {
@@ -191,7 +191,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 	if (!read_cycle(interp, cycle, &tilt, &request) || !check(interp, cycle->column))
 		return false;
 	if (is_level(&tilt))
-		return klartext_swivel_reset(interp, &request);
+		return tilt.axes ? klartext_swivel_level(interp, &request) : klartext_swivel_reset(interp, &request);
 	if (angles == CYCLE_19_ANGLES_UNKNOWN)
 		return fault(&interp->at, cycle->column,
 			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "
@@ -201,6 +201,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 		return false;
 	if (angles == CYCLE_19_ANGLES_AXES)
 		return tilt_by_axes(interp, &request, &tilt);
+	request.from_zero = true;
 	tilt.turn = klartext_tilt_spatial(&tilt.angle[SLOT_A]);
 	return klartext_swivel_tilt(interp, &request, &tilt.turn);
 }

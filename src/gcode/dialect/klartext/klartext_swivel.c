@@ -59,12 +59,14 @@ static bool check_symmetry(const struct interp *interp, const struct klartext_sw
 
 /*
  * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
- * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
+ * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one. `from` is where
+ * the ways begin.
  */
-static bool choose(struct interp *interp, const struct klartext_swivel *request,
+static bool choose(struct interp *interp, const struct klartext_swivel *request, const axis_values *from,
 		   const struct kinematics_solutions *solutions, const struct kinematics_solution **chosen)
 {
 	size_t fitting[2] = {0, 0}, count = 0;
+	bool first, second;
 	char texts[2][64];
 
 	if (!check_symmetry(interp, request, solutions))
@@ -84,12 +86,10 @@ static bool choose(struct interp *interp, const struct klartext_swivel *request,
 	*chosen = &solutions->items[fitting[0]];
 	if (count == 1)
 		return true;
-	if (klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
-	    klartext_orient_is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
-		*chosen = &solutions->items[klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]],
-									  &solutions->items[fitting[1]])
-						? fitting[0]
-						: fitting[1]];
+	first = klartext_orient_is_no_farther(from, &solutions->items[fitting[0]], &solutions->items[fitting[1]]);
+	second = klartext_orient_is_no_farther(from, &solutions->items[fitting[1]], &solutions->items[fitting[0]]);
+	if (first != second) {
+		*chosen = &solutions->items[first ? fitting[0] : fitting[1]];
 		return true;
 	}
 	write_axes(interp, &solutions->items[0], texts[0], sizeof(texts[0]));
@@ -196,20 +196,31 @@ static bool check_free(struct interp *interp, const struct klartext_swivel *requ
 	return true;
 }
 
+/* From where the ways to two positions are measured: PLANE from where the axes are, cycle 19 from their zero. */
+static axis_values start_of_ways(const struct interp *interp, const struct klartext_swivel *request)
+{
+	axis_values start = interp->state.canonical;
+
+	for (int slot = SLOT_A; request->from_zero && slot <= SLOT_C; slot++)
+		start.v[slot] = radians(interp->state.offset.v[slot]);
+	return start;
+}
+
 static bool find_rotary(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt,
 			slot_values *rotary)
 {
 	struct klartext *klartext = klartext_of(interp);
+	const axis_values from = start_of_ways(interp, request);
 	const struct kinematics_orientation orientation = {.direction = tilt->z,
 							   .rotary_zero = tool_length_rotary_zero(interp),
-							   .rotary = interp->state.canonical,
+							   .rotary = from,
 							   .command = "PLANE"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
 
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column),
 					      &orientation, &solutions) ||
-	    !choose(interp, request, &solutions, &chosen) || !check_free(interp, request, chosen, tilt))
+	    !choose(interp, request, &from, &solutions, &chosen) || !check_free(interp, request, chosen, tilt))
 		return false;
 	*rotary = interp->state.position;
 	klartext->rotary = interp->state.canonical;
@@ -217,7 +228,8 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
 		if (!interp->config->has_axis[slot])
 			continue;
-		rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
+		if (!chosen->free[slot])
+			rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
 		if (chosen->free[slot] && request->table_rot) {
 			if (!turn_free_axis(interp, request, chosen, tilt, slot, rotary))
 				return false;
@@ -317,6 +329,22 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 	return good;
 }
 
+/* Does this axis, turned alone from the machine's zero, leave the direction of the tool? */
+static bool find_free(struct interp *interp, int column, int slot, bool *is_free)
+{
+	const axis_values zero = tool_length_rotary_zero(interp);
+	const struct srcloc loc = line_loc(&interp->at, column);
+	axis_values turned = zero;
+	vec3 before, after;
+
+	turned.v[slot] += PI / 2;
+	if (!interp->kinematics->direction(interp->kinematics->context, loc, &zero, &zero, &before) ||
+	    !interp->kinematics->direction(interp->kinematics->context, loc, &zero, &turned, &after))
+		return false;
+	*is_free = vec3_norm(vec3_sub(after, before)) <= DIRECTION_REACHED;
+	return true;
+}
+
 /* Back to coordinates that are not tilted; the axes stand still. False: reported. */
 static bool leave(struct interp *interp, int column)
 {
@@ -331,6 +359,13 @@ static bool leave(struct interp *interp, int column)
 	return true;
 }
 
+/* Whether Q120 to Q122 have the positions after PLANE RESET and PLANE AXIAL is not in the manuals. */
+static void forget_angles(struct klartext *klartext)
+{
+	for (int number = 120; number <= 122; number++)
+		klartext_q_forget(klartext, number);
+}
+
 /* "PLANE RESET": with TURN or MOVE the rotary axes go to 0. */
 bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request)
 {
@@ -338,6 +373,7 @@ bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *
 
 	if (!leave(interp, request->column))
 		return false;
+	forget_angles(klartext_of(interp));
 	if (request->positioning == KLARTEXT_TURN_STAY)
 		return true;
 	rotary = interp->state.position;
@@ -351,6 +387,29 @@ bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *
 				     AXIS_LETTERS[slot]);
 	}
 	return move_rotary(interp, request, &rotary);
+}
+
+bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *request)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (!klartext_swivel_reset(interp, request))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
+		bool is_free = false;
+
+		if (!interp->config->has_axis[slot])
+			continue;
+		if (fabs(here) > SAME_DEGREES && interp->config->controller.swivel_pole != SWIVEL_POLE_ZERO &&
+		    !find_free(interp, request->column, slot, &is_free))
+			return false;
+		if (!is_free)
+			klartext_q_set(klartext, 120 + slot - SLOT_A, 0);
+		else if (interp->config->controller.swivel_pole == SWIVEL_POLE_STAYS)
+			klartext_q_set(klartext, 120 + slot - SLOT_A, here);
+	}
+	return true;
 }
 
 /* Where PLANE AXIAL turns the axes: as it names them; others must stand at 0, where no rule is needed for them. */
@@ -383,9 +442,7 @@ static bool find_named(struct interp *interp, const struct klartext_swivel *requ
 				     AXIS_LETTERS[slot], angle[slot]);
 		klartext->rotary.v[slot] = radians(rotary->v[slot]);
 	}
-	/* Whether they have the positions then is not in the manuals. */
-	for (int number = 120; number <= 122; number++)
-		klartext_q_forget(klartext, number);
+	forget_angles(klartext);
 	return true;
 }
 

@@ -18,6 +18,7 @@ struct klartext_swivel {
 	int sign; /* SEQ+ and SYM+ 1, SEQ- and SYM- -1, 0: none */
 	bool symmetric; /* by SYM */
 	bool table_rot, coord_rot;
+	bool from_zero; /* of two positions, the nearer one to the zero of the rotary axes counts */
 	bool retracts; /* MB: along the tool before the rotary axes turn */
 	struct kinematics_retract retract;
 	int column;
@@ -35,5 +36,11 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 
 /* "PLANE RESET": coordinates are not tilted; with TURN or MOVE the rotary axes go to 0. False: reported. */
 bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request);
+
+/*
+ * Cycle 19 with angles of 0: as klartext_swivel_reset, and Q120 to Q122 are the angles of the plane that is not tilted:
+ * 0, but for an axis that any angle suits and which stays where it is (swivel_pole).
+ */
+bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *request);
 
 #endif

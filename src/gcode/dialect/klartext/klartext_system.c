@@ -1,5 +1,8 @@
 #include "gcode/dialect/klartext/klartext_system.h"
 
+#include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_kept.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_string.h"
@@ -40,7 +43,7 @@ static double frame_value(const struct klartext_frame *frame, const struct klart
 
 static bool is_length(const struct klartext_query *query)
 {
-	return query->id == 50 || query->id == 60 || query->id == 220;
+	return query->id == 50 || query->id == 60 || query->id == 220 || query->id == 240 || query->id == 270;
 }
 
 /* Machine status. Before the first TOOL CALL, M3 or S the control has values of its own. */
@@ -89,6 +92,50 @@ static double called_value(const struct interp *interp, const struct klartext_qu
 	}
 }
 
+void klartext_system_synchronise(struct interp *interp)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	klartext->synchronised = true;
+	klartext->synchronised_at = interp->state.position;
+}
+
+/* Has every block been carried out, and has none left an axis where it is not known? */
+static bool stands_still(const struct interp *interp)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const double *loose = interp->comp.loose;
+	bool still = klartext->synchronised && !klartext->height_open && !klartext->waits && !klartext->corner.waits &&
+		     !klartext->approach.waits && !klartext_comp_is_selected(interp) &&
+		     !(loose[SLOT_X] + loose[SLOT_Y] + loose[SLOT_Z] > 0);
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		still = still && !interp->state.probed[slot] &&
+			same_double(klartext->synchronised_at.v[slot], interp->state.position.v[slot]);
+	return still;
+}
+
+/*
+ * "FN 20: WAIT FOR SYNC": without it the control may read a position before the axes have come to it. ID 240: in the
+ * machine's coordinates; ID 270: in those of the program. IDX counts X Y Z A B C U V W from 1.
+ */
+static double position_value(const struct interp *interp, const struct klartext_query *query, bool *known)
+{
+	const struct state *state = &interp->state;
+	const int slot = query->index - 1;
+
+	*known = query->number == 1 && query->has_index && slot >= 0 && slot < SLOT_COUNT &&
+		 interp->config->has_axis[slot] && interp->config->wrap[slot] == WRAP_NONE && stands_still(interp);
+	if (!*known)
+		return 0;
+	if (query->id == 270 && slot <= SLOT_Z)
+		return axis_of(klartext_frame_point(interp), query->index);
+	if (query->id == 270)
+		return state->position.v[slot] - state->offset.v[slot];
+	*known = state->tcp == TCP_OFF || slot_is_rotary(slot);
+	return state->position.v[slot];
+}
+
 /*
  * iTNC 530 HSCI technical manual, "Data transfer NC > NC program (FN18: SYSREAD)". Lengths are in mm on newer controls,
  * whatever the program's unit is (TNC7 user's manual, "System data"): in a program in inches they stay unknown.
@@ -114,6 +161,9 @@ static double find_value(const struct interp *interp, const struct klartext_quer
 	case 210:
 	case 220:
 		return frame_value(&klartext->frame, query, known);
+	case 240:
+	case 270:
+		return position_value(interp, query, known);
 	case 280:
 		*known = query->number == 1;
 		return m128 ? -1 : 0;

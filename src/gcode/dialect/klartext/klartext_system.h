@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "gcode/state.h"
 #include "gcode/text/lexer.h"
 
 /*
@@ -12,5 +13,8 @@
  */
 bool klartext_system_read(struct lexer *lexer);
 bool klartext_system_read_table(struct lexer *lexer);
+
+/* FN 20: WAIT FOR SYNC: until axes move again, FN 18 reads positions that are known here. */
+void klartext_system_synchronise(struct interp *interp);
 
 #endif

@@ -138,8 +138,9 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 			     length, name, data);
 	return fault(lexer->at, column,
 		     "%.*s was read from the control (FN 18, %s), and that value is not known here: to check the "
-		     "program, assign the value by FN 0 behind it",
-		     length, name, data);
+		     "program, assign the value by FN 0 behind it%s",
+		     length, name, data,
+		     query->id == 240 || query->id == 270 ? ", or write FN 20: WAIT FOR SYNC before it" : "");
 }
 
 /* What a parameter holds before the program assigns it. */
@@ -163,7 +164,9 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 	if (!q)
 		return false;
 	if (q->read && number >= 100 && number < 200)
-		return fault(lexer->at, column, "%.*s is a value of the control that is not known here", length, name);
+		return fault(lexer->at, column,
+			     "%.*s is a value of the control that is not known here: write the value in its place",
+			     length, name);
 	if (q->read && q->query.id > 0)
 		return ask_data(lexer, column, name, length, &q->query);
 	if (q->read)

@@ -31,7 +31,7 @@ static bool set_value(struct interp *interp, struct sinumerik_variable *variable
 {
 	if (variable->type == SINUMERIK_STRING) {
 		if (strlen(from->text) > (size_t)(variable->length ? variable->length : SINUMERIK_TEXT))
-			return fault(&interp->at, 1, "%s: the text of its <variable> is too long for it", from->name);
+			return fault(&interp->at, 0, "%s: the text of its <variable> is too long for it", from->name);
 		strcpy(variable->texts[element].bytes, from->text);
 		variable->given[element] = true;
 		return true;
@@ -40,15 +40,15 @@ static bool set_value(struct interp *interp, struct sinumerik_variable *variable
 		const int slot = from->text[0] && !from->text[1] ? slot_of_letter(from->text[0]) : -1;
 
 		if (slot < 0 || !interp->config->has_axis[slot])
-			return fault(&interp->at, 1, "%s: the value of its <variable> is no axis of the machine",
+			return fault(&interp->at, 0, "%s: the value of its <variable> is no axis of the machine",
 				     from->name);
 		variable->numbers[element] = slot;
 		variable->given[element] = true;
 		return true;
 	}
 	if (isnan(from->number))
-		return fault(&interp->at, 1, "%s: the value of its <variable> is no number", from->name);
-	return sinumerik_variables_set(interp, variable, element, from->number, 1);
+		return fault(&interp->at, 0, "%s: the value of its <variable> is no number", from->name);
+	return sinumerik_variables_set(interp, variable, element, from->number, 0);
 }
 
 /* 840D sl, job planning, "Definition of user variables": a name begins with two letters, and means nothing else. */
@@ -72,14 +72,14 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
 
 	if (length > SINUMERIK_NAME || !may_be_variable(from->name) ||
 	    strspn(from->name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != length)
-		return fault(&interp->at, 1,
+		return fault(&interp->at, 0,
 			     "<variable name=\"%s\" type=\"\">: a variable has a name of two letters "
 			     "or more, _ and digits, at most %d, which means nothing else; size=\"\" says how many "
 			     "elements it has",
 			     from->name, SINUMERIK_NAME);
 	memcpy(made.name, from->name, length + 1);
 	memcpy(made.size, from->size, sizeof(made.size));
-	variable = sinumerik_variables_add(interp, &made, 1);
+	variable = sinumerik_variables_add(interp, &made, 0);
 	if (!variable)
 		return false;
 	variable->level = SINUMERIK_LEVEL_OF_CONTROL;
@@ -123,13 +123,13 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 		found = sinumerik_variables_find(sinumerik, name);
 	}
 	if (found < 0)
-		return fault(&interp->at, 1,
+		return fault(&interp->at, 0,
 			     "<variable name=\"%s\">: its type is missing, type=\"REAL\" and the like",
 			     from->name);
 	whole = !from->name[length] && sinumerik->variables[found].dimensions == 0;
 	if (!whole && (!from->name[length] ||
 		       !find_element(&sinumerik->variables[found], from->name + length + 1, &element)))
-		return fault(&interp->at, 1, "<variable name=\"%s\"> is no element of that array",
+		return fault(&interp->at, 0, "<variable name=\"%s\"> is no element of that array",
 			     from->name);
 	/* Without a value the program has to assign one, whatever the name holds by its type elsewhere. */
 	if (!from->text)
@@ -145,10 +145,10 @@ static bool is_parameter(const char *name)
 static bool check_parameter(struct interp *interp, const struct control_variable *from)
 {
 	if (from->name[1] == '0' && from->name[2])
-		return fault(&interp->at, 1, "<variable name=\"%s\">: write it without leading zeros",
+		return fault(&interp->at, 0, "<variable name=\"%s\">: write it without leading zeros",
 			     from->name);
 	return !from->text || !isnan(from->number) ||
-	       fault(&interp->at, 1, "%s: the value of its <variable> is no number", from->name);
+	       fault(&interp->at, 0, "%s: the value of its <variable> is no number", from->name);
 }
 
 /* Lengths and radii of tools come from the setup, and so do work offsets ($P_UIFR); the rest changes. */
@@ -157,7 +157,7 @@ static bool check_system(struct interp *interp, const char *name)
 	const bool of_tool = !strncmp(name, "$TC_DP3[", 8) || !strncmp(name, "$TC_DP6[", 8);
 
 	return (!of_tool && !changes(name)) ||
-	       fault(&interp->at, 1,
+	       fault(&interp->at, 0,
 		     "<variable name=\"%s\">: the offsets and tools of the setup, or the program, determine its value",
 		     name);
 }
@@ -173,16 +173,22 @@ static bool set_untyped(struct interp *interp, const struct control_variable *va
 bool sinumerik_gud_make(struct interp *interp)
 {
 	const struct controller *controller = &interp->config->controller;
+	const struct line_place program = interp->at;
+	bool good = true;
 
-	for (size_t i = 0; i < controller->variable_count; i++) {
-		if (controller->variables[i].typed && !make_one(interp, &controller->variables[i]))
-			return false;
+	/* What has a type makes the variables; what has none names their elements. */
+	for (int typed = 1; typed >= 0; typed--) {
+		for (size_t i = 0; i < controller->variable_count && good; i++) {
+			const struct control_variable *variable = &controller->variables[i];
+
+			if (variable->typed != typed)
+				continue;
+			interp->at = fault_place(&program, variable->at);
+			good = typed ? make_one(interp, variable) : set_untyped(interp, variable);
+			interp->at = program;
+		}
 	}
-	for (size_t i = 0; i < controller->variable_count; i++) {
-		if (!controller->variables[i].typed && !set_untyped(interp, &controller->variables[i]))
-			return false;
-	}
-	return true;
+	return good;
 }
 
 double sinumerik_gud_r(const struct interp *interp, int number)
