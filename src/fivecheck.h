@@ -142,7 +142,10 @@ struct fivecheck_events {
 	void *context;
 	/* In the order of time. False: stop. NULL: go on as the options say. */
 	bool (*finding)(void *context, const fivecheck_finding *finding);
-	/* Now and then: how many lines have been read. False: give up, which makes the result incomplete. */
+	/*
+	 * Several times in 0.1 s: how many lines have been checked. False: give up, which makes the result incomplete;
+	 * what is under way has a second to come to its end, so that its findings can be reported.
+	 */
 	bool (*progress)(void *context, long lines);
 	/* Each block that was checked, in order, if the options measure blocks (the command line's reports do). */
 	void (*block)(void *context, const fivecheck_block *block);
@@ -155,8 +158,10 @@ enum fivecheck_result {
 };
 
 /*
- * Checks one program on a prepared model. `in` is read from where it stands and stays the caller's; `name` stands in
- * messages, and subprograms are looked for in its folder. Statistics, unless NULL, are filled in whatever the result.
+ * Checks one program on a prepared model. `in` is read from where it stands and stays the caller's. That of a pipe, a
+ * socket or a terminal is read through its descriptor, and each line is checked when it comes; unless the library was
+ * built with glibc, nothing may have been read from such a stream before. `name` stands in messages, and subprograms
+ * are looked for in its folder. Statistics, unless NULL, are filled in whatever the result.
  * proven, unless NULL, receives for each pair of the model (fivecheck_pair_count) the least distance that was proven
  * over the program, INFINITY if the pair was never looked at; this takes time.
  */

@@ -121,26 +121,12 @@ static void take_pending(struct checker *c)
 		c->last_block = pending->batch.steps[0].block - 1;
 }
 
-/* False: the check is to stop. */
-static bool goes_on(struct checker *c)
-{
-	const struct check_sink *sink = c->sink;
-	bool goes_on;
-
-	if (!sink->progress)
-		return true;
-	pthread_mutex_lock(&c->telling);
-	goes_on = sink->progress(sink->context, c->checked.line);
-	pthread_mutex_unlock(&c->telling);
-	return goes_on;
-}
-
 /* Reports progress, or why the check ends here. */
 static void tell_progress(struct checker *c)
 {
 	if (c->exhausted && !c->stopped)
 		c->stopped = true;
-	if (c->stopped || (!c->broken_off && goes_on(c)))
+	if (c->stopped || (!c->broken_off && checker_goes_on(c)))
 		return;
 	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},
 		   "interrupted after line %ld: the rest was not checked", c->checked.line);

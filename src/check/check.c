@@ -229,6 +229,23 @@ static void on_opened(void *context, const char *path)
 		c->options->read.opened->call(c->options->read.opened->context, path);
 }
 
+/* While lines are read of which nobody else hears. */
+static bool stops_reading(void *context)
+{
+	struct checker *c = context;
+
+	return !checker_goes_on(c) || cancel_asked(c->options->read.cancel);
+}
+
+/* No more lines have come: what came is checked and reported before it is asked whether to wait. */
+static bool stops_waiting(void *context)
+{
+	struct checker *c = context;
+
+	checker_process(c, NULL);
+	return c->stopped || cancel_asked(c->options->read.cancel);
+}
+
 /* -------------------------------------------------------------------- run */
 
 /* Checks the remaining steps when the program has ended, or has stopped at a fault within a block. */
@@ -300,10 +317,13 @@ static bool run_program(struct checker *c, FILE *in)
 		.counts_steps = c->counts_steps,
 	};
 	const struct file_opened opened = {c, on_opened};
+	const struct cancel cancel = {c, stops_reading}, waiting = {c, stops_waiting};
 	bool complete;
 
 	options.read.all_faults = c->options->method == CHECK_NOTHING && c->options->all;
 	options.read.opened = options.read.opened ? &opened : NULL;
+	options.read.cancel = &cancel;
+	options.read.waiting = &waiting;
 	complete = read_program(c, &options, in);
 	if (!c->stopped)
 		c->stats->motion = c->summary;

@@ -13,17 +13,37 @@ double checker_clock(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* With the lock on `telling`. */
+static void ask_progress(struct checker *c)
+{
+	if (!c->sink->progress(c->sink->context, c->checked_line) && !(c->refused > 0))
+		c->refused = checker_clock();
+}
+
 bool checker_asks(void *context)
 {
 	struct checker *c = context;
-	const struct check_sink *sink = c->sink;
+	bool gives_up = false;
 
-	/* The result of sink->progress is ignored here: only the caller's cancel function can stop a batch. */
-	if (sink->progress && !pthread_mutex_trylock(&c->telling)) {
-		sink->progress(sink->context, c->checked_line);
+	if (c->sink->progress && !pthread_mutex_trylock(&c->telling)) {
+		ask_progress(c);
+		gives_up = c->refused > 0 && checker_clock() > c->refused + GRACE_SECONDS;
 		pthread_mutex_unlock(&c->telling);
 	}
-	return cancel_asked(c->options->read.cancel);
+	return gives_up || cancel_asked(c->options->read.cancel);
+}
+
+bool checker_goes_on(struct checker *c)
+{
+	bool goes_on;
+
+	if (!c->sink->progress)
+		return true;
+	pthread_mutex_lock(&c->telling);
+	ask_progress(c);
+	goes_on = !(c->refused > 0);
+	pthread_mutex_unlock(&c->telling);
+	return goes_on;
 }
 
 bool checker_has_enough(const struct checker *c)

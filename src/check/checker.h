@@ -45,6 +45,9 @@ struct pending_batch {
 	double seconds, measuring;	/* the check took so long, and so much of that to measure clearances */
 };
 
+/* s */
+#define GRACE_SECONDS 1.0
+
 /* So many batches are being checked or wait for it, or for their results to be taken. */
 enum { PENDING = 4 };
 
@@ -73,7 +76,8 @@ struct checker {
 	struct cutter_approach approach;
 	struct sweep sweep;	/* for poses at which the axes stand still */
 	struct cancel asked;	/* sweeps ask it again and again whether to stop */
-	pthread_mutex_t telling;	/* for progress */
+	pthread_mutex_t telling;	/* for progress, and what it said: */
+	double refused;	/* when it said to give up, by checker_clock; 0: it did not */
 	bool counts_steps;	/* nothing is checked, recorded or watched: steps are not sent, but counted */
 	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
@@ -104,8 +108,14 @@ struct checker {
 /* Seconds of a clock that never runs backwards. */
 double checker_clock(void);
 
-/* A cancel_fn whose context is a checker. Reports progress during long work, and asks the caller whether to stop. */
+/*
+ * A cancel_fn whose context is a checker. Reports progress during long work, and asks the caller whether to stop. If
+ * progress says so, the work has GRACE_SECONDS to come to its end, so that its findings can be reported.
+ */
 bool checker_asks(void *context);
+
+/* Reports progress. False: the check is to stop, now or since an earlier call. */
+bool checker_goes_on(struct checker *c);
 
 /* Is the first finding known, so that nothing later needs to be checked? Never with options->all. */
 bool checker_has_enough(const struct checker *c);

@@ -259,6 +259,10 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
+	if (status == READER_STOPPED) {
+		*good = false;
+		return false;
+	}
 	*good = status == READER_END ? end_file(interp) : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
@@ -356,6 +360,7 @@ static bool run_program(struct interp *interp, FILE *in, const char *name)
 	sources_open_main(&interp->program.sources, in, name, interp->config->names);
 	interp->program.source = interp->program.sources.items[0];
 	reader = &interp->program.source->reader;
+	reader->waiting = interp->config->read.waiting;
 	interp->at = (struct line_place){.diag = interp->diag, .file = interp->program.source->name};
 	good = check_family(interp, reader);
 	if (good && traits_of(interp)->text_before_percent == ANSWER_YES)

@@ -19,6 +19,11 @@ struct read_options {
 	int max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 	const struct file_opened *opened;	/* is told which files of subprograms are opened; or NULL */
 	const struct cancel *cancel;	/* is asked between lines; if so, the run fails without a message; or NULL */
+	/*
+	 * The same for a program from a pipe, while the next line has not come: all that came before was carried out. It
+	 * is asked every PIPE_ASK_MS (gcode/text/pipe_read.h).
+	 */
+	const struct cancel *waiting;
 };
 
 #endif

@@ -240,6 +240,38 @@ START_TEST(goes_on_or_gives_up)
 }
 END_TEST
 
+/* A writer that says nothing, and a loop that moves nothing: nobody hears of a block. */
+START_TEST(can_give_up_at_any_time)
+{
+	struct seen seen = {.thread = pthread_self(), .go_on = false};
+	const struct fivecheck_events events = {.context = &seen, .progress = on_progress};
+	FILE *in = fopen("long.nc", "w+");
+	int ends[2];
+
+	ck_assert(fivecheck_prepare(model, 0, diag));
+	fprintf(in, "o1 while [1]\no1 endwhile\n");
+	for (int threads = 1; threads <= 2; threads++) {
+		FILE *silent;
+
+		ck_assert(fivecheck_options_set_threads(options, threads));
+		ck_assert_int_eq(pipe(ends), 0);
+		silent = fdopen(ends[0], "rb");
+		ck_assert_int_eq((int)fivecheck_check(model, options, silent, "pipe", &events, diag, NULL, NULL),
+				 FIVECHECK_INCOMPLETE);
+		fclose(silent);
+		close(ends[1]);
+		rewind(in);
+		ck_assert_int_eq((int)fivecheck_check(model, options, in, "long.nc", &events, diag, NULL, NULL),
+				 FIVECHECK_INCOMPLETE);
+	}
+	fclose(in);
+	assert_messages("error pipe:0:0 interrupted after line 0: the rest was not checked\n"
+			"error long.nc:0:0 interrupted after line 0: the rest was not checked\n"
+			"error pipe:0:0 interrupted after line 0: the rest was not checked\n"
+			"error long.nc:0:0 interrupted after line 0: the rest was not checked\n");
+}
+END_TEST
+
 /* Behind a limit finding blocks are still checked many at a time. The way back from a place is a finding, too. */
 START_TEST(goes_on_past_a_limit)
 {
@@ -325,6 +357,7 @@ int main(void)
 	tcase_add_test(tcase, keeps_clearances);
 	tcase_add_test(tcase, parses_without_bodies);
 	tcase_add_test(tcase, goes_on_or_gives_up);
+	tcase_add_test(tcase, can_give_up_at_any_time);
 	tcase_add_test(tcase, goes_on_past_a_limit);
 	tcase_add_test(tcase, reports_faults);
 	tcase_add_test(tcase, reads_other_dialects_and_folders);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "gcode/text/pipe_read.h"
 
 /* Bytes that one read asks for: several of the longest lines, so that an incomplete line is rarely moved. */
 #define CHUNK ((size_t)4 * LINE_LENGTH_MAX)
@@ -31,7 +32,7 @@ void reader_init(struct reader *reader, FILE *in)
 {
 	off_t base = ftello(in);
 
-	*reader = (struct reader){.in = in, .base = base};
+	*reader = (struct reader){.in = in, .is_pipe = base < 0 && fileno(in) >= 0, .base = base};
 	reader->keep = base < 0 ? READER_WINDOW : FILE_KEEP;
 	reader->capacity = 2 * reader->keep + CHUNK;
 	reader->buffer = mem_alloc(reader->capacity + 1);
@@ -44,7 +45,30 @@ void reader_release(struct reader *reader)
 	reader->begin = reader->end = 0;
 }
 
-/* Makes room for a chunk, if there is none, and reads it; false on a read error. */
+/* Reads so many bytes, or what a pipe has; false on a read error. */
+static bool read_bytes(struct reader *reader, size_t want)
+{
+	char *bytes = reader->buffer + reader->end;
+	ssize_t came;
+	size_t got;
+
+	if (reader->is_pipe) {
+		came = pipe_read(reader->in, reader->waiting, bytes, want, &reader->stopped);
+		if (came < 0)
+			return false;
+		reader->end += (size_t)came;
+		reader->at_end = came == 0;
+		return true;
+	}
+	got = fread(bytes, 1, want, reader->in);
+	reader->end += got;
+	if (got < want && ferror(reader->in))
+		return false;
+	reader->at_end = got < want;
+	return true;
+}
+
+/* Makes room for a chunk, if there is none, and reads it, or what a pipe has; false on a read error. */
 static bool refill(struct reader *reader)
 {
 	size_t drop = 0, want;
@@ -57,17 +81,12 @@ static bool refill(struct reader *reader)
 	reader->end -= drop;
 	reader->origin += (long long)drop;
 	want = reader->capacity - reader->end < CHUNK ? reader->capacity - reader->end : CHUNK;
-	if (want > 0) {
-		size_t got = fread(reader->buffer + reader->end, 1, want, reader->in);
-
-		reader->end += got;
-		if (got < want && ferror(reader->in))
-			return false;
-		reader->at_end = got < want;
-	}
+	if (want > 0 && !read_bytes(reader, want))
+		return false;
 	/* CP/M ended text with 0x1A, and controls still send it behind the last block. */
 	while (reader->at_end && reader->end > reader->begin && ends_text(reader->buffer[reader->end - 1]))
 		reader->end--;
+	reader->cut = reader->end;
 	return true;
 }
 
@@ -107,22 +126,33 @@ static size_t find_break(struct reader *reader, size_t from)
 	return (size_t)(p - reader->buffer);
 }
 
-/*
- * Steps over what may precede the first byte of the text: a byte order mark, the blank feed of a tape, which is NULs,
- * or the codes that switch a device on.
- */
-static enum reader_status check_start(struct reader *reader)
+/* Where the text begins behind the blank feed of a tape, which is NULs, and the codes that switch a device on. */
+static size_t find_text(const struct reader *reader)
 {
-	const char *start;
-	size_t length, text = reader->begin;
+	size_t text = reader->begin;
 
 	while (text < reader->end && (reader->buffer[text] == '\0' || switches_device(reader->buffer[text])))
 		text++;
+	return text;
+}
+
+/* Steps over what precedes the text, if the buffer can hold it; false on a read error. */
+static bool skip_feed(struct reader *reader)
+{
+	while (find_text(reader) == reader->end && !reader->at_end && reader->end < reader->capacity)
+		if (!refill(reader))
+			return false;
 	/* NULs alone are no program. */
-	if (text < reader->end)
-		reader->begin = text;
-	start = reader->buffer + reader->begin;
-	length = reader->end - reader->begin;
+	if (find_text(reader) < reader->end)
+		reader->begin = find_text(reader);
+	return true;
+}
+
+/* Steps over a byte order mark. */
+static enum reader_status check_start(struct reader *reader)
+{
+	const char *start = reader->buffer + reader->begin;
+	const size_t length = reader->end - reader->begin;
 
 	if (length >= 3 && !memcmp(start, "\xef\xbb\xbf", 3))
 		reader->begin += 3;
@@ -155,16 +185,25 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
 }
 
+/* Can what was read so far not tell how the line ends? A CR may be part of a CR CR LF. */
+static bool is_open(const struct reader *reader, size_t at)
+{
+	const char *p = reader->buffer + at;
+
+	if (at - reader->begin > LINE_LENGTH_MAX)
+		return false;
+	return at == reader->end ||
+	       (*p == '\r' && (at + 1 == reader->end || (p[1] == '\r' && at + 2 == reader->end)));
+}
+
 /* Finds the end of the line in hand, which is then in the buffer; false on a read error. */
 static bool find_line_end(struct reader *reader, size_t *at)
 {
 	*at = find_break(reader, reader->begin);
-	/* A CR at the very end of what is read may be part of a CR CR LF. */
-	if (!reader->at_end && *at + 2 >= reader->end) {
+	while (!reader->at_end && is_open(reader, *at)) {
 		if (!refill(reader))
 			return false;
 		*at = find_break(reader, reader->begin);
-		reader->cut = reader->end;
 	}
 	return true;
 }
@@ -189,9 +228,11 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	reader->buffer[reader->cut] = reader->cut_byte;
 	reader->cut = reader->end;
 	reader->cut_byte = '\0';
-	if (!find_line_end(reader, &at) || !skip_returns(reader, &at))
+	/* At the start also when somebody has read ahead and gone back. */
+	if ((reader->line == 0 && !skip_feed(reader)) || !find_line_end(reader, &at) || !skip_returns(reader, &at))
 		return READER_FAILED;
-	/* Also when somebody has read ahead and gone back. */
+	if (reader->stopped)
+		return READER_STOPPED;
 	if (reader->line == 0) {
 		status = check_start(reader);
 		at = find_break(reader, reader->begin);

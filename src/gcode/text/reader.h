@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "base/callbacks.h"
+
 /* A longer line is no NC block; LinuxCNC takes 255 bytes. */
 #define LINE_LENGTH_MAX 65536
 
@@ -16,7 +18,8 @@ enum reader_status {
 	READER_NUL_BYTE,
 	READER_UTF16,
 	READER_MIXED_ENDS,	/* carriage returns that sometimes end a line and sometimes do not */
-	READER_FAILED	/* the file could not be read; errno says why */
+	READER_FAILED,	/* the file could not be read; errno says why */
+	READER_STOPPED	/* reader->waiting said stop */
 };
 
 /* A reader of a pipe can go back by this number of bytes. */
@@ -26,13 +29,15 @@ enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
 
 struct reader {
 	FILE *in;	/* borrowed */
+	bool is_pipe;	/* what comes is read at once: by pipe_read */
+	const struct cancel *waiting;	/* see pipe_read; NULL, as it is at first: waits */
 	char *buffer;	/* owned */
 	size_t capacity, keep;	/* bytes of the buffer, and of the lines handed out that stay in it */
 	size_t begin, end;	/* bytes that were read and not handed out yet */
 	size_t clear;	/* no byte of [begin, clear) is a CR or a NUL; at or before begin: nothing is known */
 	size_t cut;	/* where the NUL of the last line stands, and the byte that it replaced */
 	char cut_byte;
-	bool at_end;
+	bool at_end, stopped;
 	bool open_end;	/* the last line has no line end: the file stops in it */
 	enum line_end style;	/* of the first line; the rest must agree */
 	long long base;	/* position of the stream at first; -1: it cannot be repositioned */
@@ -49,7 +54,8 @@ void reader_release(struct reader *reader);
 /*
  * The next line, without its end (LF, CR LF or CR) and ended by a NUL; it
  * lives until the next call. Skipped are a UTF-8 byte order mark and NULs at the
- * start of the input, and bytes 0x1A at its end. With a fault
+ * start of the input, and bytes 0x1A at its end. A line of a pipe is handed out when its end has come; a CR, when
+ * what follows it has come, too. With a fault
  * of one line, reader->line is that line, and for READER_NUL_BYTE and
  * READER_MIXED_ENDS *text is what precedes the faulty byte.
  */

@@ -1,0 +1,176 @@
+/* The lines of a pipe are those of a file with the same bytes, however these come. */
+#include "gcode/text/reader.h"
+
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "random.h"
+#include "suite.h"
+
+enum { BYTES_MOST = 60, LINES_MOST = BYTES_MOST + 2 };
+
+struct lines {
+	enum reader_status status[LINES_MOST];
+	char text[LINES_MOST][BYTES_MOST + 1];
+	long line[LINES_MOST];
+	bool open_end[LINES_MOST];
+	int count;
+};
+
+static bool ends(enum reader_status status)
+{
+	return status != READER_LINE;
+}
+
+static void read_lines(struct reader *reader, struct lines *lines)
+{
+	enum reader_status status;
+	const char *text;
+
+	lines->count = 0;
+	do {
+		text = "";
+		status = reader_next(reader, &text);
+		ck_assert_int_lt(lines->count, LINES_MOST);
+		lines->status[lines->count] = status;
+		snprintf(lines->text[lines->count], sizeof(lines->text[0]), "%s", ends(status) ? "" : text);
+		lines->line[lines->count] = reader->line;
+		lines->open_end[lines->count++] = reader->open_end;
+	} while (!ends(status));
+}
+
+/* Bytes that the reader looks at are frequent. */
+static size_t make_bytes(struct random *random, char *bytes)
+{
+	static const char *const pieces[] = {"\n", "\r\n", "\r", "\r\r\n", "\n\r\r", "\0", "\x11", "\x1a", "G1", " X1",
+					     "\xef\xbb\xbf", "\xff\xfe"};
+	const int frequent = 1 + random_below(random, COUNT(pieces));
+	size_t count = 0;
+
+	for (size_t most = (size_t)random_below(random, BYTES_MOST - 3); count < most;) {
+		const int kind = random_below(random, 3) ? random_below(random, frequent) : 8;
+		const char *piece = pieces[kind];
+		const size_t length = *piece ? strlen(piece) : 1;
+
+		memcpy(bytes + count, piece, length);
+		count += length;
+	}
+	return count;
+}
+
+static FILE *file_of(const char *bytes, size_t count)
+{
+	FILE *file = tmpfile();
+
+	ck_assert_ptr_nonnull(file);
+	ck_assert_uint_eq(fwrite(bytes, 1, count, file), count);
+	rewind(file);
+	return file;
+}
+
+/* Each read gets one packet. */
+static FILE *packets_of(struct random *random, const char *bytes, size_t count)
+{
+	const int longest = 1 + random_below(random, 12);
+	int ends[2];
+
+	ck_assert_int_eq(socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends), 0);
+	for (size_t at = 0, length; at < count; at += length) {
+		length = 1 + (size_t)random_below(random, longest);
+		length = length < count - at ? length : count - at;
+		ck_assert_int_eq(write(ends[1], bytes + at, length), (ssize_t)length);
+	}
+	close(ends[1]);
+	return fdopen(ends[0], "rb");
+}
+
+START_TEST(packets_are_as_a_file)
+{
+	static struct lines expected, found;
+
+	for (long n = 0; n < random_cases(4000); n++) {
+		struct random random = random_case(1, n);
+		char bytes[BYTES_MOST + 1];
+		const size_t count = make_bytes(&random, bytes);
+		FILE *file = file_of(bytes, count), *pipe = packets_of(&random, bytes, count);
+		struct reader of_file, of_pipe;
+		/* Whoever has read the stream before has filled its buffer. */
+		bool begun = count > 1 && random_below(&random, 2);
+
+		if (begun)
+			ck_assert_int_eq(getc(file), getc(pipe));
+		reader_init(&of_file, file);
+		reader_init(&of_pipe, pipe);
+		ck_assert(of_pipe.is_pipe && !of_file.is_pipe);
+		read_lines(&of_file, &expected);
+		read_lines(&of_pipe, &found);
+		require(expected.count == found.count, "case %ld: %d lines, not %d", n, found.count, expected.count);
+		for (int i = 0; i < expected.count; i++)
+			require(expected.status[i] == found.status[i] && expected.line[i] == found.line[i] &&
+				    expected.open_end[i] == found.open_end[i] &&
+				    !strcmp(expected.text[i], found.text[i]),
+				"case %ld: line %d differs", n, i + 1);
+		reader_release(&of_file);
+		reader_release(&of_pipe);
+		fclose(file);
+		fclose(pipe);
+	}
+}
+END_TEST
+
+/* What a writer says each time that the reader has to wait. */
+struct writer {
+	const char *const *says;
+	int end;	/* of the socket */
+	int asked;
+};
+
+static bool say(void *context)
+{
+	struct writer *writer = context;
+	const char *text = writer->says[writer->asked++];
+
+	if (text)
+		ck_assert_int_eq(write(writer->end, text, strlen(text)), (ssize_t)strlen(text));
+	return !text;
+}
+
+START_TEST(a_line_is_handed_out_when_it_is_there)
+{
+	static const char *const says[] = {"G1 X1\n", "G1 ", "X2\nG1 X3\r", "\n", "G1 X4\r\nG1 X5\nG1", NULL};
+	static const int asked[] = {1, 3, 4, 5, 5};
+	struct writer writer = {.says = says};
+	const struct cancel waiting = {&writer, say};
+	struct reader reader;
+	const char *text;
+	char expected[] = "G1 X0";
+	int sockets[2];
+	FILE *in;
+
+	ck_assert_int_eq(socketpair(AF_UNIX, SOCK_STREAM, 0, sockets), 0);
+	in = fdopen(sockets[0], "rb");
+	writer.end = sockets[1];
+	reader_init(&reader, in);
+	reader.waiting = &waiting;
+	for (int i = 0; i < COUNT(asked); i++) {
+		expected[4]++;
+		ck_assert_int_eq(reader_next(&reader, &text), READER_LINE);
+		ck_assert_str_eq(text, expected);
+		ck_assert_int_eq(writer.asked, asked[i]);
+	}
+	/* The rest of a line is none. */
+	ck_assert_int_eq(reader_next(&reader, &text), READER_STOPPED);
+	ck_assert_int_eq(reader_next(&reader, &text), READER_STOPPED);
+	reader_release(&reader);
+	fclose(in);
+	close(sockets[1]);
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {packets_are_as_a_file, a_line_is_handed_out_when_it_is_there};
+
+	return RUN_TESTS("reader", tests);
+}
