@@ -19,6 +19,8 @@ import figures_page  # noqa: E402, F401
 import fixtures  # noqa: E402
 import forms_page  # noqa: E402, F401
 import hostile_page  # noqa: E402, F401
+import jobs_page  # noqa: E402, F401
+import setup_page  # noqa: E402, F401
 
 
 def untimed(text):
@@ -140,8 +142,8 @@ def said(bench):
         same("it is about this method", page.run(outdated), False)
     page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({role}) => role !== 'setup'))")
     same("what stands there is about other files", page.run(outdated), True)
-    page.run("await fivecheckPage.add([['empty.nc', new Blob([])], ['jobs.xml', new Blob(['<jobs version=\"1\"/>'])]])")
-    true("a list of jobs", "jobs.xml is a list of jobs" in page.run("document.querySelector('#job').textContent"))
+    page.run("await fivecheckPage.add([['empty.nc', new Blob([])]])")
+    true("an empty file", "empty.nc: nothing in it" in page.run("document.querySelector('#job').textContent"))
     bench.check(page, 4)
     same("without a setup, and without a move", sorted(page.run(said))[0], ["clear", "Clear", 2])
     bench.done(page, "page-doubts")
@@ -157,7 +159,7 @@ def many(bench):
     bench.check(page)
     same("reports", page.run("[document.querySelectorAll('.save').length, document.querySelectorAll('iframe.report').length]"), [7, 4])
     page.run("await until('report-shown', 4)")
-    page.run("document.querySelector('[data-path=\"copy-4.nc\"] p button').click()")
+    page.run("document.querySelector('[data-path=\"copy-4.nc\"] .show').click()")
     page.run("await until('report-shown', 5)")
     same("the one that was asked for", page.run("document.querySelectorAll('[data-path=\"copy-4.nc\"] iframe.report').length"), 1)
     bench.done(page)

@@ -112,11 +112,11 @@ def drop(page, folder, count):
     same(f"files of {folder}", page.run("fivecheckPage.files.length"), count)
 
 
-def native(bench, work, files, program):
+def native(bench, work, folder, files, program):
     """What the command line says of it: its exit status and its messages."""
     setup = [f"--setup={files['setup']}"] if files["setup"] else []
-    done = subprocess.run([bench.fivecheck, "--format=ndjson", f"--format=text={work}/native.txt", "--progress=none", "--clearance=0", "--method=certified", f"--report={work}/native.html",
-                           *setup, "--", files["machine"], program], cwd=work, capture_output=True, check=False, timeout=300)
+    done = subprocess.run([bench.fivecheck, "--format=ndjson", f"--format=text={work}/native.txt", "--progress=none", f"--report={work}/native.html",
+                           *setup, "--", files["machine"], program], cwd=os.path.join(work, folder), capture_output=True, check=False, timeout=300)
     cautions = [caution for line in done.stdout.splitlines() for caution in json.loads(line).get("cautions", [])]
     messages = [line for line in done.stderr.decode("utf-8", "replace").splitlines() if f"{work}/native." not in line]
     return done.returncode, messages, cautions
@@ -124,7 +124,7 @@ def native(bench, work, files, program):
 
 def is_judged(bench, page, work, name):
     """Checks what was dropped; how many programs, and how many of them ended with a message at a file."""
-    roles = dict(page.run("fivecheckPage.files.map(({path, role}) => [role, path])"))
+    roles = dict(page.run("fivecheckPage.files.map(({path, role}) => [role, path.slice(path.indexOf('/') + 1)])"))
     if page.run("document.querySelector('#check').disabled"):
         why = page.run("document.querySelector('#why-not').textContent")
         true(f"{name}: {why}", re.search(r"(machine|setup)\.xml|missing", why))
@@ -133,11 +133,11 @@ def is_judged(bench, page, work, name):
     said = page.run(SAID)
     told = 0
     for card in said:
-        status, messages, cautions = native(bench, work, {role: roles.get(role) for role in ("machine", "setup")}, card["path"])
+        status, messages, cautions = native(bench, work, name, {role: roles.get(role) for role in ("machine", "setup")}, card["path"])
         same(f"verdict of {card['path']}: {card['sentence']} {messages}", STATUS[card["verdict"]], status)
         true(f"{card['path']}: {card['sentence']}", card["sentence"].split(":")[0] in ("Clear", "Found", "Incomplete"))
         same(f"messages of {card['path']}", sorted(card["messages"]), sorted(message for message in messages + cautions if message))
-        true(f"{card['path']}: no message names a file: {messages}", status != 2 or any(f"{name}/" in message for message in messages))
+        true(f"{card['path']}: no message names a file: {messages}", status != 2 or any(re.match(r"[\w-]+\.\w+(:|$)", message) for message in messages))
         told += status == 2
     return len(said), told
 

@@ -84,18 +84,19 @@ export class Client {
 	 */
 	async check({files, ...job}, listener) {
 		const [machine, setup] = [job.machine, job.setup].map((wanted) => files.find(([path]) => path === wanted)?.[1]);
-		const [modules, viewer] = await Promise.all([this.modules.of(machine, setup), job.report ? this.modules.viewer() : undefined]);
+		const [modules, viewer] = await Promise.all([this.modules.of(machine, setup, job.options), job.report ? this.modules.viewer() : undefined]);
 		return this.post({files, job, viewer}, modules, listener);
 	}
 
 	/**
-	 * Runs a command line that needs the first module alone.
+	 * Runs a command line.
 	 * @param {string[]} args
 	 * @param {[string, string | Blob][]} files
+	 * @param {string[]} parts that it needs besides the first module
 	 * @returns {Promise<{status: number, out: string, err: string}>}
 	 */
-	async run(args, files = []) {
-		return this.post({files, args}, await Promise.all([this.modules.load(FIRST)]));
+	async run(args, files = [], parts = []) {
+		return this.post({files, args}, await Promise.all([FIRST, ...parts].map((name) => this.modules.load(name))));
 	}
 
 	/** Ends all jobs that run, and those that wait. */

@@ -65,14 +65,14 @@ export function textField(name, label, value = '') {
 }
 
 /**
- * A field for the names of meshes, with a button that chooses them.
+ * A field for the names of files, of meshes if nothing else is said, with a button that chooses them.
  * @param {string} name @param {string} label
  * @param {boolean} several
  * @param {(found: [string, Blob][]) => void} add takes the files
  */
-export function meshField(name, label, several, add) {
+export function meshField(name, label, several, add, accept = '.stl,.obj,.ply') {
 	const text = /** @type {HTMLInputElement} */ (element('input', {name, autocomplete: 'off'}));
-	const choose = /** @type {HTMLInputElement} */ (element('input', {type: 'file', multiple: several, accept: '.stl,.obj,.ply', ariaLabel: `Choose: ${label}`}));
+	const choose = /** @type {HTMLInputElement} */ (element('input', {type: 'file', multiple: several, accept, ariaLabel: `Choose: ${label}`}));
 	choose.addEventListener('change', () => {
 		const files = [...(choose.files ?? [])];
 		text.value = files.map((file) => file.name).join(', ');
@@ -110,7 +110,9 @@ export function forgetFaults(form) {
  */
 export function tellFault(part, text, field) {
 	/** @type {NodeListOf<HTMLDetailsElement>} */ (part.querySelectorAll('details')).forEach((more) => more.open ||= more.contains(field ?? null));
-	const place = /** @type {HTMLElement} */ (part.matches('.fault') ? part : part.querySelector('.fault'));
+	for (let around = part.closest('details'); around; around = around.parentElement?.closest('details') ?? null)
+		around.open = true;
+	const place = /** @type {HTMLElement} */ (part.matches('.fault') ? part : part.querySelector(':scope > .fault') ?? part.querySelector('.fault'));
 	place.textContent += `${text}\n`;
 	if (place !== part)
 		part.setAttribute('aria-invalid', 'true');

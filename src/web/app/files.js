@@ -116,19 +116,17 @@ export class Files {
 	}
 
 	/**
-	 * The parts of a path, without `.` and `..`; null where it leads out of the root.
+	 * The parts of a path, without `.` and `..`; the root is its own parent, as in POSIX.
 	 * @param {string} path
-	 * @returns {string[] | null}
 	 */
 	static parts(path) {
+		/** @type {string[]} */
 		const parts = [];
 		for (const part of path.split('/')) {
-			if (part === '' || part === '.')
-				continue;
-			if (part !== '..')
+			if (part === '..')
+				parts.pop();
+			else if (part !== '' && part !== '.')
 				parts.push(part);
-			else if (parts.pop() === undefined)
-				return null;
 		}
 		return parts;
 	}
@@ -142,7 +140,7 @@ export class Files {
 	find(path, from = this.root) {
 		/** @type {Folder | FileNode | undefined} */
 		let at = from;
-		for (const part of Files.parts(path) ?? ['']) {
+		for (const part of Files.parts(path)) {
 			if (!(at instanceof Folder))
 				return undefined;
 			at = at.entries.get(part);
@@ -156,7 +154,7 @@ export class Files {
 	 */
 	folder(path) {
 		let at = this.root;
-		for (const part of Files.parts(path) ?? []) {
+		for (const part of Files.parts(path)) {
 			let next = at.entries.get(part);
 			if (!(next instanceof Folder))
 				at.entries.set(part, next = new Folder(this.count++));
@@ -171,9 +169,8 @@ export class Files {
 	 * @param {string | Uint8Array | ArrayBuffer | Blob | Source} contents
 	 */
 	add(path, contents) {
-		const parts = Files.parts(path);
-		const name = parts?.pop();
-		if (!parts || name === undefined)
+		const parts = Files.parts(path), name = parts.pop();
+		if (name === undefined)
 			throw new Error(`no path of a file: ${path}`);
 		const node = new FileNode(sourceOf(contents), this.count++);
 		this.folder(parts.join('/')).entries.set(name, node);

@@ -3,34 +3,51 @@
  * job_files.js - what the files that a user dropped are: the machine, its meshes, the setup, the programs.
  */
 
-/** Enough of a file to see what it is. */
-const HEAD = 65536;
+/** Enough of a file to see what it is, and as much of an XML file as names other files. */
+const HEAD = 65536, MOST = 1 << 24;
 
 /**
- * @typedef {'machine' | 'setup' | 'mesh' | 'program' | 'waivers' | 'library' | 'other'} Role
+ * @typedef {'machine' | 'setup' | 'jobs' | 'mesh' | 'program' | 'waivers' | 'library' | 'other'} Role
  * @typedef {{path: string, blob: Blob, role: Role, text: string}} JobFile
  */
 
-/** The beginning of a text: UTF-16 if its first bytes say so, else UTF-8. @param {Blob} blob */
-async function headOf(blob) {
-	const bytes = new Uint8Array(await blob.slice(0, HEAD).arrayBuffer()), mark = 256 * bytes[0] + bytes[1];
+/** The beginning of a text: UTF-16 if its first bytes say so, else UTF-8. @param {Blob} blob @param {number} count */
+async function headOf(blob, count) {
+	const bytes = new Uint8Array(await blob.slice(0, count).arrayBuffer()), mark = 256 * bytes[0] + bytes[1];
 	return new TextDecoder(mark === 0xfffe ? 'utf-16le' : mark === 0xfeff ? 'utf-16be' : 'utf-8').decode(bytes);
 }
 
 /** Files that are surely no programs. */
-const FOREIGN = /\.(jpe?g|png|gif|svg|pdf|zip|gz|html?|md|docx?|xlsx?|odt|ods)$/i;
+const FOREIGN = /\.(jpe?g|png|gif|svg|webp|pdf|html?|md|docx?|xlsx?|odt|ods|exe|dll)$/i;
+/** Tables of tools and offsets, which a setup names. */
+const LIBRARY = /\.(json|csv|tls|tbl)$/i;
+
+/** @param {string} path */
+export function isArchive(path) {
+	return /\.(zip|7z|rar|gz|tgz|tar|xz|bz2)$/i.test(path);
+}
+
+/** A machine or a project of another program, which `fivecheck import` reads. @param {string} path */
+export function isForeignMachine(path) {
+	return /\.(mch|ctl|vcproject|fcm|ini|hal|urdf|xacro)$/i.test(path);
+}
 
 /** A drawing of a CAD system, which is no mesh. @param {string} path */
 export function isDrawing(path) {
 	return /\.(step|stp|iges|igs|sldprt|sldasm|ipt|iam|prt|catpart|x_t|dxf|dwg|f3d|3mf|glb|gltf)$/i.test(path);
 }
 
+/** @type {Role[]} */
+const XML = ['machine', 'setup', 'waivers', 'jobs'];
+
 /** @param {string} path @param {string} text @returns {Role} */
 function roleOf(path, text) {
 	if (/\.(stl|obj|ply)$/i.test(path))
 		return 'mesh';
-	const root = /** @type {Role | undefined} */ (text.match(/<(machine|setup|waivers)[\s>]/)?.[1]);
-	return root ?? (/\.xml$/i.test(path) || isDrawing(path) || FOREIGN.test(path) ? 'other' : 'program');
+	if (isForeignMachine(path))
+		return 'other';
+	const root = /** @type {Role | undefined} */ (text.match(/<(machine|setup|waivers|jobs)[\s>]/)?.[1]);
+	return root ?? (LIBRARY.test(path) && (!/\.json$/i.test(path) || /tool/i.test(text)) ? 'library' : /\.xml$/i.test(path) || isDrawing(path) || isArchive(path) || FOREIGN.test(path) || LIBRARY.test(path) ? 'other' : 'program');
 }
 
 /**
@@ -39,8 +56,8 @@ function roleOf(path, text) {
  * @returns {Promise<JobFile>}
  */
 export async function jobFile(path, blob) {
-	const text = await headOf(blob);
-	return {path, blob, role: roleOf(path, text), text};
+	const head = await headOf(blob, HEAD), role = roleOf(path, head);
+	return {path, blob, role, text: XML.includes(role) ? await headOf(blob, MOST) : head};
 }
 
 /** A file of an example of the page. @param {string} path */
@@ -49,6 +66,23 @@ export async function exampleFile(path) {
 	if (!response.ok)
 		throw new Error(`${path} cannot be loaded: the server answers ${response.status}`);
 	return jobFile(path, await response.blob());
+}
+
+/** Those that cannot be read: a browser reads no file that was changed after it was dropped. @param {[string, Blob][]} files */
+export async function unreadable(files) {
+	const read = await Promise.all(files.map(([, blob]) => blob.slice(0, 1).arrayBuffer().then(() => true, () => false)));
+	return files.filter((_, i) => !read[i]).map(([path]) => path);
+}
+
+/**
+ * A program that comes without its folder is the edited one, if there is one of its name: it takes the path of that one.
+ * @param {JobFile[]} files that come @param {JobFile[]} here
+ */
+export function atHome(files, here) {
+	return files.map((file) => {
+		const same = here.filter(({path, role}) => role === 'program' && nameOf(path) === file.path);
+		return file.role === 'program' && same.length === 1 ? {...file, path: same[0].path} : file;
+	});
 }
 
 /** Do two files hold the same bytes? @param {Blob} a @param {Blob} b */
@@ -67,7 +101,7 @@ export function withLibraries(files) {
 }
 
 /** What a person has to look at first stands first. @type {Role[]} */
-const ORDER = ['machine', 'setup', 'program', 'waivers', 'library', 'other', 'mesh'];
+const ORDER = ['jobs', 'machine', 'setup', 'program', 'waivers', 'library', 'other', 'mesh'];
 
 /** @param {JobFile[]} files */
 export function inOrder(files) {
@@ -80,15 +114,33 @@ export function nameOf(path) {
 }
 
 /** @param {string} path */
-function folderOf(path) {
+export function folderOf(path) {
 	return path.slice(0, path.lastIndexOf('/') + 1);
 }
 
-/** The files that a machine or setup names: their paths as it writes them. @param {JobFile} file */
+const ENTITIES = /** @type {Record<string, string>} */ ({lt: '<', gt: '>', amp: '&', quot: '"', apos: '\''});
+
+/** @param {string} value of an attribute of XML */
+function unescaped(value) {
+	return value.replace(/&(?:#x([\da-f]+)|#(\d+)|(lt|gt|amp|quot|apos));/gi, (_, hex, code, name) => name ? ENTITIES[name.toLowerCase()] : String.fromCodePoint(parseInt(hex ?? code, hex ? 16 : 10)));
+}
+
+/** The files as they are called in the innermost folder that holds them all. @param {JobFile[]} files */
+export function inTheirFolder(files) {
+	let common = folderOf(files[0]?.path ?? '');
+	for (const {path} of files) {
+		while (!path.startsWith(common))
+			common = folderOf(common.slice(0, -1));
+	}
+	return files.map((file) => ({...file, path: file.path.slice(common.length)}));
+}
+
+/** The files that a machine, setup or job file names: their paths as it writes them. @param {JobFile} file */
 function namedIn({role, text}) {
-	if (role !== 'machine' && role !== 'setup')
+	if (role !== 'machine' && role !== 'setup' && role !== 'jobs')
 		return [];
-	return [...text.replace(/<!--[^]*?-->/g, '').matchAll(/\s(?:mesh|href)=(["'])([^"']+)\1/g)].map(([, , path]) => path);
+	const attribute = role === 'jobs' ? /\s(?:machine|setup|waivers|file)=(["'])([^"']+)\1/g : /\s(?:mesh|href)=(["'])([^"']+)\1/g;
+	return [...text.replace(/<!--[^]*?-->/g, '').matchAll(attribute)].map(([, , path]) => unescaped(path));
 }
 
 /** Folders from somewhere up to a file: do they end alike? @param {string} a @param {string} b */
@@ -104,26 +156,48 @@ function standIn(files, named) {
 }
 
 /**
- * The files of a job. A mesh or tool library that an XML file names in a folder is also found where it was dropped without its
- * folder, or with more folders around it.
+ * Each file that another one names, with the file that stands for it. A file that is named in a folder is also found where it
+ * was dropped without its folder, or with more folders around it; what such a file names is looked for from where it is named.
+ * @param {JobFile[]} files
+ * @returns {{path: string, named: string, found?: JobFile}[]} `path` is where the checker looks for it
+ */
+function namedFiles(files) {
+	const here = new Map(files.map((file) => [file.path, file])), all = [], asked = new Set(), waiting = [...files];
+	for (let file = waiting.shift(); file; file = waiting.shift()) {
+		for (const named of namedIn(file)) {
+			const path = folderOf(file.path) + named, found = here.get(path) ?? standIn(files, named);
+			if (asked.has(path))
+				continue;
+			asked.add(path);
+			all.push({path, named, found});
+			if (found && !here.has(path))
+				waiting.push({...found, path});
+		}
+	}
+	return all;
+}
+
+/**
+ * The files of a job, where the checker looks for them.
  * @param {JobFile[]} files
  * @returns {[string, Blob][]}
  */
 export function withMeshes(files) {
-	/** @type {Map<string, Blob>} */
 	const all = new Map(files.map(({path, blob}) => [path, blob]));
-	for (const file of files) {
-		for (const named of namedIn(file)) {
-			const path = folderOf(file.path) + named, found = all.has(path) ? undefined : standIn(files, named);
-			if (found)
-				all.set(path, found.blob);
-		}
+	for (const {path, found} of namedFiles(files)) {
+		if (found)
+			all.set(path, found.blob);
 	}
 	return [...all];
 }
 
-/** The names of files that machine and setup name and that are not here. @param {JobFile[]} files */
+/** The names of files that machine, setup and job file name and that are not here. @param {JobFile[]} files */
 export function missingFiles(files) {
-	const all = new Set(withMeshes(files).map(([path]) => path));
-	return [...new Set(files.flatMap((file) => namedIn(file).filter((named) => !all.has(folderOf(file.path) + named))))];
+	return [...new Set(namedFiles(files).filter(({found}) => !found).map(({named}) => named))];
+}
+
+/** Programs that a job file does not name: nothing checks them. @param {JobFile[]} files */
+export function unlistedPrograms(files) {
+	const named = new Set(namedFiles(files).map(({found}) => found));
+	return files.some(({role}) => role === 'jobs') ? files.filter((file) => file.role === 'program' && !named.has(file)) : [];
 }

@@ -1,14 +1,20 @@
 // @ts-check
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
+import {adviceOn} from './advice.js';
+import {commandLine, copyField, moreOptions, optionsIn} from './check_options.js';
 import {Cancelled, Client} from './client.js';
-import {readNumber, watchNumbers} from './fields.js';
-import {exampleFile, inOrder, isDrawing, jobFile, missingFiles, sameBytes, withLibraries, withMeshes} from './job_files.js';
+import {PARTS} from './fivecheck.js';
+import {watchNumbers} from './fields.js';
+import {atHome, exampleFile, inOrder, inTheirFolder, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
+import {jobsIn, messagesAt} from './job_list.js';
+import {JobResult} from './job_result.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 import {ProgramResult} from './program_result.js';
 import {SetupForm} from './setup_form.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
+/** One check: of a program, in a job of its own or of a job file. @typedef {{machine: string, setup?: string, waivers?: string, program: string}} Run */
 
 /** So many reports are shown at once, the others when asked for: a browser draws only some pictures at a time. */
 const FIRST_REPORTS = 4;
@@ -21,7 +27,7 @@ class Page {
 		/** @type {JobFile[]} */
 		this.files = [];
 		this.client = new Client(new URL('.', import.meta.url));
-		this.running = 0;
+		this.running = false;
 		/** @type {Map<string, Blob>} by the path of the program */
 		this.reports = new Map();
 		/** @type {Map<string, number>} bytes that the check of a program took */
@@ -30,6 +36,7 @@ class Page {
 		const add = (found) => void this.add(found);
 		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, add, (xml) => this.useFile('machine.xml', xml));
 		this.setup = new SetupForm(/** @type {HTMLFormElement} */ (byId('setup-form')), add, (xml) => this.useFile('setup.xml', xml));
+		byId('more-options').append(...moreOptions());
 		watchNumbers(byId('options'));
 		this.openForms();
 		byId('check').addEventListener('click', () => this.check());
@@ -94,16 +101,22 @@ class Page {
 		document.dispatchEvent(new Event('example-open'));
 	}
 
-	/** @param {[string, Blob][]} found */
+	/**
+	 * Takes files in place of those of the same path. A machine, setup, job file or waivers take the place of what was there of their
+	 * kind, too; but a job file may name several.
+	 * @param {[string, Blob][]} found
+	 */
 	async add(found) {
-		const files = await Promise.all(found.map(([path, blob]) => jobFile(path, blob)));
-		const once = files.some(({role}) => role === 'machine') ? 'machine' : '', paths = new Set(files.map(({path}) => path));
-		const setup = files.some(({role}) => role === 'setup');
+		const files = atHome(await Promise.all(found.map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
+		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
+		const once = new Set(files.map(({role}) => role).filter((role) => single.includes(role)));
 		const replaced = await Promise.all(files.filter(({role}) => role === 'mesh').map(async ({path, blob}) => {
 			const old = this.files.find((file) => file.path === path);
 			return old && !await sameBytes(old.blob, blob) ? [path] : [];
 		}));
-		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && file.role !== once && !(setup && file.role === 'setup')), ...files], replaced.flat());
+		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && !once.has(file.role)), ...files], replaced.flat());
+		if (!found.length)
+			byId('job').prepend(element('span', {className: 'lack'}, 'There is no file in what was dropped.'));
 	}
 
 	/** A file that a form wrote. @param {string} name @param {string} xml */
@@ -116,7 +129,7 @@ class Page {
 	setFiles(files, replaced = []) {
 		this.files = inOrder(withLibraries(files));
 		this.outdate();
-		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text));
+		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text), this.of('library').map(({path}) => nameOf(path)));
 		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
 			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
 		byId('empty').hidden = files.length === 0;
@@ -144,29 +157,34 @@ class Page {
 
 	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. @param {string[]} replaced */
 	showLacks(replaced) {
-		const missing = missingFiles(this.files), lacks = [], drawings = this.files.filter(({path}) => isDrawing(path));
-		if (drawings.length)
-			lacks.push(element('span', {className: 'lack'}, `Bodies are read from STL, OBJ and PLY files: export ${drawings.map(({path}) => path).join(', ')} as STL from the CAD system.`));
-		for (const path of replaced)
-			lacks.push(element('span', {className: 'lack'}, `Another ${path} took the place of the one that was here: all bodies that name ${path} have its shape now. Rename one of the two if they are different bodies.`));
-		for (const {path} of this.files.filter(({text}) => /<jobs[\s>]/.test(text)))
-			lacks.push(element('span', {className: 'lack'}, `${path} is a list of jobs for the command line. Here a check is of one job: drop the machine file, the setup and the programs of one of them.`));
-		if (missing.length)
-			lacks.push(element('span', {className: 'lack'}, `Not here yet: ${missing.join(', ')}. Drop them, too.`));
-		if (this.of('machine').length && !this.of('setup').length && !this.of('machine').some(({text}) => /<setup[\s>]/.test(text)))
+		const lacks = adviceOn(this.files, replaced).map((text) => element('span', {className: 'lack'}, text)), machines = this.of('machine');
+		if (machines.length && !this.of('jobs').length && !this.of('setup').length && !machines.some(({text}) => /<setup[\s>]/.test(text)))
 			lacks.push(element('span', {className: 'lack'}, 'Without a setup no tool, fixture or part is checked, and a program finds no length of a tool. ',
 				element('a', {href: '#setup-title'}, 'Write a setup'), '.'));
 		byId('job').replaceChildren(...lacks);
 	}
 
+	/** Why there can be no check of these files, and what to do; or ''. */
+	whyNot() {
+		const others = this.of('other').map(({path}) => path);
+		const twice = /** @type {const} */ (['jobs', 'machine', 'setup', 'waivers']).find((role) => this.of(role).length > 1);
+		if (this.files.length === 0)
+			return 'Open an example, or your own files, first.';
+		if (twice && (twice === 'jobs' || !this.of('jobs').length))
+			return `There is more than one ${{jobs: 'job file', machine: 'machine file', setup: 'setup', waivers: 'file of waivers'}[twice]}: remove all but one.`;
+		if (this.of('jobs').length)
+			return '';
+		if (!this.of('machine').length)
+			return `A machine file is missing: drop it, open an example, or write one below.${others.length ? ` There is no <machine> in ${others.join(', ')}.` : ''}`;
+		return this.of('program').length ? '' : 'A program is missing: drop the NC program, too.';
+	}
+
 	showButtons() {
-		const machines = this.of('machine').length, programs = this.of('program').length, others = this.of('other').map(({path}) => path);
-		const why = machines === 0 ? `A machine file is missing.${others.length ? ` There is no <machine> in ${others.join(', ')}.` : ''}`
-			: machines > 1 ? 'There is more than one machine file: remove all but one.' : programs === 0 ? 'A program is missing: drop the NC program, too.' : '';
-		byId('why-not').textContent = this.files.length ? why : 'Open an example, or your own files, first.';
+		const why = this.whyNot();
+		byId('why-not').textContent = why;
 		const check = /** @type {HTMLButtonElement} */ (byId('check')), cancel = byId('cancel'), focus = document.activeElement;
-		check.disabled = why !== '' || this.running > 0;
-		cancel.hidden = this.running === 0;
+		check.disabled = why !== '' || this.running;
+		cancel.hidden = !this.running;
 		// Who presses a button that goes finds the other one under the same key.
 		if (focus === check && check.disabled)
 			cancel.focus();
@@ -175,41 +193,81 @@ class Page {
 	}
 
 	optionsOf() {
-		const data = new FormData(/** @type {HTMLFormElement} */ (byId('options')));
-		const typed = String(data.get('clearance')), clearance = readNumber(typed).number || typed.trim() || 0;
-		return [`--clearance=${clearance}`, `--method=${data.get('method')}`, ...(data.get('all') ? ['--all'] : [])];
+		return optionsIn(new FormData(/** @type {HTMLFormElement} */ (byId('options'))));
 	}
 
-	/** Every program in a worker of its own. */
+	/** Checks all programs, or all those of the job file. */
 	async check() {
-		const files = withMeshes(this.files), machine = this.of('machine')[0].path, setup = this.of('setup')[0]?.path;
-		const options = this.optionsOf();
+		const here = inTheirFolder(this.files), files = withMeshes(here), options = this.optionsOf(), of = (/** @type {string} */ role) => here.filter((file) => file.role === role);
+		const list = of('jobs')[0];
 		byId('results').replaceChildren();
 		byId('outdated').hidden = true;
 		this.reports.clear();
-		const checks = this.of('program').map(async ({path}, i) => {
-			const result = new ProgramResult(path, i < FIRST_REPORTS);
-			byId('results').append(result.card);
-			this.running++;
-			this.showButtons();
-			try {
-				const checked = await this.client.check({files, machine, setup, programs: [path], options, report: true}, result);
-				const report = checked.reports.get(path), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});
-				result.show(checked, blob);
-				this.memory.set(path, checked.memory);
-				if (blob)
-					this.reports.set(path, blob);
-			} catch (error) {
-				if (error instanceof Cancelled)
-					result.cancel();
-				else
-					result.fail(String(error));
-			}
-			this.running--;
-			this.showButtons();
-		});
-		await Promise.all(checks);
+		this.running = true;
+		this.showButtons();
+		if (list) {
+			await this.checkJobs(list, files, options);
+		} else {
+			const [machine, setup, waivers] = ['machine', 'setup', 'waivers'].map((role) => of(role)[0]?.path);
+			await Promise.all(of('program').map(({path}, i) => this.checkOne({machine, setup, waivers, program: path}, files, options, byId('results'), i < FIRST_REPORTS)));
+		}
+		this.running = false;
+		this.showButtons();
 		document.dispatchEvent(new Event('checked'));
+	}
+
+	/**
+	 * The jobs of a job file, as the command line has them: none, where the file has a fault.
+	 * @param {JobFile} list @param {[string, Blob][]} files @param {string[]} options
+	 */
+	async checkJobs(list, files, options) {
+		const whole = new ProgramResult(list.path, false);
+		byId('results').append(copyField('The same on the command line', commandLine(options, [list.path])), whole.card);
+		try {
+			const {err} = await this.client.run(['--depends', '--', list.path], files, PARTS), faults = messagesAt(err, list.path);
+			faults.forEach((line) => whole.onMessage(line));
+			if (faults.length) {
+				whole.fail('Incomplete: the job file is at fault, and no job was checked.');
+				return;
+			}
+			whole.card.remove();
+		} catch (error) {
+			whole.fail(error instanceof Cancelled ? 'Cancelled: no job was checked.' : String(error));
+			return;
+		}
+		let shown = 0;
+		await Promise.all(jobsIn(list).map(({programs, ...job}) => {
+			const result = new JobResult(job.name, programs.length);
+			byId('results').append(result.part);
+			return Promise.all(programs.map(async (program) => result.tell(await this.checkOne({...job, program}, files, options, result.part, shown++ < FIRST_REPORTS, job.name))));
+		}));
+	}
+
+	/**
+	 * A program in a worker of its own.
+	 * @param {Run} run @param {[string, Blob][]} files @param {string[]} common @param {HTMLElement} place @param {boolean} open its report
+	 * @param {string} [job] of a job file
+	 * @returns {Promise<string>} the verdict
+	 */
+	async checkOne({machine, setup, waivers, program}, files, common, place, open, job) {
+		const options = [...common, ...(waivers ? [`--waivers=${waivers}`] : [])], result = new ProgramResult(program, open, job);
+		const key = job ? `${job}: ${program}` : program;
+		place.append(result.card);
+		try {
+			const checked = await this.client.check({files, machine, setup, programs: [program], options, report: !options.includes('--parse-only')}, result);
+			const report = checked.reports.get(program), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});
+			result.show(checked, commandLine([...options, ...(setup ? [`--setup=${setup}`] : [])], [machine, program]), blob);
+			this.memory.set(key, checked.memory);
+			if (blob)
+				this.reports.set(key, blob);
+		} catch (error) {
+			const gone = error instanceof Cancelled ? [] : await unreadable(files);
+			if (error instanceof Cancelled)
+				result.cancel();
+			else
+				result.fail(gone.length ? `Incomplete: the browser cannot read ${gone.join(', ')} any more, because the file was changed or moved. Drop it again.` : String(error));
+		}
+		return result.card.dataset.verdict ?? 'incomplete';
 	}
 }
 

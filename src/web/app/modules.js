@@ -10,12 +10,14 @@ const HIDDEN = /&#|<!DOCTYPE/;
 
 /**
  * The parts that a job needs besides the first module; all of them where that is not sure.
- * @param {string} machine the text of its file @param {string} [setup]
+ * @param {string} machine the text of its file @param {string} [setup] @param {string[]} [options]
  */
-export function partsOf(machine, setup = '<setup') {
+export function partsOf(machine, setup = '<setup', options = []) {
+	const dialect = options.find((option) => option.startsWith('--dialect='));
 	if (!/<machine\b/.test(machine) || HIDDEN.test(machine) || !/<setup\b/.test(setup) || HIDDEN.test(setup))
 		return PARTS;
-	const wanted = [/klartext/i.test(machine), /sinumerik/i.test(machine), /<tools\b/.test(machine + setup)];
+	const control = machine + dialect, any = dialect === '--dialect=auto';
+	const wanted = [any || /klartext/i.test(control), any || /sinumerik/i.test(control), /<tools\b/.test(machine + setup)];
 	return PARTS.filter((_, i) => wanted[i]);
 }
 
@@ -51,9 +53,9 @@ export class Modules {
 		return module;
 	}
 
-	/** The modules for a job with these files. @param {string | Blob | undefined} machine @param {string | Blob} [setup] */
-	async of(machine, setup) {
-		const parts = partsOf(await textOf(machine) ?? '', await textOf(setup));
+	/** The modules for a job. @param {string | Blob | undefined} machine @param {string | Blob} [setup] @param {string[]} [options] */
+	async of(machine, setup, options) {
+		const parts = partsOf(await textOf(machine) ?? '', await textOf(setup), options);
 		return Promise.all([FIRST, ...parts].map((name) => this.load(name)));
 	}
 

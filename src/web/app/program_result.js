@@ -1,5 +1,6 @@
 // @ts-check
 /** program_result.js - a program's card on the page: progress, findings as they come, the verdict and what speaks against it, the report. */
+import {copyField} from './check_options.js';
 import {isDoubt} from './cautions.js';
 import {nameOf} from './job_files.js';
 import {element} from './page.js';
@@ -8,15 +9,15 @@ import {element} from './page.js';
 const VERDICTS = {
 	clear: {status: 0, text: 'Clear: nothing hits anything, in continuous time.'},
 	passed: {status: 0, text: 'Passed: samples found nothing. This is no proof.'},
-	accepted: {status: 0, text: 'Accepted: all that was found is waived. This is not clear.'},
+	accepted: {status: 0, text: 'Accepted: all that was found is waived, or of a kind that does not fail. This is not clear.'},
 	found: {status: 1, text: 'Found: the machine hits itself.'},
 	incomplete: {status: 2, text: 'Incomplete: not everything could be checked.'},
 };
-const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
+const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']), KINDS = FINDINGS.size;
 
 export class ProgramResult {
-	/** @param {string} path @param {boolean} open its report is shown at once */
-	constructor(path, open) {
+	/** @param {string} path @param {boolean} open its report is shown at once @param {string} [job] of a job file */
+	constructor(path, open, job) {
 		this.path = path;
 		this.open = open;
 		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
@@ -24,7 +25,9 @@ export class ProgramResult {
 		this.findings = element('ul', {className: 'findings'});
 		this.more = element('div', {});
 		this.doubts = element('ul', {className: 'doubts'});
-		this.card = element('article', {className: 'program', dataset: {path}}, element('h3', {}, nameOf(path)), this.verdict, this.doubts, this.progress,
+		/** What it was checked with. @type {string[]} */
+		this.used = [];
+		this.card = element('article', {className: 'program', dataset: {path, ...(job ? {job} : {})}}, element(job ? 'h4' : 'h3', {}, nameOf(path)), this.verdict, this.doubts, this.progress,
 			this.findings, this.more);
 	}
 
@@ -37,6 +40,8 @@ export class ProgramResult {
 	onEvent(event) {
 		if (FINDINGS.has(event.kind))
 			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
+		if (event.kind === 'header')
+			this.used = usedIn(event);
 		if (event.kind !== 'program')
 			return;
 		for (const caution of event.cautions ?? [])
@@ -51,6 +56,8 @@ export class ProgramResult {
 	tell(verdict) {
 		this.card.dataset.verdict = verdict;
 		this.verdict.textContent = VERDICTS[verdict].text;
+		if (verdict === 'passed' && this.used[0] === 'method parse-only')
+			this.verdict.textContent = 'Passed: within the axis limits. No collision was checked.';
 		if (verdict === 'found' && !this.findings.querySelector('.collision'))
 			this.verdict.textContent = 'Found: see below.';
 	}
@@ -64,15 +71,19 @@ export class ProgramResult {
 
 	/**
 	 * @param {import('./fivecheck.js').Result} result
+	 * @param {string} command that gives the same verdict
 	 * @param {Blob | undefined} report
 	 */
-	show(result, report) {
+	show(result, command, report) {
 		this.progress.remove();
 		// The word that was told stands if the run ended as it says.
 		const told = this.card.dataset.verdict ?? 'clear', status = Math.min(result.status, 2);
 		this.tell(this.card.dataset.verdict && VERDICTS[told].status === status ? told : ['incomplete', 'found', 'incomplete'][status]);
 		if (this.doubts.childElementCount)
 			this.doubts.before(element('p', {className: 'doubt'}, 'Doubts about what this verdict takes for granted:'));
+		if (this.used.length && status < 2)
+			this.more.append(element('p', {className: 'used'}, `Checked with ${this.used.join(', ')}.`));
+		this.more.append(copyField('The same on the command line', command));
 		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
 		if (report)
 			this.showReport(report);
@@ -84,7 +95,7 @@ export class ProgramResult {
 		frame.setAttribute('sandbox', 'allow-scripts');
 		const save = element('a', {className: 'button save', href: URL.createObjectURL(report), download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'},
 			'Save the report');
-		const show = element('button', {type: 'button'}, 'Show the report');
+		const show = element('button', {type: 'button', className: 'show'}, 'Show the report');
 		show.addEventListener('click', () => {
 			show.remove();
 			this.more.append(frame);
@@ -112,6 +123,16 @@ export class ProgramResult {
 		this.card.dataset.verdict = 'incomplete';
 		this.verdict.textContent = text;
 	}
+}
+
+/**
+ * What a verdict rests on besides the files, in words.
+ * @param {Record<string, any>} header the first event of a run
+ */
+function usedIn({method, step, tolerance, stock_tolerance: stock, clearance, all, dialect, block_delete: skips, duplicates, fail_on: fails}) {
+	return [`method ${method}`, ...(method === 'certified' || method === 'parse-only' ? [] : [`step ${step} s`]), `dialect ${dialect}`, `clearance ${clearance} mm`, `tolerance ${tolerance} mm`, `stock tolerance ${stock} mm`,
+		...(all ? ['all findings'] : []), ...(skips ? ['blocks that begin with / skipped'] : []), ...(duplicates === 'last' ? ['the last of two like words'] : []),
+		...(fails.length === KINDS ? [] : [`fail-on ${fails.join(', ') || 'none'}`])];
 }
 
 /**

@@ -14,6 +14,17 @@ const KINDS = [['cutter', 'cutter'], ['probe', 'probe'], ['nozzle', 'nozzle'], [
 /** @type {[string, string][]} */
 const TIPS = [['flat', 'flat'], ['ball', 'ball'], ['bull', 'bull-nose'], ['cone', 'cone (drill)']];
 
+/** What some rows ask for, by their kind. @type {Record<string, {title: string, field: string, missing: string}>} */
+const ROWS = {
+	offset: {title: 'Work offset', field: 'name', missing: 'a name is missing, such as G54'},
+	tool: {title: 'Tool', field: 'number', missing: ''},
+	table: {title: 'Tool library', field: 'href', missing: 'the file is missing'},
+	register: {title: 'Length and radius of H and D', field: 'number', missing: ''},
+	variable: {title: 'Variable', field: 'name', missing: 'a name is missing, such as #500, R5 or Q1600'},
+};
+/** What libraries and tables of tools are called. */
+const LIBRARIES = '.json,.csv,.tls,.tbl,.txt,.nc';
+
 /** @param {string} text */
 function noteOf(text) {
 	return element('p', {className: 'note'}, text);
@@ -82,7 +93,7 @@ export class SetupForm {
 		this.addSolid('fixture');
 		this.part('#stock').append(...this.stockFields());
 		watchNumbers(form);
-		for (const kind of ['offset', 'fixture', 'tool']) {
+		for (const kind of ['offset', 'fixture', 'tool', 'table', 'register', 'variable']) {
 			this.part(`#${kind}s`).addEventListener('input', () => this.touched.add(kind));
 			this.part(`#add-${kind}`).addEventListener('click', () => {
 				this.touched.add(kind);
@@ -113,16 +124,23 @@ export class SetupForm {
 		return this.rowsOf(kind).map((row) => /** @type {HTMLInputElement} */ (this.part(`[name="${row}.${field}"]`)).value.trim());
 	}
 
-	/** Fits the form to the machine, and to what the programs call. @param {string} machine @param {string[]} programs */
-	propose(machine, programs) {
+	/**
+	 * Fits the form to the machine, to what the programs call, and to the tool libraries that are here.
+	 * @param {string} machine @param {string[]} programs @param {string[]} libraries
+	 */
+	propose(machine, programs, libraries = []) {
 		this.axes = axesIn(machine);
-		const tools = toolsIn(programs), numbers = tools.length ? tools : [{number: '1', name: ''}];
-		for (const [kind, add] of [['offset', () => offsetsIn(machine, programs).forEach((name) => this.addOffset(name))], ['tool', () => numbers.forEach((tool) => this.addTool(tool))]]) {
-			if (this.touched.has(/** @type {string} */ (kind)))
+		const tools = toolsIn(programs), numbers = libraries.length ? [] : tools.length ? tools : [{number: '1', name: ''}];
+		/** @type {[string, () => void][]} */
+		const proposals = [['offset', () => offsetsIn(machine, programs).forEach((name) => this.addOffset(name))], ['tool', () => numbers.forEach((tool) => this.addTool(tool))],
+			['table', () => libraries.forEach((path) => this.addTable(path))]];
+		for (const [kind, add] of proposals) {
+			if (this.touched.has(kind))
 				continue;
 			this.part(`#${kind}s`).replaceChildren();
-			/** @type {() => void} */ (add)();
+			add();
 		}
+		/** @type {HTMLDetailsElement} */ (this.part('#more-setup')).open ||= libraries.length > 0;
 		this.fit();
 	}
 
@@ -149,24 +167,58 @@ export class SetupForm {
 			part.insertBefore(remove, part.querySelector('.more, .fault'));
 		remove.addEventListener('click', () => {
 			this.touched.add(kind);
+			const button = /** @type {HTMLElement} */ (kind === 'edge' ? part.closest('.more')?.querySelector('.add-edge') : this.part(`#add-${kind}`));
 			part.remove();
-			this.part(`#add-${kind}`).focus();
+			button.focus();
 		});
-		this.part(`#${kind}s`).append(part);
+		this.form.querySelector(`#${kind}s`)?.append(part);
 		return part;
 	}
 
 	/** An empty row. @param {string} kind */
 	addRow(kind) {
-		const part = kind === 'offset' ? this.addOffset('') : kind === 'tool' ? this.addTool({number: String(Math.max(0, ...this.valuesOf('tool', 'number').map(Number)) + 1), name: ''}) : this.addSolid('fixture');
+		const next = () => ({number: String(Math.max(0, ...this.valuesOf('tool', 'number').map(Number)) + 1), name: ''});
+		const part = {offset: () => this.addOffset(''), tool: () => this.addTool(next()), fixture: () => this.addSolid('fixture'), table: () => this.addTable(''),
+			register: () => this.addRegister(), variable: () => this.addVariable()}[kind]?.() ?? this.addSolid('fixture');
 		this.fit();
+		return part;
+	}
+
+	/** @param {string} path */
+	addTable(path) {
+		const row = `table-${this.rows++}`, part = this.row('table', row, ROWS.table.title, meshField(`${row}.href`, 'tools.json, tools.csv, tool.tbl, \u2026', false, this.add, LIBRARIES),
+			choiceField(`${row}.units`, 'its unit', [['', 'as it says, or as above'], ['mm', 'mm'], ['inch', 'inch']]), textField(`${row}.numbers`, 'tools to take, such as 1 3 10-20'));
+		/** @type {HTMLInputElement} */ (part.querySelector(`[name="${row}.href"]`)).value = path;
+		/** @type {HTMLInputElement} */ (part.querySelector(`[name="${row}.numbers"]`)).placeholder = 'all';
+		return part;
+	}
+
+	addRegister() {
+		const row = `register-${this.rows++}`;
+		return this.row('register', row, ROWS.register.title, noteOf('For programs whose H is not the number of the tool, and for G41 and G42 with D.'), numberField(`${row}.number`, 'number of H and D', '', true),
+			numberField(`${row}.length`, 'length of H, mm', '', false, 'none'), numberField(`${row}.radius`, 'radius of D with its wear, mm', '', false, 'none'));
+	}
+
+	addVariable() {
+		const row = `variable-${this.rows++}`;
+		return this.row('variable', row, ROWS.variable.title, noteOf('What the control holds when a program begins.'), textField(`${row}.name`, 'name, such as #500, R5 or Q1600'), textField(`${row}.value`, 'value'),
+			choiceField(`${row}.type`, 'type, of a GUD of Sinumerik', [['', 'none'], ...['REAL', 'INT', 'BOOL', 'CHAR', 'STRING', 'AXIS'].map((name) => /** @type {[string, string]} */ ([name, name]))]),
+			textField(`${row}.size`, 'size of an array'));
+	}
+
+	/** A cutting edge (D) of a tool of Sinumerik. @param {HTMLElement} place @param {string} tool */
+	addEdge(place, tool) {
+		const row = `edge-${this.rows++}`, part = this.row('edge', row, 'Edge', numberField(`${row}.number`, 'D number', String(2 + place.childElementCount), true),
+			numberField(`${row}.length`, 'length, mm', '', true), numberField(`${row}.diameter`, 'diameter, mm', '', false, 'the tool\u2019s'));
+		part.dataset.of = tool;
+		place.append(part);
 		return part;
 	}
 
 	/** @param {string} name */
 	addOffset(name) {
 		const row = `offset-${this.rows++}`;
-		return this.row('offset', row, 'Work offset', noteOf('Where the program\u2019s zero is, as on the control\u2019s page of offsets.'), textField(`${row}.name`, 'name', name),
+		return this.row('offset', row, ROWS.offset.title, noteOf('Where the program\u2019s zero is, as on the control\u2019s page of offsets.'), textField(`${row}.name`, 'name', name),
 			...AXES.map((axis) => numberField(`${row}.${axis}`, `${axis}, ${'ABC'.includes(axis) ? 'degrees' : 'mm'}`, '', 'XYZ'.includes(axis), 'XYZ'.includes(axis) ? '' : '0')));
 	}
 
@@ -182,22 +234,35 @@ export class SetupForm {
 			...onlyIf('form=box', ...vectorFields('stock.size', 'size', ['100', '80', '50'])),
 			...onlyIf('form=cylinder', numberField('stock.diameter', 'diameter, mm', '', true, 'such as 100'), numberField('stock.height', 'height, mm', '', true, 'such as 50')),
 			...onlyIf('form=mesh', meshField('stock.mesh', 'the blank (STL file)', false, this.add)), ...onlyIf('form=*', ...placeFields('stock'),
-			moreOfSolid('stock', numberField('stock.uncertainty', 'may be larger by, mm', '', false, '0'), numberField('stock.rapidAllowance', 'depth allowed at rapid, mm', '', false, '0.25'))),
+			moreOfSolid('stock', numberField('stock.uncertainty', 'may be larger by, mm', '', false, '0'), numberField('stock.excess', 'may be smaller by, mm', '', false, '0'), numberField('stock.rapidAllowance', 'depth allowed at rapid, mm', '', false, '0.25'))),
 			element('p', {className: 'fault', role: 'alert'})];
 	}
 
 	/** @param {{number: string, name: string}} tool */
 	addTool(tool) {
-		const row = `tool-${this.rows++}`;
-		return this.row('tool', row, 'Tool', ...toolFields(row, tool), moreOfTool(row, this.add));
+		const row = `tool-${this.rows++}`, more = moreOfTool(row, this.add), edges = element('div', {}), button = element('button', {type: 'button', className: 'add-edge'}, 'Add an edge (D of Sinumerik)');
+		button.addEventListener('click', () => this.addEdge(edges, row).querySelector('input')?.focus());
+		more.append(edges, button);
+		return this.row('tool', row, ROWS.tool.title, ...toolFields(row, tool), more);
+	}
+
+	/** The names of the rows of a tool's edges. @param {string} tool */
+	edgesOf(tool) {
+		return /** @type {HTMLElement[]} */ ([...this.form.querySelectorAll(`[data-of="${tool}"]`)]).map(({dataset}) => dataset.row ?? '');
 	}
 
 	/** Tells what is wrong with tools, and with names that are missing or there twice. @param {FormData} data */
 	rowsAreRight(data) {
 		const faults = this.rowsOf('tool').map((row) => [row, toolFault(data, row)]);
-		for (const [kind, field, missing] of [['offset', 'name', 'a name is missing, such as G54'], ['tool', 'number', '']]) {
+		for (const [kind, {field, missing}] of Object.entries(ROWS)) {
 			const all = this.valuesOf(kind, field);
 			this.rowsOf(kind).forEach((row, i) => faults.push([row, all[i] === '' ? missing : all.indexOf(all[i]) < i ? `${all[i]} is there twice` : '']));
+		}
+		for (const row of this.rowsOf('register'))
+			faults.push([row, ['length', 'radius'].some((name) => String(data.get(`${row}.${name}`)).trim()) ? '' : 'give a length or a radius']);
+		for (const tool of this.rowsOf('tool')) {
+			const edges = this.edgesOf(tool), all = edges.map((row) => Number(data.get(`${row}.number`)));
+			edges.forEach((row, i) => faults.push([row, all[i] < 2 ? 'D1 is the tool itself: the number of an edge is 2 or more' : all.indexOf(all[i]) < i ? `D${all[i]} is there twice` : '']));
 		}
 		faults.push(['stock', data.get('stock.form') === 'mesh' && !String(data.get('stock.mesh')).trim() ? 'the file of the blank is missing' : '']);
 		const wrong = faults.filter(([, text]) => text !== '');
@@ -209,8 +274,8 @@ export class SetupForm {
 	write() {
 		forgetFaults(this.form);
 		const data = new FormData(this.form), right = numbersAreRead(this.form) && vectorsAreWhole(this.form) && this.rowsAreRight(data);
-		const rows = {offset: this.rowsOf('offset'), part: this.rowsOf('part'), fixture: this.rowsOf('fixture'), tool: this.rowsOf('tool')};
-		const xml = right ? setupXml(data, this.axes, rows) : '';
+		const rows = Object.fromEntries(['offset', 'part', 'fixture', 'tool', 'table', 'register', 'variable'].map((kind) => [kind, this.rowsOf(kind)]));
+		const xml = right ? setupXml(data, this.axes, rows, (tool) => this.edgesOf(tool)) : '';
 		this.show(xml);
 		document.dispatchEvent(new Event('setup-written'));
 	}

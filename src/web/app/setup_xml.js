@@ -4,7 +4,7 @@ import {namesIn, readNumber, vectorIn} from './fields.js';
 
 /** @param {string} text */
 function escaped(text) {
-	return text.replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+	return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 }
 
 /**
@@ -63,17 +63,28 @@ function cutterLine(data, row) {
 	const {text, number} = reader(data, row), tip = text('tip');
 	if (text('cutterMesh'))
 		return line('cutter', {mesh: text('cutterMesh')});
-	const form = {tip, angle: tip === 'cone' ? number('angle') : '', corner: tip === 'bull' ? number('corner') : '', flute_length: number('flutes')};
+	const form = {tip: tip === 'flat' ? '' : tip, angle: tip === 'cone' ? number('angle') : '', corner: tip === 'bull' ? number('corner') : '', flute_length: number('flutes')};
 	return line('cutter', form, line('section', {length: number('cutterLength'), diameter: number('cutterDiameter')}));
 }
 
-/** @param {FormData} data @param {string} row */
-function toolLine(data, row) {
+/** @param {FormData} data @param {string} row @param {string[]} edges */
+function toolLine(data, row, edges) {
 	const {text, number} = reader(data, row), shank = shankOf(data, row), kind = text('kind');
 	const own = {number: number('number'), name: text('name'), length: number('length'), length_offset: number('lengthOffset'),
 		diameter: text('cutterMesh') ? number('cutterDiameter') : '', kind: kind === 'cutter' ? '' : kind, hand: text('hand')};
 	return line('tool', own, ...holderLine(data, row),
-		...(shank > 0 ? [line('shank', {}, line('section', {length: String(shank), diameter: number('shankDiameter') || number('cutterDiameter')}))] : []), cutterLine(data, row));
+		...(shank > 0 ? [line('shank', {}, line('section', {length: String(shank), diameter: number('shankDiameter') || number('cutterDiameter')}))] : []), cutterLine(data, row),
+		...edges.map((edge) => rowLine(data, 'edge', edge, {}, ['number', 'length', 'diameter'])));
+}
+
+/** A row that is one element with its fields. @param {FormData} data @param {string} name @param {string} row @param {Record<string, string>} texts @param {string[]} numbers */
+function rowLine(data, name, row, texts, numbers) {
+	return line(name, {...texts, ...Object.fromEntries(numbers.map((field) => [field, reader(data, row).number(field)]))});
+}
+
+/** @param {FormData} data @param {string} name @param {string} row @param {string[]} fields */
+function textLine(data, name, row, fields) {
+	return rowLine(data, name, row, Object.fromEntries(fields.map((field) => [field, reader(data, row).text(field)])), []);
 }
 
 /** Names that mean something else in a pair of a machine file. */
@@ -103,21 +114,25 @@ function solidLines(data, row, kind, taken) {
 function stockLine(data) {
 	const {text, vector, number} = reader(data, 'stock'), form = text('form');
 	const shape = {box: {box: vector('size')}, cylinder: {cylinder: `${number('diameter')} ${number('height')}`}, mesh: {mesh: text('mesh')}}[form];
-	return shape ? [line('stock', {...shape, location: vector('location'), rotation: vector('rotation'), uncertainty: number('uncertainty'), rapid_allowance: number('rapidAllowance')})] : [];
+	return shape ? [line('stock', {...shape, location: vector('location'), rotation: vector('rotation'), uncertainty: number('uncertainty'), excess: number('excess'), rapid_allowance: number('rapidAllowance')})] : [];
 }
 
 /**
  * The setup file for what is entered.
  * @param {FormData} data @param {string[]} axes of the machine
- * @param {{offset: string[], part: string[], fixture: string[], tool: string[]}} rows the names of the rows of each kind
+ * @param {Record<string, string[]>} rows the names of the rows of each kind: offset, part, fixture, tool, table, register, variable
+ * @param {(tool: string) => string[]} [edgesOf] the rows of the edges of a tool
  */
-export function setupXml(data, axes, rows) {
-	const offsets = rows.offset.map((row) => {
+export function setupXml(data, axes, rows, edgesOf = () => []) {
+	const of = (/** @type {string} */ kind) => rows[kind] ?? [];
+	const offsets = of('offset').map((row) => {
 		const {text, number} = reader(data, row);
 		return line('work_offset', {name: text('name'), ...Object.fromEntries(axes.map((axis) => [axis, number(axis)]))});
 	});
 	const {number, text} = reader(data, 'setup'), taken = new Set();
 	return `<?xml version="1.0" encoding="UTF-8"?>\n${line('setup', {version: '1', units: text('units') || 'mm', initial_tool: number('initialTool')}, ...offsets,
-		...rows.fixture.flatMap((row) => solidLines(data, row, 'fixture', taken)), ...rows.part.flatMap((row) => solidLines(data, row, 'part', taken)), ...stockLine(data),
-		...rows.tool.map((row) => toolLine(data, row)))}`;
+		...of('register').map((row) => rowLine(data, 'offset', row, {}, ['number', 'length', 'radius'])),
+		...of('fixture').flatMap((row) => solidLines(data, row, 'fixture', taken)), ...of('part').flatMap((row) => solidLines(data, row, 'part', taken)), ...stockLine(data),
+		...of('tool').map((row) => toolLine(data, row, edgesOf(row))), ...of('table').map((row) => textLine(data, 'tools', row, ['href', 'units', 'numbers'])),
+		...of('variable').map((row) => textLine(data, 'variable', row, ['name', 'value', 'type', 'size'])))}`;
 }

@@ -403,8 +403,6 @@ export class Wasi {
 		const from = this.open[fd]?.node, parts = Files.parts(this.text(at, length));
 		if (!(from instanceof Folder))
 			return {error: E.NOTDIR};
-		if (!parts)
-			return {error: E.NOENT};
 		const node = this.host.files.find(parts.join('/'), from), name = parts.pop();
 		const folder = this.host.files.find(parts.join('/'), from);
 		return {node, name, folder: folder instanceof Folder ? folder : undefined};

@@ -1,0 +1,251 @@
+"""Job files and options on the page: what is checked, what is said of it, and the command line that says the same."""
+import json
+import os
+import shlex
+import subprocess
+import tempfile
+
+import fixtures
+from bench import same, test, true
+from page_bench import VERDICTS
+
+CARDS = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.job, card.dataset.path, card.dataset.verdict])"
+JOBS = "[...document.querySelectorAll('.job')].map((part) => [part.dataset.job, part.dataset.verdict, part.querySelector('h3').textContent])"
+ADVICE = "document.querySelector('#job').textContent"
+WHY = "document.querySelector('#why-not').textContent"
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def drop(page, *paths):
+    shown = page.run("counts['files-shown']")
+    page.drop(640, 200, list(paths))
+    page.run(f"await until('files-shown', {shown + 1})")
+
+
+def waive(bench, folder, *words):
+    """Writes waivers.xml, which accepts all that is found."""
+    native(bench, folder, "-a", "-o", "run.ndjson", *words)
+    subprocess.run([bench.fivecheck, "waive", "--reason=soft block", "--until=2099-01-01", "run.ndjson", "-o", "waivers.xml"], cwd=folder, check=True, capture_output=True)
+    os.remove(os.path.join(folder, "run.ndjson"))
+
+
+def native(bench, folder, *words):
+    done = subprocess.run([bench.fivecheck, "-f", "ndjson", *words], cwd=folder, capture_output=True, text=True, check=False)
+    return done, [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def jobs(bench, work):
+    """A folder with a job file: two machines in folders of their own, of which one has another clearance, three programs, waivers."""
+    machine, setup, program = fixtures.boxes(work)
+    source, folder = os.path.dirname(machine), os.path.join(work, "cell & co")
+    meshes = {name: open(os.path.join(source, f"{name}.stl"), "rb").read() for name in ("table", "head", "block")}  # noqa: SIM115
+    for mill in ("mills/one", "mills/two"):
+        for name in ("table", "head"):
+            os.makedirs(os.path.join(folder, mill), exist_ok=True)
+            with open(os.path.join(folder, mill, f"{name}.stl"), "wb") as file:
+                file.write(meshes[name])
+    write(os.path.join(folder, "mills/one/machine.xml"), read(machine))
+    write(os.path.join(folder, "mills/two/machine.xml"), read(machine).replace('limit_max="300"', 'limit_max="90"'))
+    write(os.path.join(folder, "op10.xml"), read(setup))
+    with open(os.path.join(folder, "block.stl"), "wb") as file:
+        file.write(meshes["block"])
+    hit = read(program)
+    write(os.path.join(folder, "nc/hit.nc"), hit)
+    write(os.path.join(folder, "nc/safe.nc"), hit.replace("G0 Z10\n", "G0 Z120\n"))
+    write(os.path.join(folder, "nc/spare.nc"), "M2\n")
+    waive(bench, folder, "--setup=op10.xml", "mills/one/machine.xml", "nc/hit.nc")
+    write(os.path.join(folder, "jobs.xml"), """<?xml version="1.0"?>
+<!-- <job name="old" machine="gone.xml"><program file="gone.nc"/></job> -->
+<jobs version="1">
+  <job name="op10" machine="mills/one/machine.xml" setup="op10.xml">
+    <program file="nc/hit.nc"/>
+    <program file="nc/safe.nc"/>
+  </job>
+  <job name="op20" machine="mills/two/machine.xml" setup="op10.xml"><program file="nc/safe.nc"/></job>
+  <job name="op30" machine="mills/one/machine.xml" setup="op10.xml" waivers="waivers.xml"><program file="nc/hit.nc"/></job>
+</jobs>
+""")
+    return folder
+
+
+@test
+def job_file(bench):
+    """Each job of a job file is checked on its machine, with its setup; its verdicts are those of the command line."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        folder = jobs(bench, work)
+        drop(page, folder)
+        same("roles", page.run("['jobs', 'machine', 'setup', 'program', 'waivers'].map((role) => fivecheckPage.of(role).length)"), [1, 2, 1, 3, 1])
+        same("why not", page.run(WHY), "")
+        same("advice", page.run(ADVICE), "The job file does not name cell & co/nc/spare.nc: not checked.")
+        bench.check(page)
+        done, events = native(bench, folder, "jobs.xml")
+        same("exit status of the command line", done.returncode, 1)
+        wanted = [[os.path.basename(event["file"]), event["verdict"]] for event in events if event["kind"] == "program"]
+        cards = page.run(CARDS)
+        same("verdicts", [[os.path.basename(path), verdict] for _, path, verdict in cards], wanted)
+        same("their jobs", [job for job, *_ in cards], ["op10", "op10", "op20", "op30"])
+        same("jobs", page.run(JOBS), [["op10", "found", "Job op10: found (1 of 2 programs)"], ["op20", "found", "Job op20: found"], ["op30", "accepted", "Job op30: accepted"]])
+        line = page.run("document.querySelector('#results > .copied .command').textContent")
+        same("the command line", shlex.split(line), ["fivecheck", "jobs.xml"])
+    bench.done(page, "page-jobs")
+
+
+@test
+def job_file_in_pieces(bench):
+    """Files that were dropped without their folders are found, missing ones are named, a faulty job file says what the command line says."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        folder = jobs(bench, work)
+        drop(page, os.path.join(folder, "jobs.xml"))
+        said = page.run(ADVICE)
+        true(f"missing: {said}", all(name in said for name in ("mills/one/machine.xml", "mills/two/machine.xml", "op10.xml", "nc/hit.nc", "nc/safe.nc", "waivers.xml")) and "gone" not in said)
+        bench.check(page)
+        same("nothing is there", page.run(CARDS), [[job, path, "incomplete"] for job, path in (("op10", "nc/hit.nc"), ("op10", "nc/safe.nc"), ("op20", "nc/safe.nc"), ("op30", "nc/hit.nc"))])
+        text = read(os.path.join(folder, "jobs.xml"))
+        write(os.path.join(folder, "jobs.xml"), text.replace("mills/two", "mills/one"))
+        drop(page, os.path.join(folder, "jobs.xml"), os.path.join(folder, "mills/one/machine.xml"), *(os.path.join(folder, name) for name in ("nc/hit.nc", "nc/safe.nc", "op10.xml", "waivers.xml")))
+        same("only the meshes are missing", page.run(ADVICE), "Not here yet: table.stl, head.stl, block.stl. Drop them, too.")
+        drop(page, os.path.join(folder, "mills/one/table.stl"), os.path.join(folder, "mills/one/head.stl"), os.path.join(folder, "block.stl"))
+        same("nothing is missing", page.run(ADVICE), "")
+        bench.check(page, 2)
+        same("verdicts", [verdict for *_, verdict in page.run(CARDS)], ["found", "clear", "clear", "accepted"])
+        write(os.path.join(folder, "jobs.xml"), text.replace('name="op20"', 'name="op10"'))
+        drop(page, os.path.join(folder, "jobs.xml"))
+        bench.check(page, 3)
+        done, _ = native(bench, folder, "jobs.xml")
+        same("the one verdict", page.run(VERDICTS), [["jobs.xml", "incomplete"]])
+        same("its words", page.run("[...document.querySelectorAll('.message')].map((e) => e.textContent)"), done.stderr.splitlines())
+        write(os.path.join(folder, "other.xml"), text)
+        drop(page, os.path.join(folder, "jobs.xml"), os.path.join(folder, "other.xml"))
+        same("two job files", page.run(WHY), "There is more than one job file: remove all but one.")
+    bench.done(page)
+
+
+@test
+def waivers(bench):
+    """A file of waivers counts, and a setup that is there twice is not passed over."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        machine, _, _ = fixtures.boxes(work)
+        folder = os.path.dirname(machine)
+        waive(bench, folder, "--setup=setup.xml", "machine.xml", "part.nc")
+        drop(page, *(os.path.join(folder, name) for name in ("machine.xml", "setup.xml", "part.nc", "waivers.xml", "table.stl", "head.stl", "block.stl")))
+        page.run("document.querySelector('[name=all]').click()")
+        bench.check(page)
+        done, events = native(bench, folder, "--setup=setup.xml", "-a", "--waivers=waivers.xml", "machine.xml", "part.nc")
+        same("verdict", page.run(VERDICTS), [["part.nc", next(event["verdict"] for event in events if event["kind"] == "program")]])
+        same("it is accepted", page.run(VERDICTS)[0][1], "accepted")
+        write(os.path.join(folder, "setup2.xml"), read(os.path.join(folder, "setup.xml")))
+        drop(page, os.path.join(folder, "setup.xml"), os.path.join(folder, "setup2.xml"))
+        same("two setups", page.run(WHY), "There is more than one setup: remove all but one.")
+    bench.done(page)
+
+
+def choose(page, **options):
+    for name, value in options.items():
+        page.run("((field) => { if (field.type === 'checkbox') field.checked = %s; else field.value = %s; field.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector(`#options [name='%s']`))"
+                 % (json.dumps(bool(value)), json.dumps(str(value)), name.replace("_", "-")))
+
+
+@test
+def options(bench):
+    """The options say what --help says; the command line that is shown has the verdict of the page, whatever the files are called."""
+    page = bench.open()
+    told = " ".join(subprocess.run([bench.fivecheck, "--help"], capture_output=True, text=True, check=True).stdout.split())
+    for label in page.run("[...document.querySelectorAll('#more-options label')].map((label) => [label.querySelector('code').textContent, label.querySelector('span').textContent])"):
+        true(f"as --help says: {label}", " ".join(label) in told)
+    with tempfile.TemporaryDirectory() as work:
+        machine, setup, program = fixtures.boxes(work)
+        folder, names = os.path.dirname(machine), ["-my $(machine).xml", "it's `a` setup.xml", "-part \"1\" &.nc"]
+        for old, new in zip((machine, setup, program), names):
+            os.rename(old, os.path.join(folder, new))
+        write(os.path.join(folder, names[2]), read(os.path.join(folder, names[2])).replace("G0 Z10\n", "G0 Z10 F1\n/G0 X-90\nG1 X-80 X-81 F5000\n"))
+        drop(page, *(os.path.join(folder, name) for name in (*names, "table.stl", "head.stl", "block.stl")))
+        checks = 0
+        for chosen, verdict, used in (
+                ({}, "incomplete", None),
+                ({"duplicates": "last", "block_delete": True}, "found", ["dialect linuxcnc", "blocks that begin with / skipped", "the last of two like words"]),
+                ({"dialect": "fanuc", "tolerance": "0,01", "clearance": "2", "all": True}, None, None),
+                ({"dialect": "sinumerik"}, None, None),
+                ({"dialect": "", "all": False, "fail_on": "limit"}, "accepted", ["fail-on limit", "tolerance 0.01 mm", "clearance 2 mm"]),
+                ({"fail_on": "", "clearance": "0", "tolerance": "", "parse_only": True}, "passed", ["method parse-only"]),
+                ({"parse_only": False, "max_blocks": "x"}, "incomplete", None)):
+            choose(page, **chosen)
+            checks += 1
+            bench.check(page, checks)
+            line = page.run("document.querySelector('.program .command').textContent")
+            true(line, line.startswith("fivecheck "))
+            done = subprocess.run(["sh", "-c", line.replace("fivecheck", f"'{bench.fivecheck}' -f ndjson", 1)], cwd=folder, capture_output=True, text=True, check=False)
+            found = page.run("document.querySelector('.program').dataset.verdict")
+            same(f"{line}: {done.stderr}", {"clear": 0, "passed": 0, "accepted": 0, "found": 1, "incomplete": 2}[found], done.returncode)
+            events = [json.loads(text) for text in done.stdout.splitlines()]
+            same("verdict of the line", found, next((event["verdict"] for event in events if event["kind"] == "program"), "incomplete"))
+            same(f"findings of {line}", page.run("[...document.querySelectorAll('.findings > :not(.message)')].length"), sum("fraction" in event for event in events))
+            true(f"{line}: {found}", verdict in (None, found))
+            said = page.run("document.querySelector('.used')?.textContent ?? ''")
+            true(f"{line}: {said}", all(word in said for word in used or []))
+        page.run("document.querySelector('.program .copied button').click()")
+        page.run("await new Promise((done) => setTimeout(done))")
+    bench.done(page, "page-options")
+
+
+@test
+def edited(bench):
+    """A program that was edited on the disk has to be dropped again, which the page says; it takes the place of the one before."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        _, _, program = fixtures.boxes(work)
+        drop(page, os.path.dirname(program))
+        bench.check(page)
+        same("before", page.run(VERDICTS), [["part.nc", "found"]])
+        write(program, read(program).replace("G0 Z10\n", "G0 Z120\n"))
+        bench.check(page, 2)
+        same("it is not read", page.run(VERDICTS), [["part.nc", "incomplete"]])
+        same("what to do", page.run("document.querySelector('.verdict').textContent"),
+             "Incomplete: the browser cannot read part.nc any more, because the file was changed or moved. Drop it again.")
+        page.run("scrollTo(0, 0)")
+        drop(page, program)
+        same("in the place of the other", page.run("fivecheckPage.of('program').map(({path}) => path)"), ["boxes-00/part.nc"])
+        same("what stands there is old", page.run("document.querySelector('#outdated').checkVisibility()"), True)
+        bench.check(page, 3)
+        same("after", page.run(VERDICTS), [["part.nc", "clear"]])
+    bench.done(page)
+
+
+@test
+def dead_ends(bench):
+    """What is no file of a check is named, with what to do."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        machine, _, program = fixtures.boxes(work)
+        made = {"all.zip": "PK", "mill.mch": "<VcMachine/>", "photo.jpg": "x", "x.xml": "<foo/>", "empty.nc": ""}
+        for name, text in made.items():
+            write(os.path.join(work, name), text)
+        os.mkdir(os.path.join(work, "void"))
+        drop(page, os.path.join(work, "void"))
+        same("an empty folder", page.run(ADVICE), "There is no file in what was dropped.")
+        drop(page, *(os.path.join(work, name) for name in made))
+        said = page.run(ADVICE)
+        for words in ("Unpack all.zip", "fivecheck import --output=machine mill.mch", "empty.nc: nothing in it", "Not of use for a check: photo.jpg, x.xml."):
+            true(f"{words}: {said}", words in said)
+        true("no machine", page.run(WHY).startswith("A machine file is missing: drop it, open an example, or write one below."))
+        page.run("document.querySelector('#empty').click()")
+        drop(page, program)
+        same("a program alone", page.run(WHY), "A machine file is missing: drop it, open an example, or write one below.")
+        write(os.path.join(work, "up/machine.xml"), read(machine).replace('mesh="', 'mesh="../meshes/'))
+        drop(page, os.path.join(work, "up/machine.xml"), *(os.path.join(os.path.dirname(machine), f"{name}.stl") for name in ("table", "head")), os.path.join(os.path.dirname(machine), "setup.xml"),
+             os.path.join(os.path.dirname(machine), "block.stl"))
+        bench.check(page)
+        same("meshes above the machine's folder", page.run(VERDICTS), [["part.nc", "found"]])
+    bench.done(page)
