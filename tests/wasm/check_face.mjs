@@ -1,6 +1,9 @@
 // check_face.mjs FOLDER - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
 import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
 import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
 import {missingFiles, withMeshes} from '../../src/web/app/job_files.js';
@@ -35,6 +38,23 @@ tests['a collision is an event, a text and a report'] = () => {
 	const report = new TextDecoder().decode(result.reports.get(job.programs[0]));
 	assert.match(report, /^<!doctype html>/i);
 	assert.ok(parts.length > 0 && parts.every((part, i) => part > 0 && part <= 1 && (i === 0 || part > parts[i - 1])));
+};
+
+tests['the program for node in the README runs as it stands there'] = () => {
+	const program = fs.readFileSync('src/web/app/README.md', 'utf8').match(/```js\n(\/\/ check\.mjs[^]*?)```/)[1];
+	const beside = fs.mkdtempSync(path.join(os.tmpdir(), 'fivecheck-readme-')), job = path.join(beside, 'job');
+	try {
+		for (const name of fs.readdirSync(folder).filter((name) => /\.(js|wasm)$/.test(name)))
+			fs.copyFileSync(`${folder}/${name}`, path.join(beside, name));
+		for (const from of ['machines/ac-trunnion', 'examples/ac-trunnion'])
+			fs.cpSync(from, job, {recursive: true});
+		fs.writeFileSync(path.join(beside, 'package.json'), '{"type": "module"}');
+		fs.writeFileSync(path.join(beside, 'check.mjs'), program);
+		const {status, stdout, stderr} = spawnSync(process.execPath, [path.join(beside, 'check.mjs'), job, 'machine.xml', 'setup.xml', 'collision.nc'], {encoding: 'utf8'});
+		assert.deepEqual([status, stdout], [STATUS.FOUND, 'line 70: collision: arbor and T3 holder\n'], stderr);
+	} finally {
+		fs.rmSync(beside, {recursive: true});
+	}
 };
 
 tests['a report needs the script of the viewer'] = () => {
