@@ -61,6 +61,7 @@ enum doubt_kind {
 	DOUBT_TOOL_ENDS, /* the tool's bodies end `value` from the gauge line, its length is `limit` */
 	DOUBT_TOOL_ASIDE, /* the middle of `body`, of a tool, is `value` beside the spindle's line */
 	DOUBT_RADIUS_OFFSET, /* the radius of D is `value`, the diameter of the tool with its number is `limit` */
+	DOUBT_TOOL_NAME, /* the tool's diameter is `value`, and its name tells `limit`, twice as much */
 	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
 	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */
 	DOUBT_OFFSET_FAR /* program zero is `value` away from everything that is set up; the setup is `limit` large */

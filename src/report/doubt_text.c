@@ -118,6 +118,8 @@ static const char *const texts[] = {
 			     "it; " GAUGE_AT_ORIGIN OR_CHECKED,
 	[DOUBT_RADIUS_OFFSET] = "tool {tool} has a diameter of {limit} mm, but the radius of its D is {value} mm: "
 				"check that it is no diameter" OR_CHECKED,
+	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name tells {limit} mm: check that no radius "
+			    "is given as diameter" OR_CHECKED,
 	[DOUBT_LENGTH_OFFSET] = "tool {tool} is {limit 5} mm long, but its length offset is {value 5} mm: with G43 its "
 				"tip is {difference} mm from where the program takes it to be; check length_offset"
 				OR_CHECKED,

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "machine/tool_name.h"
 #include "machine/tool_solid.h"
 
 /* A holder is thickest at its flange, by the gauge line. One that is thinner there than this share is upside down. */
@@ -93,6 +94,15 @@ static void check_radius(const struct setup *setup, size_t item, struct doubts *
 	}
 }
 
+static void check_name(const struct tool *tool, size_t item, struct doubts *doubts)
+{
+	if (tool_name_tells_twice(tool))
+		doubts_add(doubts, &(struct doubt){.kind = DOUBT_TOOL_NAME,
+						   .item = item,
+						   .value = tool->diameter,
+						   .limit = 2 * tool->diameter});
+}
+
 void tool_check(const struct scene *scene, struct doubts *doubts)
 {
 	const struct setup *setup = scene->setup;
@@ -110,5 +120,6 @@ void tool_check(const struct scene *scene, struct doubts *doubts)
 		}
 		check_end(scene, item, doubts);
 		check_radius(setup, item, doubts);
+		check_name(&setup->tools[item], item, doubts);
 	}
 }

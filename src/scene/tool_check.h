@@ -6,8 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE and DOUBT_RADIUS_OFFSET, tool by tool. Tools that the
- * setup marks checked="" are left out.
+ * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE, DOUBT_RADIUS_OFFSET and DOUBT_TOOL_NAME, tool by tool.
+ * Tools that the setup marks checked="" are left out.
  */
 void tool_check(const struct scene *scene, struct doubts *doubts);
 

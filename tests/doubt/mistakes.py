@@ -207,7 +207,7 @@ MISTAKES = [
                                                             'limit_min="-3000" limit_max="3000"'), True),
     ("the travel of A in radians", AC, machine('limit_min="-120" limit_max="30"', 'limit_min="-2.094" limit_max="0.524"'), True),
     ("tools without holders", AC, no_holders, True),
-    ("the radii of the tools as diameters", AC, halve_diameters, False),
+    ("the radii of the tools as diameters", AC, halve_diameters, True),
     ("the part mirrored", BC, mirror("blade.stl"), False),
     # joints, nesting, tools and numbers
     ("the fork's body is missing", CB, machine(r'\n *<body name="fork"[^>]*/>', ''), True),

@@ -39,6 +39,11 @@ inclined nutating-table B,C 40
 inclined nutating-table B,C 117.5
 inclined head-table B,C 45
 inclined table-table B,C 90
+# An angle that is likely to be in radians.
+for angle in 0.785 24.9 25 155 155.1; do
+	"$FIVECHECK" init nutating-head --rotary C,B --limits X=none,Y=none,Z=none,B=none,C=none --location B=0,3,120 \
+		--location C=0,0,0 --spindle 0,0,220 --inclination B=$angle 2>&1 >m.xml | grep inclination
+done
 # The same axes as with --direction.
 write() { "$FIVECHECK" init head-head --rotary C,A --limits X=none,Y=none,Z=none,A=none,C=none --location A=0,0,0 --location C=0,0,0 --spindle 0,0,9 "$@" 2>notes; }
 write --inclination A=90 >a.xml

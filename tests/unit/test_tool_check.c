@@ -200,9 +200,43 @@ START_TEST(moved)
 }
 END_TEST
 
+/* A name that tells twice the diameter, and not the diameter itself. */
+START_TEST(name)
+{
+	static const struct {
+		const char *name;
+		double diameter;
+		bool doubted;
+	} cases[] = {
+		{"ball 10", 5, true}, {"ball 10", 10, false}, {"EM10", 5, true}, {"D=12,7 flat", 6.35, true}, {"5 x 10", 5, false},
+		{"1/2 EM", 6.35, true}, {"1/2 EM", 12.7, false}, {"ball R10", 5, false}, {"T10", 5, false}, {"L=10", 5, false},
+		{"cutter 7", 3.5, false}, {"taper 10 deg", 5, false}, {"taper 10\xc2\xb0", 5, false}, {".5 flat", 6.35, true},
+		{"", 5, false}, {"ball 10", 0, false}, {"ball 10", 20, false},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		const struct doubt *doubt;
+		struct doubts doubts = {0};
+		struct model model;
+
+		model_init(&model);
+		model_tool(&model, 7, 90);
+		model.tools[0].name = cases[i].name;
+		model.tools[0].diameter = cases[i].diameter;
+		doubt = check(&model, &doubts, DOUBT_TOOL_NAME);
+		ck_assert_msg((doubt != NULL) == cases[i].doubted, "%s, %g", cases[i].name, cases[i].diameter);
+		ck_assert(!doubt || fabs(doubt->limit - 2 * cases[i].diameter) < 1e-9);
+		model.tools[0].checked = "r";
+		ck_assert_ptr_null(check(&model, &doubts, DOUBT_TOOL_NAME));
+		doubts_release(&doubts);
+		model_release(&model);
+	}
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {holder, ends, pieces_of_both_kinds, aside, radius, moved};
+	const TTest *const tests[] = {holder, ends, pieces_of_both_kinds, aside, radius, moved, name};
 
 	return RUN_TESTS("tool_check", tests);
 }

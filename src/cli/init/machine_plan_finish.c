@@ -1,5 +1,6 @@
 #include "cli/init/machine_plan_finish.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "control/dialects.h"
@@ -143,12 +144,22 @@ static void add_usual_bodies(struct machine_plan *plan)
 	}
 }
 
+/* Degrees from Z: an oblique axis that is nearer to it is likely to be an angle in radians, or misspelt. */
+#define INCLINATION_LEAST 25
+
 /* One word for where an axis points; C and the linear axes have no inclination. */
 static bool check_inclinations(const struct machine_plan *plan, struct diag *diag)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		const struct machine_plan_axis *axis = &plan->axes[slot];
 
+		if (axis->has_inclination &&
+		    (axis->inclination < INCLINATION_LEAST || axis->inclination > 180 - INCLINATION_LEAST))
+			diag_warning(diag, nowhere,
+				     "--inclination of %c: %c stands only %.6g degrees from Z, and so turns like C; angles "
+				     "are in degrees, 45 for most nutating heads and tables",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot],
+				     fmin(axis->inclination, 180 - axis->inclination));
 		if (!axis->has_inclination || (!axis->has_direction && (slot == SLOT_A || slot == SLOT_B)))
 			continue;
 		diag_error(diag, nowhere, "--inclination of %c: %s", AXIS_LETTERS[slot],

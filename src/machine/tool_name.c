@@ -1,0 +1,90 @@
+#include "machine/tool_name.h"
+
+#include <math.h>
+#include <strings.h>
+
+#include "base/units.h"
+
+/* Names are rounded: 6.35 mm is written 6.4. */
+static const double SAME_SHARE = 0.02;
+
+static bool is_letter(char byte)
+{
+	return (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z');
+}
+
+static bool is_digit(char byte)
+{
+	return byte >= '0' && byte <= '9';
+}
+
+/* The decimal number at *at, with a point or a comma; *at goes behind it. */
+static double read_decimal(const char **at)
+{
+	const char *text = *at;
+	double value = 0, unit = 1;
+
+	for (; is_digit(*text); text++)
+		value = 10 * value + (*text - '0');
+	if ((*text == '.' || *text == ',') && is_digit(text[1])) {
+		for (text++; is_digit(*text); text++) {
+			unit /= 10;
+			value += unit * (*text - '0');
+		}
+	}
+	*at = text;
+	return value;
+}
+
+/* The same with fractions, such as 1/4. */
+static double read_number(const char **at)
+{
+	double value = read_decimal(at), below;
+
+	if (**at != '/' || !is_digit((*at)[1]))
+		return value;
+	++*at;
+	below = read_decimal(at);
+	return below > 0 ? value / below : 0;
+}
+
+/* "10 deg" and "10°", in UTF-8 and Latin-1. */
+static bool is_angle(const char *behind)
+{
+	behind += *behind == ' ';
+	return !strncasecmp(behind, "deg", 3) || behind[0] == '\xb0' || (behind[0] == '\xc2' && behind[1] == '\xb0');
+}
+
+static bool is_same(double number, double length)
+{
+	return fabs(number - length) <= SAME_SHARE * length || fabs(number * MM_PER_INCH - length) <= SAME_SHARE * length;
+}
+
+bool tool_name_tells_twice(const struct tool *tool)
+{
+	bool twice = false;
+	int letters = 0;
+	char letter = '\0';
+
+	for (const char *at = tool->name; *at && tool->diameter > 0;) {
+		double number;
+
+		if (!is_digit(*at) && !(*at == '.' && is_digit(at[1]))) {
+			/* "D=10" */
+			if (*at != '=') {
+				letters = is_letter(*at) ? letters + 1 : 0;
+				letter = *at;
+			}
+			at++;
+			continue;
+		}
+		number = read_number(&at);
+		if (is_same(number, tool->diameter))
+			return false;
+		if ((letters != 1 || letter == 'D' || letter == 'd') && !is_angle(at) &&
+		    fabs(number - tool->number) > 0)
+			twice |= is_same(number, 2 * tool->diameter);
+		letters = 0;
+	}
+	return twice;
+}
