@@ -16,6 +16,7 @@ struct problem {
 	size_t first;	/* the joint whose way counts first */
 	vec3 tool;	/* from the tip to the spindle at the zero pose */
 	vec3 wanted;	/* the same in the workpiece's frame */
+	const char *command;	/* for messages */
 };
 
 struct solution {
@@ -171,9 +172,12 @@ static size_t solve_two(const struct problem *problem, struct solution solutions
 
 static void add_solution(struct strbuf *text, const struct problem *problem, const struct solution *solution)
 {
-	for (size_t i = 0; i < problem->chain.count; i++)
+	for (size_t i = 0; i < problem->chain.count; i++) {
+		const double angle = degrees(solution->angle[i]);
+
 		strbuf_addf(text, "%s%c%.6g", i ? " " : "", AXIS_LETTERS[problem->chain.joints[i].slot],
-			    degrees(solution->angle[i]) + 0.0);
+			    fabs(angle) < SAME_DEGREES ? 0 : angle);
+	}
 }
 
 /* Why the other solution was not taken. */
@@ -201,7 +205,7 @@ static void tell(const struct problem *problem, const struct solution solutions[
 	const struct solution *other = count == 2 ? &solutions[1 - chosen] : NULL;
 	struct strbuf text = {0};
 
-	strbuf_addf(&text, "G53.1 turns to ");
+	strbuf_addf(&text, "%s turns to ", problem->command);
 	add_solution(&text, problem, &solutions[chosen]);
 	if (other) {
 		strbuf_addf(&text, "; the other solution, ");
@@ -269,7 +273,9 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 		diag_error(diag, loc, "a tilted plane needs axes X, Y and Z at right angles, and right-handed");
 		return false;
 	}
-	*problem = (struct problem){.machine = machine, .here = &orientation->rotary};
+	*problem = (struct problem){.machine = machine,
+				    .here = &orientation->rotary,
+				    .command = orientation->command ? orientation->command : "G53.1"};
 	chain_init(&problem->chain, machine, machine->workholding.link, machine->spindle.link);
 	drop_linear(&problem->chain);
 	problem->first = tcp.table.count == 2 ? 1 : 0;
@@ -279,7 +285,7 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 	if (problem->chain.count == 1 || problem->chain.count == 2)
 		return true;
 	diag_error(diag, loc, "%s needs one or two rotary axes between the workpiece and the tool; this machine "
-			      "has %zu", orientation->command ? orientation->command : "G53.1", problem->chain.count);
+			      "has %zu", problem->command, problem->chain.count);
 	return false;
 }
 

@@ -237,7 +237,7 @@ START_TEST(contour)
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
 	c.show_blend = true;
-	case_expect(&c, "G61\nG5.1 Q1 R5\nG0 X1.\nG5.1 Q0\nX2.\nG8 P1\nX3.\nG8 P0\nG64\nG5 P10000\nX4.\nG5 P0\nX5.\nM30\n",
+	case_expect(&c, "G54.2 P0\nG54.4 P0\nG61\nG5.1 Q1 R5\nG0 X1.\nG5.1 Q0\nX2.\nG8 P1\nX3.\nG8 P0\nG64\nG5 P10000\nX4.\nG5 P0\nX5.\nM30\n",
 		    "rapid 1 0 0 0 0 blend 0\nrapid 2 0 0 0 0 exact\nrapid 3 0 0 0 0 blend 0\n"
 		    "rapid 4 0 0 0 0 blend 0\nrapid 5 0 0 0 0 blend 0\n");
 	/* Mitsubishi M700 programming manual, "High-speed Machining Mode"; posts for Mazak write it, too. */

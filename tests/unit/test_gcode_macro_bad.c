@@ -372,9 +372,10 @@ static const struct {
 	 "    G72 I5. J30. L3\n    ^\n"},
 	{F, "G54.2 P1\n",
 	 "p.nc:1:1: error: G54.2: rotary table dynamic fixture offset (post with a work offset for each angle) is not supported "
-	 "yet\n    G54.2 P1\n    ^\n"},
+	 "yet, and P0, which ends it, is read\n    G54.2 P1\n    ^\n"},
 	{F, "G54.4 P1\n",
-	 "p.nc:1:1: error: G54.4: work setting error compensation is not supported yet\n    G54.4 P1\n    ^\n"},
+	 "p.nc:1:1: error: G54.4: work setting error compensation is not supported yet, and P0, which ends it, is "
+	 "read\n    G54.4 P1\n    ^\n"},
 	{F, "G71 U2. R1.\n",
 	 "p.nc:1:1: error: G71: turning cycle of lathes (other controls mean millimetres: write G21) is not supported yet\n"
 	 "    G71 U2. R1.\n    ^\n"},

@@ -99,7 +99,7 @@ START_TEST(tilted_in_every_form)
 		"G68.2 P1 Q321 X1. Y2. Z3. I-30. J0. K180.\n",
 		"G68.2 P2 Q1 X1. Y2. Z3.\nG68.2 P2 Q2 X-9. Y2. Z3.\nG68.2 P2 Q3 X-4. Y-6.66025404 Z8.\n",
 		/* The zero is shifted by 10 along the new X. */
-		("G68.2 P2 Q0 X10. Y0. Z0.\nG68.2 P2 Q1 X11. Y2. Z3.\nG68.2 P2 Q2 X1. Y2. Z3.\n"
+		("G68.2 P2 Q0 X10. Y0. Z0. R0\nG68.2 P2 Q1 X11. Y2. Z3.\nG68.2 P2 Q2 X1. Y2. Z3.\n"
 		 "G68.2 P2 Q3 X11. Y-6.66025404 Z8.\n"),
 		/* Turned by 90 about the new Z. */
 		"G68.2 P2 Q1 X1. Y2. Z3. R90.\nG68.2 P2 Q2 X1. Y10.66025404 Z-2.\nG68.2 P2 Q3 X-4. Y2. Z3.\n",

@@ -313,6 +313,9 @@ static bool execute_nonmodal(struct interp *interp)
 	case G53_1:
 	case G53_6:
 		return coordinate_rotation_orient_tool(interp);
+	case G54_2:
+	case G54_4:
+		return work_offset_use_check_end(interp);
 	case G52:
 	case G92:
 	case G92_1:

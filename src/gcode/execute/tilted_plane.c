@@ -102,7 +102,7 @@ static bool by_points(struct interp *interp, mat3 *turn, vec3 *origin)
 	mat3 about_z = mat3_turn((vec3){0, 0, 1}, radians(parts->turn));
 	bool shifted = vec3_norm(p[0]) > 0;
 
-	if (shifted && parts->has_turn)
+	if (shifted && parts->has_turn && fabs(parts->turn) > 0)
 		return refuse(interp, "G68.2 P2 with both R and a shift in Q0 is not supported");
 	if (!turn_of(interp, vec3_sub(p[2], p[1]), vec3_sub(p[3], p[1]),
 		     "the three points of G68.2 P2 lie on one line, or are one point", turn))

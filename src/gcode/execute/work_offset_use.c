@@ -1,5 +1,7 @@
 #include "gcode/execute/work_offset_use.h"
 
+#include "base/same_double.h"
+
 void work_offset_use_note(struct interp *interp, int system, int column)
 {
 	if (interp->config->has_setup && !interp->state.work_known[system])
@@ -42,4 +44,15 @@ bool work_offset_use_check(struct interp *interp)
 	else if (block->letters & AXIS_BITS)
 		return work_offset_use_fault(interp, block_motion_column(block));
 	return true;
+}
+
+bool work_offset_use_check_end(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const bool by_table = block->g[G_NONMODAL] == G54_2;
+
+	return (block_has(block, 'P') && same_double(block_value(block, 'P'), 0)) ||
+	       fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is read",
+		     by_table ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
+			      : "G54.4: work setting error compensation");
 }

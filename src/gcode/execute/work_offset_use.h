@@ -21,6 +21,12 @@ void work_offset_use_note(struct interp *interp, int system, int column);
  */
 bool work_offset_use_check(struct interp *interp);
 
+/*
+ * G54.2 and G54.4 of Fanuc move the work offset with the table and by measured errors; P0 ends that (30i-B operator's
+ * manual). Only this is followed. False: reported.
+ */
+bool work_offset_use_check_end(struct interp *interp);
+
 /* Reports at the column that the work offset in force was assigned to and not selected again; false. */
 bool work_offset_use_fault(const struct interp *interp, int column);
 

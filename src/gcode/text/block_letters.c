@@ -133,6 +133,9 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 	case G53_1:
 	case G53_6:
 		return letter_bit('P');
+	case G54_2:
+	case G54_4:
+		return letter_bit('P');
 	case G70:
 	case G71:
 		return letter_bits("IJKL");

@@ -54,8 +54,8 @@ static const struct code g_codes[] = {
 	{512, GROUP_NONE, CODE_REFUSED, "polygon turning"},
 	{G53_1, G_NONMODAL, CODE_READ, "tool axis direction control"},
 	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
-	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset (post with a work offset for each angle)"},
-	{544, GROUP_NONE, CODE_REFUSED, "work setting error compensation"},
+	{G54_2, G_NONMODAL, CODE_READ, "end of the rotary table dynamic fixture offset (P0); another P is refused"},
+	{G54_4, G_NONMODAL, CODE_READ, "end of the work setting error compensation (P0); another P is refused"},
 	/* Of controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
 	{G61_1, G_PATH, CODE_READ, "high-accuracy control"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
