@@ -185,21 +185,46 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	return true;
 }
 
+/* A pair whose geometry is to be looked at. */
+struct open_pair {
+	size_t pair;
+	double size;	/* triangles, the product of both bodies: roughly what it takes */
+};
+
 struct geometry_work {
 	struct scene *scene;
 	struct reach_search *searches;	/* one a thread */
-	size_t *pairs;
+	struct open_pair *pairs;
 };
+
+static double triangles_of(const struct scene *scene, int body)
+{
+	const struct bvh *bvh = scene->bodies[body].bvh;
+
+	return bvh ? (double)bvh->mesh.count : 0;
+}
+
+static int by_size(const void *a, const void *b)
+{
+	const struct open_pair *x = a, *y = b;
+
+	if (x->size < y->size || x->size > y->size)
+		return x->size > y->size ? -1 : 1;
+	return x->pair < y->pair ? -1 : x->pair > y->pair;
+}
 
 static void derive_one(void *context, int worker, size_t i)
 {
 	const struct geometry_work *work = context;
 
-	derive_from_geometry(work->scene, &work->scene->pairs[work->pairs[i]], &work->searches[worker]);
+	derive_from_geometry(work->scene, &work->scene->pairs[work->pairs[i].pair], &work->searches[worker]);
 }
 
 static void derive_all_from_geometry(struct geometry_work *work, size_t count, int threads)
 {
+	/* Those that take long come first: then no thread is left with one of them while the others have nothing to do. */
+	if (count)
+		qsort(work->pairs, count, sizeof(*work->pairs), by_size);
 	for (int i = 0; i < threads; i++)
 		reach_search_init(&work->searches[i], work->scene);
 	parallel_for(count, threads, derive_one, work);
@@ -223,7 +248,8 @@ void pairs_derive(struct scene *scene, double clearance, int threads)
 			pair->a = (int)a;
 			pair->b = (int)b;
 			if (!derive(scene, pair, clearance))
-				work.pairs[count++] = scene->pair_count - 1;
+				work.pairs[count++] = (struct open_pair){
+					scene->pair_count - 1, triangles_of(scene, pair->a) * triangles_of(scene, pair->b)};
 			if (pair->status == PAIR_CUTTING && !pair->stock)
 				add_gouge(scene, pair);
 		}

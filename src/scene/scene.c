@@ -44,12 +44,12 @@ void scene_free(struct scene *scene)
 		if (scene->bodies[i].topology)
 			topology_release(scene->bodies[i].topology);
 		free(scene->bodies[i].topology);
+		pthread_mutex_destroy(&scene->bodies[i].building);
 	}
 	for (size_t i = 0; i < scene->pair_count; i++)
 		free(scene->pairs[i].reason);
 	doubts_release(&scene->doubts);
 	sweep_release(&scene->sweep);
-	pthread_mutex_destroy(&scene->building);
 	arena_release(&scene->cores);
 	free(scene->bodies);
 	free(scene->pairs);
@@ -122,14 +122,13 @@ static const struct bvh *solid_bvh(struct scene *scene, int body)
 {
 	struct scene_body *b = &scene->bodies[body];
 
-	pthread_mutex_lock(&scene->building);
+	pthread_mutex_lock(&b->building);
 	if (!b->bvh) {
 		struct mesh mesh = tessellated(tool_solid_mesh, b->core ? b->core : b->body->profile);
 
 		b->bvh = bvh_new(&mesh);
-		scene->meshes_read += !b->core;
 	}
-	pthread_mutex_unlock(&scene->building);
+	pthread_mutex_unlock(&b->building);
 	return b->bvh;
 }
 
@@ -137,13 +136,13 @@ const struct bvh *scene_body_coarse(struct scene *scene, int body)
 {
 	struct scene_body *b = &scene->bodies[body];
 
-	pthread_mutex_lock(&scene->building);
+	pthread_mutex_lock(&b->building);
 	if (!b->coarse) {
 		struct mesh mesh = tessellated(tool_solid_coarse_mesh, b->body->profile);
 
 		b->coarse = bvh_new(&mesh);
 	}
-	pthread_mutex_unlock(&scene->building);
+	pthread_mutex_unlock(&b->building);
 	return b->coarse;
 }
 
@@ -159,12 +158,12 @@ const struct topology *scene_body_topology(struct scene *scene, int body)
 	struct scene_body *b = &scene->bodies[body];
 	const struct bvh *bvh = scene_body_bvh(scene, body);
 
-	pthread_mutex_lock(&scene->building);
+	pthread_mutex_lock(&b->building);
 	if (!b->topology) {
 		b->topology = mem_zalloc(1, sizeof(*b->topology));
 		topology_init(b->topology, &bvh->mesh);
 	}
-	pthread_mutex_unlock(&scene->building);
+	pthread_mutex_unlock(&b->building);
 	return b->topology;
 }
 
@@ -202,10 +201,14 @@ size_t scene_count_pairs(const struct scene *scene, enum pair_status status)
 
 void scene_count_meshes(struct scene *scene, size_t *read, size_t *trees)
 {
-	pthread_mutex_lock(&scene->building);
 	*read = scene->meshes_read;
 	*trees = 0;
-	for (size_t i = 0; i < scene->body_count; i++)
-		*trees += scene->bodies[i].bvh != NULL;
-	pthread_mutex_unlock(&scene->building);
+	for (size_t i = 0; i < scene->body_count; i++) {
+		struct scene_body *b = &scene->bodies[i];
+
+		pthread_mutex_lock(&b->building);
+		*trees += b->bvh != NULL;
+		*read += b->bvh && b->body->profile;
+		pthread_mutex_unlock(&b->building);
+	}
 }

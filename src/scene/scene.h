@@ -34,6 +34,7 @@ struct scene_body {
 	struct bvh *bvh;	/* NULL, of a core or of a piece made of sections, until scene_body_bvh builds it */
 	struct bvh *coarse;	/* NULL until scene_body_coarse builds it */
 	struct topology *topology;	/* NULL until asked for */
+	pthread_mutex_t building;	/* for these three: each is built by the first thread that needs it */
 	double depth;	/* mm, of a core */
 	const struct tool_solid *core;	/* a core's own sections; its tree is built when a check needs it */
 };
@@ -63,11 +64,9 @@ struct scene {
 	struct arena cores;
 	struct scene_pair *pairs;	/* every pair: (0,1) (0,2) ...; a cutter and a part have one for each fault */
 	size_t pair_count;
-	size_t meshes_read;
+	size_t meshes_read;	/* of files; a tool's pieces that are made of sections are not counted */
 	struct doubts doubts;	/* filled by model_check */
 	struct sweep sweep;	/* working storage for what one thread asks of a model */
-	/* topologies and the trees of cores and of tools' pieces are built when they are asked for, by any thread */
-	pthread_mutex_t building;
 };
 
 /*

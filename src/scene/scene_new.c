@@ -27,7 +27,6 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 {
 	struct scene *scene = mem_zalloc(1, sizeof(*scene));
 
-	pthread_mutex_init(&scene->building, NULL);
 	scene->machine = machine;
 	scene->setup = setup;
 	scene->bodies = mem_zalloc(machine->body_count + (setup ? setup->body_count : 0), sizeof(*scene->bodies));
@@ -35,6 +34,8 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 	if (setup)
 		add_bodies(scene, setup->bodies, setup->body_count);
 	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
+	for (size_t i = 0; i < scene->body_count; i++)
+		pthread_mutex_init(&scene->bodies[i].building, NULL);
 	if (!mesh_reading_run(scene, threads > 1 ? threads : 1, diag)) {
 		scene_free(scene);
 		return NULL;
