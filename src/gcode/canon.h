@@ -6,6 +6,7 @@
 
 #include "base/axes.h"
 #include "base/call_chain.h"
+#include "base/minmax.h"
 #include "geom/vec3.h"
 
 /*
@@ -121,11 +122,11 @@ static inline void canon_move_begin(struct canon_move *move, enum canon_kind kin
 /* Is it known only as a set of paths, or as one that may end early? */
 static inline bool canon_move_is_bounded(const struct canon_move *move)
 {
-	bool bounded = move->may_stop || move->after_probe;
+	double most = 0;
 
 	for (int i = 0; i < 3; i++)
-		bounded |= move->spread[i] > 0 || move->turn_spread[i] > 0;
-	return bounded;
+		most = larger(most, larger(move->spread[i], move->turn_spread[i]));
+	return most > 0 || move->may_stop || move->after_probe;
 }
 
 /* A block has been carried out. */
@@ -135,6 +136,7 @@ struct canon_block {
 	const char *text;	/* the line as it stands in the file; valid during the call */
 	int moves;
 	const struct call_chain *callers;	/* valid during the call; NULL: as an empty one */
+	long lines;	/* of the program, read so far */
 };
 
 enum canon_event_kind { CANON_MOVE, CANON_BLOCK };

@@ -205,14 +205,21 @@ struct dialect {
 	/* What the hooks remember of a program, in interp->dialect_state; all or none of the two. */
 	void *(*state_new)(void);
 	void (*state_free)(void *state);
-	/* The line in hand if it is a statement and no block, such as control flow: then *done is true. */
+	/*
+	 * The line in hand if it is a statement and no block, such as control flow: then *done is true. Where
+	 * interp->block.plain is set the line has been read as a plain block; the hook clears it if the control has
+	 * another meaning for its G-code.
+	 */
 	bool (*statement)(struct interp *interp, bool *done);
 	/*
 	 * G28, G30, G53 or DOUBT_M6 (state.h) has moved the axes marked: what became of the length compensation.
 	 * NULL: that is not known, if there is one.
 	 */
 	void (*after_machine_move)(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
-	/* Fills interp->block from the line in hand; no words: there is nothing to carry out. NULL: not known. */
+	/*
+	 * Fills interp->block from the line in hand, which is no plain block; no words: there is nothing to carry out.
+	 * NULL: not known, and no line is read as a plain block.
+	 */
 	bool (*read_block)(struct interp *interp);
 	/* The block has been read and checked, and nothing of it has been carried out: what it assigns takes effect. */
 	bool (*before_block)(struct interp *interp);

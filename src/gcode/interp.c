@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/apart.h"
 #include "base/mem.h"
 #include "gcode/dialect/family.h"
 #include "gcode/execute/corner_insert.h"
@@ -47,9 +48,7 @@ void interp_free(struct interp *interp)
 
 long interp_lines(const struct interp *interp)
 {
-	const struct sources *sources = &interp->program.sources;
-
-	return sources->count ? sources->items[0]->reader.furthest : 0;
+	return program_lines(&interp->program);
 }
 
 /*
@@ -105,7 +104,8 @@ static bool read_on(struct interp *interp, size_t errors_before)
 	return true;
 }
 
-static bool run_block(struct interp *interp)
+/* The words of a block that is no plain move, and the motion that they ask for. */
+static APART bool take_words(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
 	struct block *block = &interp->block;
@@ -121,7 +121,7 @@ static bool run_block(struct interp *interp)
 	struct diag unheard;
 
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
-	    !dialect->read_block(interp))
+	    (!block->plain && !dialect->read_block(interp)))
 		return false;
 	/* A word less: what the rest lacks for it is no fault of its own. */
 	if (read_on(interp, errors)) {
@@ -132,11 +132,21 @@ static bool run_block(struct interp *interp)
 	}
 	interp->begun = interp->begun || block->words > 0 ||
 			(traits_of(interp)->text_before_percent != ANSWER_YES && *line_start(&interp->at) != '\0');
+	return block->words == 0 || block_check(block, checked, interp->config, &modes);
+}
+
+static bool run_block(struct interp *interp)
+{
+	const struct dialect *dialect = interp->config->dialect;
+	struct block *block = &interp->block;
+
+	if (block_is_plain_move(block, interp->state.motion, interp->state.length_code == G43_5))
+		interp->begun = true;
+	else if (!take_words(interp))
+		return false;
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
-	if (!block_check(block, checked, interp->config, &modes))
-		return false;
 	if (dialect->before_block && !dialect->before_block(interp))
 		return false;
 	if (!execute_block(interp))
@@ -152,11 +162,14 @@ static bool run_line(struct interp *interp)
 	const char *text;
 	bool done = false;
 
+	interp->block.plain = dialect->read_block && block_read_plain(&interp->block, &interp->at, interp->config);
 	if (dialect->statement && !dialect->statement(interp, &done))
 		return false;
 	interp->begun = interp->begun || done;
 	if (done)
 		return true;
+	if (interp->block.plain)
+		return run_block(interp);
 	text = line_start(&interp->at);
 	return *text == '%' ? take_percent(interp, text) : run_block(interp);
 }
@@ -191,7 +204,7 @@ static void find_callers(struct interp *interp)
  * A line with its messages: in a subprogram, they are followed by the calls that led there. It stays a function of its
  * own: browsers replace the slow first code of a function when it is called again, which the loop over all lines is not.
  */
-__attribute__((noinline)) static bool run_line_called(struct interp *interp)
+static APART bool run_line_called(struct interp *interp)
 {
 	size_t said = interp->diag->errors + interp->diag->warnings;
 	bool good;

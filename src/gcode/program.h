@@ -24,6 +24,14 @@ struct program {
 
 void program_release(struct program *program);
 
+/* Lines of the program itself that have been read so far. */
+static inline long program_lines(const struct program *program)
+{
+	const struct sources *sources = &program->sources;
+
+	return sources->count ? sources->items[0]->reader.furthest : 0;
+}
+
 /* The next line in hand is the one at `to`. False: reported at the column. */
 bool program_jump(struct program *program, const struct position *to, const struct line_place *at, int column);
 

@@ -1,10 +1,9 @@
 #include "motion/blend.h"
 
-#include "base/same_double.h"
 #include "base/units.h"
 
-void blend_take(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
-		const struct canon_move *move)
+void blend_change(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
+		  const struct canon_move *move)
 {
 	double own = machine->controller.path_tolerance;
 	double programmed = move->blend ? move->blend_tolerance : 0;
@@ -12,11 +11,10 @@ void blend_take(struct blend *blend, const struct machine *machine, const struct
 
 	if (move->blend && move->blend_turn > 0)
 		rotary = move->blend_turn;
-	/* It rarely changes. */
-	if (same_double(linear, blend->linear) && same_double(rotary, blend->rotary))
-		return;
-	blend->linear = linear;
-	blend->rotary = rotary;
+	blend->taken = true;
+	blend->on = move->blend;
+	blend->programmed = move->blend_tolerance;
+	blend->turn = move->blend_turn;
 	for (size_t i = 0; i < axes->count; i++)
 		blend->tolerance.v[axes->rows[i].slot] = axes->rows[i].rotary ? rotary : linear;
 }

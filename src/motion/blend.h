@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "base/same_double.h"
 #include "gcode/canon.h"
 #include "machine/machine.h"
 #include "motion/axis_table.h"
@@ -15,13 +16,24 @@
  * degrees or, without these, P as degrees.
  */
 struct blend {
-	double linear, rotary;
+	bool taken;	/* from a move, which had: */
+	bool on;
+	double programmed, turn;
 	axis_values tolerance;
 };
 
-/* Takes over what the move says. A blend of zeros is that of a control that keeps to the path. */
-void blend_take(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
-		const struct canon_move *move);
+/* blend_take of a move that says something else than the last one. */
+void blend_change(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
+		  const struct canon_move *move);
+
+/* Takes over what the move says, which rarely changes. A blend of zeros has not seen a move yet. */
+static inline void blend_take(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
+			      const struct canon_move *move)
+{
+	if (!blend->taken || blend->on != move->blend || !same_double(blend->programmed, move->blend_tolerance) ||
+	    !same_double(blend->turn, move->blend_turn))
+		blend_change(blend, machine, axes, move);
+}
 
 /* Is G64 in force without a tolerance from the program or the machine file? */
 bool blend_is_unbounded(const struct machine *machine, const struct canon_move *move);

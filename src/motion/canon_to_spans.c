@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/apart.h"
 #include "base/units.h"
 #include "motion/dogleg.h"
 #include "motion/limits.h"
@@ -64,18 +65,25 @@ static bool is_near(double position)
 	return fabs(position) <= FARTHEST;
 }
 
-static bool is_in_reach(struct canon_to_spans *converter, const struct canon_move *move)
+static APART bool fault_of_reach(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	int slot = 0;
 
-	while (slot < SLOT_COUNT && is_near(move->end.v[slot]))
+	while (is_near(move->end.v[slot]))
 		slot++;
-	if (slot < SLOT_COUNT) {
-		diag_error(converter->diag, place(converter, move),
-			   "axis %c is sent to %g, farther than can be computed", AXIS_LETTERS[slot],
-			   slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
-		return false;
-	}
+	diag_error(converter->diag, place(converter, move), "axis %c is sent to %g, farther than can be computed",
+		   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
+	return false;
+}
+
+static bool is_in_reach(struct canon_to_spans *converter, const struct canon_move *move)
+{
+	bool near = true;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		near &= is_near(move->end.v[slot]);
+	if (!near)
+		return fault_of_reach(converter, move);
 	if (move->kind != CANON_ARC ||
 	    (vec3_norm(move->arc.centre) <= FARTHEST && fabs(move->arc.sweep) <= FARTHEST))
 		return true;
@@ -129,7 +137,7 @@ static bool is_countable(const struct canon_to_spans *converter, const struct ca
  * By how much each axis leaves the box between start and end if the control keeps the tip on a line all the same:
  * linear axes swing out while rotary ones turn. False: too long to say, which was reported.
  */
-static bool swing_out(struct run *run, const struct path *box)
+static APART bool swing_out(struct run *run, const struct path *box)
 {
 	const struct canon_to_spans *converter = run->converter;
 	struct path *guided = &run->guided.path;
@@ -220,6 +228,19 @@ static bool stand(struct run *run)
 	return true;
 }
 
+/* Each axis of a straight rapid at its own rate. */
+static APART bool set_dogleg(struct run *run)
+{
+	struct path parts[SLOT_COUNT];
+
+	run->count = dogleg_split(run->converter->machine, &run->legs[0].path, parts);
+	for (size_t i = 0; i < run->count; i++) {
+		run->legs[i].path = parts[i];
+		span_init(&run->legs[i].span, &run->legs[i].path);
+	}
+	return true;
+}
+
 static bool set_legs(struct run *run)
 {
 	const struct canon_to_spans *converter = run->converter;
@@ -236,16 +257,8 @@ static bool set_legs(struct run *run)
 	move_path_set(path, &start, move, &run->guided.path);
 	if (!move_path_moves(path) && !(path->circular && path_length(path) > 0))
 		return !run->has_room || stand(run);
-	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
-		struct path parts[SLOT_COUNT];
-
-		run->count = dogleg_split(machine, path, parts);
-		for (size_t i = 0; i < run->count; i++) {
-			run->legs[i].path = parts[i];
-			span_init(&run->legs[i].span, &run->legs[i].path);
-		}
-		return true;
-	}
+	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG)
+		return set_dogleg(run);
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, path))
 		return false;
 	span_init_from(&leg->span, &leg->path, &converter->position);
@@ -296,15 +309,12 @@ static bool report_swing(struct run *run, const bool reported[SLOT_COUNT])
 	return true;
 }
 
-static bool report_limits(struct run *run)
+static APART bool report_limits(struct run *run, const axis_values *room)
 {
-	const axis_values *room = run->has_room ? &run->room : NULL;
 	struct limit_crossing crossings[SLOT_COUNT];
 	bool reported[SLOT_COUNT] = {false};
 	size_t count;
 
-	if (limits_kept(&run->converter->axes, run->legs, run->count, room))
-		return !run->swings || report_swing(run, reported);
 	count = limits_crossed(run->converter->machine, run->legs, run->count, room, crossings);
 	for (size_t i = 0; i < count; i++) {
 		double before = 0;
@@ -316,6 +326,19 @@ static bool report_limits(struct run *run)
 			return false;
 	}
 	return !run->swings || report_swing(run, reported);
+}
+
+static bool check_limits(struct run *run)
+{
+	struct canon_to_spans *converter = run->converter;
+	const axis_values *room = run->has_room ? &run->room : NULL;
+	const bool straight = run->count == 1 && path_is_straight(&run->legs[0].path) && !room && !run->swings;
+
+	/* A straight move between two places inside of the limits stays inside. */
+	if (straight && converter->inside && limits_hold(&converter->axes, &run->legs[0].span.q1))
+		return true;
+	converter->inside = limits_kept(&converter->axes, run->legs, run->count, room);
+	return (converter->inside && !run->swings) || report_limits(run, room);
 }
 
 /* Sends the step that is filled but for its times. */
@@ -423,7 +446,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;
-	if (!report_limits(&run))
+	if (!check_limits(&run))
 		return false;
 	for (size_t i = 0; i < run.count; i++)
 		if (!send_leg(&run, &run.legs[i]))
@@ -489,6 +512,7 @@ static bool end_block(struct canon_to_spans *converter, const struct canon_block
 		.caller_count = block->callers ? block->callers->count : 0,
 	};
 	converter->event.summary.blocks++;
+	converter->event.summary.lines = block->lines;
 	converter->block_time = 0;
 	return tell(converter, MOTION_BLOCK);
 }

@@ -25,6 +25,7 @@ struct canon_to_spans {
 	const char *name;	/* of the program, for messages */
 	axis_values position;	/* of the machine's axes */
 	axis_values controller;	/* the same position as given by the end of the last move */
+	bool inside;	/* the position is known to be inside of the axes' limits */
 	bool controller_guided;	/* `controller` is a position under TCP */
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;

@@ -9,6 +9,19 @@
 #include "motion/axis_table.h"
 #include "motion/span.h"
 
+/* Is no axis outside of its limits there? */
+static inline bool limits_hold(const struct axis_table *axes, const axis_values *position)
+{
+	for (size_t i = 0; i < axes->count; i++) {
+		const struct axis_row *axis = &axes->rows[i];
+		const double at = position->v[axis->slot];
+
+		if (!(at >= axis->limit_min && at <= axis->limit_max))
+			return false;
+	}
+	return true;
+}
+
 /*
  * Does every axis surely stay inside its limits on all legs, wherever its room leaves it (limits_crossed)? False: look
  * for crossings. Nearly every move is inside as a whole.

@@ -47,40 +47,25 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 	return config;
 }
 
-/* The converter comes first: it is the context of the interpreter's calls. */
-struct run {
-	struct canon_to_spans converter;
-	struct interp *interp;
-};
-
-/* Lines are counted at the end of a block. */
-static bool on_event(void *context, const struct canon_event *event)
-{
-	struct run *run = context;
-
-	if (event->kind == CANON_BLOCK)
-		run->converter.event.summary.lines = interp_lines(run->interp);
-	return canon_to_spans_event(&run->converter, event);
-}
-
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
 		struct motion_summary *summary)
 {
 	const struct gcode_config config = config_of(machine, setup, options);
-	struct run run;
-	const struct canon_sink canon = {&run, on_event};
+	struct canon_to_spans converter;
+	const struct canon_sink canon = {&converter, canon_to_spans_event};
 	struct kinematics kinematics;
+	struct interp *interp;
 	bool ok;
 
-	canon_to_spans_init(&run.converter, machine, setup, options->flatness, sink, diag, name);
-	run.converter.tells_modes = options->modes;
-	run.converter.tells_steps = !options->counts_steps;
-	kinematics = motion_kinematics(&run.converter);
-	run.interp = interp_new(&config, &kinematics, &canon, diag);
-	ok = interp_run(run.interp, in, name);
-	*summary = run.converter.event.summary;
-	summary->lines = interp_lines(run.interp);
-	interp_free(run.interp);
+	canon_to_spans_init(&converter, machine, setup, options->flatness, sink, diag, name);
+	converter.tells_modes = options->modes;
+	converter.tells_steps = !options->counts_steps;
+	kinematics = motion_kinematics(&converter);
+	interp = interp_new(&config, &kinematics, &canon, diag);
+	ok = interp_run(interp, in, name);
+	*summary = converter.event.summary;
+	summary->lines = interp_lines(interp);
+	interp_free(interp);
 	return ok;
 }

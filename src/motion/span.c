@@ -9,17 +9,10 @@ void span_init(struct span *whole, const struct path *path)
 	span_init_from(whole, path, &start);
 }
 
-void span_init_from(struct span *whole, const struct path *path, const axis_values *start)
+void span_init_curved(struct span *whole, const struct path *path)
 {
-	static const axis_values none;
-
-	whole->q0 = *start;
-	whole->path = path;
-	whole->u0 = 0;
-	whole->u1 = 1;
-	/* Nearly all paths are straight. */
-	whole->q1 = path_is_straight(path) ? path->end : path_position(path, 1);
-	whole->chord_error = path_is_straight(path) ? none : path_chord_error(path, 0, 1);
+	whole->q1 = path_position(path, 1);
+	whole->chord_error = path_chord_error(path, 0, 1);
 }
 
 void span_halve(const struct span *span, struct span *first, struct span *second)

@@ -28,8 +28,23 @@ struct leg {
 /* The whole path as one span. */
 void span_init(struct span *whole, const struct path *path);
 
-/* The same where the position at its start is known: it is not computed again. */
-void span_init_from(struct span *whole, const struct path *path, const axis_values *start);
+/* The end and the chord error of span_init. */
+void span_init_curved(struct span *whole, const struct path *path);
+
+/* The same where the position at its start is known: it is not computed again. Nearly all paths are straight. */
+static inline void span_init_from(struct span *whole, const struct path *path, const axis_values *start)
+{
+	whole->q0 = *start;
+	whole->path = path;
+	whole->u0 = 0;
+	whole->u1 = 1;
+	if (!path_is_straight(path)) {
+		span_init_curved(whole, path);
+		return;
+	}
+	whole->q1 = path->end;
+	whole->chord_error = (axis_values){{0}};
+}
 
 /* The earlier and the later half; the chord errors of a curved path shrink to about a quarter. */
 void span_halve(const struct span *span, struct span *first, struct span *second);

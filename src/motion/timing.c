@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/apart.h"
 #include "base/minmax.h"
 
 static double way(const struct path *path, int first, int last)
@@ -30,39 +31,49 @@ double timing_programmed(const struct path *path, const struct canon_feed *feed)
 	return way(path, SLOT_A, SLOT_C) / feed->angular;
 }
 
-/* Seconds that the axes need for the whole path if they go over its chord like over `span`, and `extra` more. */
-static double needed(const struct axis_table *axes, const struct span *span, const axis_values *extra)
+/*
+ * Seconds that the axes need for the whole path if they go over its chord like over `span`, which is `part` of it, and
+ * `extra` more (NULL: none).
+ */
+static inline double needed(const struct axis_table *axes, const struct span *span, double part,
+			    const axis_values *extra)
 {
-	double part = span->u1 - span->u0, most = 0;
+	double most = 0;
 
 	for (size_t i = 0; i < axes->count; i++) {
 		const struct axis_row *axis = &axes->rows[i];
-		double d = fabs(span->q1.v[axis->slot] - span->q0.v[axis->slot]) + extra->v[axis->slot];
+		double d = fabs(span->q1.v[axis->slot] - span->q0.v[axis->slot]);
 
+		if (extra)
+			d += extra->v[axis->slot];
 		most = larger(most, d / (axis->rate_max * part));
 	}
 	return most;
 }
 
-double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds)
+/* The axes keep to their rates over the chord of the whole, but may need longer for pieces of it. */
+static APART double held_in_pieces(const struct axis_table *axes, const struct span *whole, double flatness,
+				   double seconds)
 {
-	static const axis_values none;
 	axis_values second_derivative;
 	struct span_walk walk;
 	struct span piece;
 
-	/* No axis is slower on every piece than on the whole. */
-	seconds = larger(seconds, needed(axes, whole, &none));
-	if (span_is_flat(whole, flatness))
-		return seconds;
 	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
 	second_derivative = path_second_derivative(whole->path, 0, 1);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		second_derivative.v[slot] *= 0.5;
-	if (needed(axes, whole, &second_derivative) <= seconds)
+	if (needed(axes, whole, 1, &second_derivative) <= seconds)
 		return seconds;
 	span_walk_init(&walk, whole, flatness);
 	while (span_walk_next(&walk, &piece))
-		seconds = larger(seconds, needed(axes, &piece, &none));
+		seconds = larger(seconds, needed(axes, &piece, piece.u1 - piece.u0, NULL));
 	return seconds;
+}
+
+double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds)
+{
+	/* No axis is slower on every piece than on the whole. */
+	seconds = larger(seconds, needed(axes, whole, 1, NULL));
+	return span_is_flat(whole, flatness) ? seconds : held_in_pieces(axes, whole, flatness, seconds);
 }

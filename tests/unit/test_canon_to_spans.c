@@ -318,7 +318,7 @@ END_TEST
 START_TEST(dwells_tools_and_blocks)
 {
 	struct machine machine = rig_three_axes();
-	const struct canon_block done = {"part.nc", 12, "G1 X30", 2, NULL};
+	const struct canon_block done = {"part.nc", 12, "G1 X30", 2, NULL, 17};
 	const struct canon_event block = {CANON_BLOCK, .of.block = &done};
 	struct record record;
 
@@ -342,6 +342,7 @@ START_TEST(dwells_tools_and_blocks)
 	ck_assert_double_eq_tol(record.steps[2].block_time, 0, 1e-15);
 	ck_assert_double_eq_tol(record.converter.event.summary.seconds, 6.5, 1e-12);
 	ck_assert_int_eq((int)record.converter.event.summary.blocks, 1);
+	ck_assert_int_eq((int)record.converter.event.summary.lines, 17);
 	ck_assert_int_eq((int)record.converter.event.summary.spans, 3);
 }
 END_TEST
@@ -384,16 +385,19 @@ START_TEST(blending)
 	ck_assert(!(record.steps[1].tolerance.v[SLOT_W] > 0));
 	ck_assert(!record.converter.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0.02;
+	start(&record, &machine);
 	move.end.v[SLOT_X] = 30;
 	go(&record, move);
-	ck_assert_double_eq_tol(record.steps[2].tolerance.v[SLOT_Z], 0.05, 1e-15);
-	ck_assert_double_eq_tol(record.steps[2].tolerance.v[SLOT_A], radians(0.02), 1e-15);
+	ck_assert_double_eq_tol(record.steps[0].tolerance.v[SLOT_Z], 0.05, 1e-15);
+	ck_assert_double_eq_tol(record.steps[0].tolerance.v[SLOT_A], radians(0.02), 1e-15);
 	move.blend = false;
 	move.end.v[SLOT_X] = 40;
 	go(&record, move);
-	ck_assert_double_eq_tol(record.steps[3].tolerance.v[SLOT_Z], 0.02, 1e-15);
+	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_Z], 0.02, 1e-15);
+	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_A], radians(0.02), 1e-15);
 	ck_assert(!record.converter.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0;
+	start(&record, &machine);
 	move.blend = true;
 	move.blend_tolerance = 0;
 	move.end.v[SLOT_X] = 50;

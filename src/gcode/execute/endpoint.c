@@ -78,12 +78,8 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
  */
 static void caution_probe(struct interp *interp)
 {
-	static const bool none[SLOT_COUNT];
 	bool unknown = false, others = false;
 
-	/* In most programs no probe has ever stopped an axis. */
-	if (!memcmp(interp->state.probed, none, sizeof(none)))
-		return;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		unknown |= interp->state.probed[slot] && !interp->state.probe_bounded[slot];
 		others |= !interp->state.probed[slot] && block_has(&interp->block, AXIS_LETTERS[slot]);
@@ -97,6 +93,17 @@ static void caution_probe(struct interp *interp)
 		"and for rotary axes it is proved from the end of the probe's way only, here and further on; lead the "
 		"probed "
 		"axis back by an absolute coordinate in a block of its own first");
+}
+
+/* The word leads the axis there from wherever a probe has stopped it, or from there on. */
+static void settle(struct interp *interp, int slot)
+{
+	struct state *state = &interp->state;
+	const int motion = interp->block.motion;
+
+	state->settles[slot] = !state->incremental;
+	if (!state->incremental && motion >= G0 && motion <= G3 && !state->probe_bounded[slot])
+		state->probed[slot] = false;
 }
 
 static void forget_sets(struct interp *interp)
@@ -121,11 +128,13 @@ static bool is_certain(struct interp *interp, int slot, double value)
 
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 {
+	static const bool none[SLOT_COUNT];
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 	const bool polar = !machine && state->polar.on, incremental = state->incremental;
 	const bool in_doubt = !machine && (incremental || state->length_doubt != CODE_NONE);
-	const bool leads = !incremental && block->motion >= G0 && block->motion <= G3;
+	/* In most programs no probe has ever stopped an axis. */
+	const bool probed = memcmp(state->probed, none, sizeof(none)) != 0;
 	uint32_t left = block->letters & AXIS_BITS;
 
 	*target = state->frame.on ? rotated_frame_straight(state) : state->position;
@@ -138,7 +147,8 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 	    (state->dynamic.unsure_code != CODE_NONE && !dynamic_work_offset_check_words(interp)))
 		return false;
 	forget_sets(interp);
-	caution_probe(interp);
+	if (probed)
+		caution_probe(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; left; slot++) {
@@ -161,9 +171,8 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		else if (!endpoint_absolute(interp, slot, value, origin, block_column(block, letter),
 					    &target->v[slot]))
 			return false;
-		state->settles[slot] = !incremental;
-		if (leads && !state->probe_bounded[slot])
-			state->probed[slot] = false;
+		if (probed)
+			settle(interp, slot);
 	}
 	return machine || !state->polar.on || polar_coordinates_find(interp, target);
 }

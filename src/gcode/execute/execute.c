@@ -1,5 +1,6 @@
 #include "gcode/execute/execute.h"
 
+#include "base/apart.h"
 #include "base/same_double.h"
 #include "gcode/execute/arc_move.h"
 #include "gcode/execute/bolt_pattern.h"
@@ -51,7 +52,7 @@ static bool refuse_mode(const struct interp *interp, const struct mode_question 
 }
 
 /* Words whose meaning depends on a mode need the mode: from the program, or as it is at power-on. */
-static bool check_modes(struct interp *interp)
+static APART bool check_modes(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	unsigned *unknown = &interp->state.unknown_modes;
@@ -228,7 +229,7 @@ static bool is_count(const struct block *block, const struct dialect_traits *tra
  * 162: a number without a decimal point counts least input increments. In
  * inches an increment is a tenth of the figure in mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */
-static bool take_increments(struct interp *interp, uint32_t left)
+static APART bool take_increments(struct interp *interp, uint32_t left)
 {
 	struct block *block = &interp->block;
 	enum whole_numbers whole = traits_of(interp)->whole_numbers;

@@ -3,6 +3,8 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/apart.h"
+#include "base/minmax.h"
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
@@ -12,7 +14,8 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
-void motion_commands_fill(struct interp *interp, struct canon_move *move)
+/* What the modes and the block say about a move. */
+static void fill_in(struct interp *interp, struct canon_move *move)
 {
 	const struct state *state = &interp->state;
 
@@ -29,6 +32,26 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
 	if (move->turn == TURN_UNKNOWN && state->spindle != SPINDLE_STOPPED)
 		move->turn = state->spindle == SPINDLE_CLOCKWISE ? TURN_CLOCKWISE : TURN_COUNTERCLOCKWISE;
+	move->origin = state->origin;
+	move->origin.length = state->length;
+	move->origin.turned = state->frame.on || state->own_frame;
+	if (state->spindle != SPINDLE_STOPPED)
+		move->spindle_speed = state->spindle == SPINDLE_CLOCKWISE ? state->speed : -state->speed;
+}
+
+/* Are there axes that may be beside the path of any move? */
+static bool widens(const struct interp *interp)
+{
+	const double *loose = interp->comp.loose;
+
+	return larger(loose[SLOT_X], larger(loose[SLOT_Y], loose[SLOT_Z])) > 0 || interp->state.cylinder.on;
+}
+
+/* Adds how far they may be beside this one, which has been filled in. */
+static void widen(const struct interp *interp, struct canon_move *move)
+{
+	const struct state *state = &interp->state;
+
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (!(interp->comp.loose[slot] > 0))
 			continue;
@@ -40,11 +63,13 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	if (state->cylinder.on)
 		move->turn_spread[state->cylinder.slot - SLOT_A] +=
 		    path_rounding(interp, move) / state->cylinder.radius;
-	move->origin = state->origin;
-	move->origin.length = state->length;
-	move->origin.turned = state->frame.on || state->own_frame;
-	if (state->spindle != SPINDLE_STOPPED)
-		move->spindle_speed = state->spindle == SPINDLE_CLOCKWISE ? state->speed : -state->speed;
+}
+
+void motion_commands_fill(struct interp *interp, struct canon_move *move)
+{
+	fill_in(interp, move);
+	if (widens(interp))
+		widen(interp, move);
 }
 
 bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item)
@@ -53,20 +78,19 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 	       fault(&interp->at, 1, "too many blocks under cutter compensation without a move in its plane");
 }
 
-/* Does motion_commands_fill widen moves? */
-static bool widens(const struct interp *interp)
-{
-	const double *loose = interp->comp.loose;
-
-	return loose[SLOT_X] > 0 || loose[SLOT_Y] > 0 || loose[SLOT_Z] > 0 || interp->state.cylinder.on;
-}
-
 static bool send(struct interp *interp, const struct canon_move *move)
 {
 	if (interp->comp.queue.count > 0)
 		return motion_commands_enqueue(interp, &(struct comp_item){.kind = COMP_PAUSE, .move = *move});
 	return interp->state.polar_interpolation.on ? polar_pieces_tell(interp, move)
 						    : canon_tell_move(interp->sink, move);
+}
+
+static APART bool emit_wide(struct interp *interp, struct canon_move move)
+{
+	fill_in(interp, &move);
+	widen(interp, &move);
+	return send(interp, &move);
 }
 
 bool motion_commands_emit(struct interp *interp, struct canon_move *move)
@@ -81,13 +105,9 @@ bool motion_commands_emit(struct interp *interp, struct canon_move *move)
 		return true;
 	}
 	/* What is filled in must not count for the caller's next move. A copy is slow, and seldom needed. */
-	if (widens(interp)) {
-		struct canon_move wide = *move;
-
-		motion_commands_fill(interp, &wide);
-		return send(interp, &wide);
-	}
-	motion_commands_fill(interp, move);
+	if (widens(interp))
+		return emit_wide(interp, *move);
+	fill_in(interp, move);
 	good = send(interp, move);
 	move->spindle_turns = spindle_turns;
 	move->spindle_speed = spindle_speed;
@@ -108,7 +128,7 @@ static bool go_to(struct interp *interp, const slot_values *position, struct can
 }
 
 /* Moves on from where a probe may have stopped. */
-static bool go_probed(struct interp *interp, const slot_values *position, struct canon_move *move)
+static APART bool go_probed(struct interp *interp, const slot_values *position, struct canon_move *move)
 {
 	struct state *state = &interp->state;
 	const slot_values start = state->position;

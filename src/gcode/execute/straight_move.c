@@ -1,5 +1,6 @@
 #include "gcode/execute/straight_move.h"
 
+#include "base/apart.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/endpoint.h"
@@ -25,7 +26,7 @@ static bool go_in_program(struct interp *interp, struct canon_move *move)
 }
 
 /* G53 suspends work offsets, turned coordinates, length compensation and TCP for one block. */
-static bool go_in_machine(struct interp *interp, struct canon_move *move)
+static APART bool go_in_machine(struct interp *interp, struct canon_move *move)
 {
 	const struct block *block = &interp->block;
 	int column = block->g_column[G_NONMODAL];
@@ -55,7 +56,7 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
  * end by an overrun before if it must. Haas, "G60": the same, setting 35. The sides are not known: the way there is
  * proved with every overrun, and so is the box of all of them at its end.
  */
-static bool approach(struct interp *interp)
+static APART bool approach(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	double overrun = interp->config->controller.overrun;

@@ -379,12 +379,7 @@ static bool take_plain_motion(struct block *block, double value, int column, con
 	return true;
 }
 
-/*
- * Nearly all lines of long programs are plain blocks, which are read in one pass: nothing but N, at the beginning; G0
- * to G3; and words of axes that the machine has, of arcs, and F. Each stands once at most, as a capital letter and a
- * number without blanks between. False: the line is no plain block, or it is empty; what the block holds is of no use.
- */
-static bool read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config)
+bool block_read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config)
 {
 	const char *at = line_start(line), *end;
 	uint32_t open;
@@ -432,8 +427,6 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	struct word word;
 	bool skipped = false;
 
-	if (read_plain(block, at, config))
-		return true;
 	block_clear(block);
 	lexer_init(&lexer, at, rules->lexer, context);
 	if (!read_start(block, &lexer, config, rules, &skipped))

@@ -36,7 +36,7 @@ struct block {
 	int m_count;
 	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q, and more where nothing moves */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
-	bool plain;	/* no codes but G0 to G3, and no words but those of axes, arcs and the feed: block.c has the rule */
+	bool plain;	/* block_read_plain has read it */
 	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */
 };
 
@@ -97,7 +97,14 @@ struct block_rules {
 };
 
 /*
- * Fills the block from the words of the line. False: a fault was reported.
+ * Nearly all lines of long programs are plain blocks, which are read in one pass: nothing but N, at the beginning; G0
+ * to G3; and words of axes that the machine has, of arcs, and F. Each stands once at most, as a capital letter and a
+ * number without blanks between. False: the line is no plain block, or it is empty; what the block holds is of no use.
+ */
+bool block_read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config);
+
+/*
+ * Fills the block from the words of a line that block_read_plain does not read. False: a fault was reported.
  * Skips a line that starts with '/' when config says so: no words. The context
  * is that of the lexer's hooks.
  */
@@ -111,6 +118,23 @@ struct block_modes {
 	bool incremental;
 	bool vectors;	/* G43.5 */
 };
+
+/*
+ * Nearly all blocks of a program are plain ones that move. Sets the motion of such a block, which may be the one in
+ * force; false: its words must be looked at one by one, by block_check. `vectors`: G43.5 is in force.
+ */
+static inline bool block_is_plain_move(struct block *block, int in_force, bool vectors)
+{
+	const bool own = block->g[G_MOTION] != CODE_NONE;
+	const int motion = own ? block->g[G_MOTION] : in_force;
+	const uint32_t arc = motion == G2 || motion == G3 ? 0 : ARC_BITS;
+
+	if (!block->plain || vectors || motion < G0 || motion > G3 || (block->letters & arc) ||
+	    !(own || (block->letters & AXIS_BITS)))
+		return false;
+	block->motion = motion;
+	return true;
+}
 
 /* Finds the motion to be carried out and checks that every word has a code that uses it. */
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,

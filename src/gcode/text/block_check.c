@@ -307,22 +307,6 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 		   "blocks");
 }
 
-/*
- * Nearly all blocks of a program are moves without another code. Sets the motion of such a block; false: its words
- * must be looked at one by one.
- */
-static bool is_plain_move(struct block *block, const struct block_modes *modes)
-{
-	int motion = block->g[G_MOTION] == CODE_NONE ? modes->motion : block->g[G_MOTION];
-	uint32_t used = AXIS_BITS | letter_bit('F') | (is_arc(motion) ? ARC_BITS : 0);
-
-	if (!block->plain || block->vectors || motion < G0 || motion > G3 || (block->letters & ~used) ||
-	    (block->g[G_MOTION] == CODE_NONE && !(block->letters & AXIS_BITS)))
-		return false;
-	block->motion = motion;
-	return true;
-}
-
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		 const struct block_modes *modes)
 {
@@ -331,8 +315,6 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	uint32_t unused;
 
 	block->vectors = length == G43_5 || (modes->vectors && length == CODE_NONE);
-	if (is_plain_move(block, modes))
-		return true;
 	if (!check_idle(block, at))
 		return false;
 	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) &&

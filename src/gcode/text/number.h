@@ -31,13 +31,14 @@ extern const double number_power_of_ten[2][NUMBER_USUAL_DIGITS + 1];
  */
 static inline const char *number_take_digits(const char *at, uint64_t *mantissa, unsigned *next)
 {
-	uint64_t value = *mantissa;
-	unsigned digit;
+	uint64_t value = *mantissa, digit = (unsigned char)*at - (uint64_t)'0';
 
-	for (; (digit = (unsigned char)*at - (unsigned)'0') <= 9; at++)
+	while (digit <= 9) {
 		value = 10 * value + digit;
+		digit = (unsigned char)*++at - (uint64_t)'0';
+	}
 	*mantissa = value;
-	*next = digit;
+	*next = (unsigned)digit;
 	return at;
 }
 

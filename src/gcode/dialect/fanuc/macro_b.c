@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/apart.h"
 #include "gcode/dialect/fanuc/builder_macro.h"
 #include "gcode/dialect/fanuc/macro_b_call.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
@@ -411,19 +412,14 @@ static bool do_percent(struct interp *interp, bool *done)
 	return macro_b_call_end_of_file(interp);
 }
 
-bool macro_b_line(struct interp *interp, bool *done)
+/* A line that is no plain block. */
+static APART bool take_line(struct interp *interp, bool *done)
 {
 	struct macro_b *macro = macro_b_of(interp);
 	const char *text = line_start(&interp->at);
 	bool skipped = false;
 	struct lexer lexer;
 
-	*done = false;
-	macro->assigned_count = 0;
-	macro->builder.macro = NULL;
-	if ((macro->jumped || interp->program.repeated) &&
-	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
-		return false;
 	if (*text == '\0' || (*text == '/' && interp->config->read.block_delete))
 		return true;
 	if (*text == '%')
@@ -437,6 +433,25 @@ bool macro_b_line(struct interp *interp, bool *done)
 		return true;
 	macro->started = macro->started || lexer_peek(&lexer) != '\0';
 	return do_statement(interp, &lexer, done);
+}
+
+bool macro_b_line(struct interp *interp, bool *done)
+{
+	struct macro_b *macro = macro_b_of(interp);
+
+	*done = false;
+	macro->assigned_count = 0;
+	macro->builder.macro = NULL;
+	if ((macro->jumped || interp->program.repeated) &&
+	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
+		return false;
+	/* The machine's builder may have given its G-code to a macro. */
+	if (interp->block.plain && builder_macro_of_code(interp, interp->block.g[G_MOTION] / 10.0))
+		interp->block.plain = false;
+	if (!interp->block.plain)
+		return take_line(interp, done);
+	macro->started = true;
+	return true;
 }
 
 bool macro_b_read_block(struct interp *interp)

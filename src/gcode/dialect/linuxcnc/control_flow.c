@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/apart.h"
 #include "gcode/dialect/linuxcnc/control_flow_call.h"
 #include "gcode/dialect/linuxcnc/control_flow_loop.h"
 #include "gcode/dialect/linuxcnc/control_stack.h"
@@ -83,16 +84,14 @@ static bool may_begin(char byte)
 	}
 }
 
-bool control_flow_line(struct interp *interp, bool *done)
+/* A line that is no plain block. */
+static APART bool take_line(struct interp *interp, bool *done)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	const char *text = line_start(&interp->at);
 	struct lexer lexer;
 	struct oword oword;
 
-	if (in_loop_or_call(interp) && !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
-		return false;
-	*done = flow->skip != SKIP_NOTHING;
 	if (!may_begin(*text))
 		return true;
 	if ((*text == '/' && interp->config->read.block_delete) || is_computed(interp, text))
@@ -108,6 +107,14 @@ bool control_flow_line(struct interp *interp, bool *done)
 	}
 	*done = true;
 	return flow->skip != SKIP_NOTHING ? skip_line(interp, &lexer, &oword) : carry_out(interp, &lexer, &oword);
+}
+
+bool control_flow_line(struct interp *interp, bool *done)
+{
+	if (in_loop_or_call(interp) && !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
+		return false;
+	*done = linuxcnc_of(interp)->flow.skip != SKIP_NOTHING;
+	return interp->block.plain || take_line(interp, done);
 }
 
 bool control_flow_end_of_file(struct interp *interp)
@@ -183,7 +190,8 @@ static bool start_anew(struct interp *interp)
 	return restart_program(interp, &variables);
 }
 
-bool control_flow_after_block(struct interp *interp)
+/* M70 to M73 and M99. */
+static APART bool run_m(struct interp *interp)
 {
 	int column = interp->block.m_column[M_STOP], modes = interp->block.m[M_MODES];
 
@@ -199,4 +207,9 @@ bool control_flow_after_block(struct interp *interp)
 	if (linuxcnc_of(interp)->params.level > 0)
 		return fault(&interp->at, column, "M99 of a subprogram stands alone in its block");
 	return start_anew(interp);
+}
+
+bool control_flow_after_block(struct interp *interp)
+{
+	return interp->block.plain || run_m(interp);
 }

@@ -74,7 +74,8 @@ static bool tell_item(struct interp *interp, const struct comp_item *item)
 	if (item->kind == COMP_PAUSE)
 		return polar_pieces_tell(interp, move);
 	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number,
-								    &item->callers});
+								    &item->callers,
+								    program_lines(&interp->program)});
 }
 
 bool comp_send_all(struct interp *interp, struct plane_point start)

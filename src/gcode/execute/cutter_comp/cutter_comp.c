@@ -308,7 +308,8 @@ bool cutter_comp_end_block(struct interp *interp)
 	if (interp->comp.queue.count > 0)
 		return enqueue_end(interp);
 	return canon_tell_block(interp->sink, &(struct canon_block){at->file, at->line, at->text, interp->moves,
-								   &interp->callers});
+								   &interp->callers,
+								   program_lines(&interp->program)});
 }
 
 bool cutter_comp_stop(struct interp *interp)
