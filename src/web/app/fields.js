@@ -116,7 +116,8 @@ export function tellFault(part, text, field) {
 	place.textContent += `${text}\n`;
 	if (place !== part)
 		part.setAttribute('aria-invalid', 'true');
-	place.id ||= `fault-${document.querySelectorAll('.fault[id]').length}`;
+	for (let number = 0; !place.id; number++)
+		place.id = document.getElementById(`fault-${number}`) ? '' : `fault-${number}`;
 	field?.setAttribute('aria-invalid', 'true');
 	field?.setAttribute('aria-describedby', place.id);
 }

@@ -253,6 +253,8 @@ class Page {
 		const options = [...common, ...(waivers ? [`--waivers=${waivers}`] : [])], result = new ProgramResult(program, open, job);
 		const key = job ? `${job}: ${program}` : program;
 		place.append(result.card);
+		if (result.card === document.querySelector('.program'))
+			result.card.scrollIntoView({block: 'nearest'});
 		try {
 			const checked = await this.client.check({files, machine, setup, programs: [program], options, report: !options.includes('--parse-only')}, result);
 			const report = checked.reports.get(program), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});

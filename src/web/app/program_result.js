@@ -84,7 +84,7 @@ export class ProgramResult {
 		if (this.used.length && status < 2)
 			this.more.append(element('p', {className: 'used'}, `Checked with ${this.used.join(', ')}.`));
 		this.more.append(copyField('The same on the command line', command));
-		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
+		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words', tabIndex: 0}, result.text)));
 		if (report)
 			this.showReport(report);
 	}
