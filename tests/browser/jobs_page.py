@@ -249,3 +249,31 @@ def dead_ends(bench):
         bench.check(page)
         same("meshes above the machine's folder", page.run(VERDICTS), [["part.nc", "found"]])
     bench.done(page)
+
+
+@test
+def subprograms(bench):
+    """A program that is called by another need not be checked by itself; a finding in it is told with its file. What a system leaves in folders is no program."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        _, _, program = fixtures.boxes(work, subprogram=True)
+        folder = os.path.dirname(program)
+        for clutter in (".DS_Store", "._part.nc", "Thumbs.db", "desktop.ini", "__MACOSX/part.nc", ".git/config"):
+            write(os.path.join(folder, clutter), "x")
+        drop(page, folder)
+        same("programs", page.run("fivecheckPage.of('program').map(({path}) => path).sort()"), ["boxes-01/approach.ngc", "boxes-01/part.nc"])
+        same("files", page.run("fivecheckPage.files.length"), 7)
+        button = "document.querySelector('[aria-label=\"Use boxes-01/approach.ngc as a subprogram alone\"]')"
+        shown = page.run("counts['files-shown']")
+        page.run(f"({button}.focus(), {button}.click())")
+        page.run(f"await until('files-shown', {shown + 1})")
+        same("roles", page.run("[fivecheckPage.of('program').length, fivecheckPage.of('subprogram').length]"), [1, 1])
+        same("the focus stays", page.run("document.activeElement.ariaLabel"), "Check boxes-01/approach.ngc by itself")
+        bench.check(page)
+        same("verdicts", page.run(VERDICTS), [["part.nc", "found"]])
+        same("the finding", page.run("document.querySelector('.findings .collision').textContent.split(' (')[0]"), "approach.ngc, line 4: collision: block and T1 cutter")
+        page.run("document.activeElement.blur()")
+        page.run("document.querySelector('[aria-label=\"Check boxes-01/approach.ngc by itself\"]').click()")
+        bench.check(page, 2)
+        same("both", sorted(page.run(VERDICTS)), [["approach.ngc", "clear"], ["part.nc", "found"]])
+    bench.done(page, "page-subprograms")

@@ -7,7 +7,7 @@
 const HEAD = 65536, MOST = 1 << 24;
 
 /**
- * @typedef {'machine' | 'setup' | 'jobs' | 'mesh' | 'program' | 'waivers' | 'library' | 'other'} Role
+ * @typedef {'machine' | 'setup' | 'jobs' | 'mesh' | 'program' | 'subprogram' | 'waivers' | 'library' | 'other'} Role
  * @typedef {{path: string, blob: Blob, role: Role, text: string}} JobFile
  */
 
@@ -21,6 +21,11 @@ async function headOf(blob, count) {
 const FOREIGN = /\.(jpe?g|png|gif|svg|webp|pdf|html?|md|docx?|xlsx?|odt|ods|exe|dll)$/i;
 /** Tables of tools and offsets, which a setup names. */
 const LIBRARY = /\.(json|csv|tls|tbl)$/i;
+
+/** What systems leave in folders. @param {string} path */
+export function isClutter(path) {
+	return /(^|\/)(\.DS_Store$|\._|Thumbs\.db$|desktop\.ini$|__MACOSX\/|\.git\/|\.svn\/)/i.test(path);
+}
 
 /** @param {string} path */
 export function isArchive(path) {
@@ -101,7 +106,7 @@ export function withLibraries(files) {
 }
 
 /** What a person has to look at first stands first. @type {Role[]} */
-const ORDER = ['jobs', 'machine', 'setup', 'program', 'waivers', 'library', 'other', 'mesh'];
+const ORDER = ['jobs', 'machine', 'setup', 'program', 'subprogram', 'waivers', 'library', 'other', 'mesh'];
 
 /** @param {JobFile[]} files */
 export function inOrder(files) {

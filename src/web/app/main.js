@@ -5,7 +5,7 @@ import {commandLine, copyField, moreOptions, optionsIn} from './check_options.js
 import {Cancelled, Client} from './client.js';
 import {PARTS} from './fivecheck.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, inOrder, inTheirFolder, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
+import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
 import {jobsIn, messagesAt} from './job_list.js';
 import {JobResult} from './job_result.js';
 import {MachineForm} from './machine_form.js';
@@ -107,7 +107,7 @@ class Page {
 	 * @param {[string, Blob][]} found
 	 */
 	async add(found) {
-		const files = atHome(await Promise.all(found.map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
+		const files = atHome(await Promise.all(found.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
 		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
 		const once = new Set(files.map(({role}) => role).filter((role) => single.includes(role)));
 		const replaced = await Promise.all(files.filter(({role}) => role === 'mesh').map(async ({path, blob}) => {
@@ -131,7 +131,7 @@ class Page {
 		this.outdate();
 		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text), this.of('library').map(({path}) => nameOf(path)));
 		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
-			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
+			element('span', {className: 'role'}, file.role), element('span', {}, file.path), ...this.roleButton(file), this.removeButton(file))));
 		byId('empty').hidden = files.length === 0;
 		this.showLacks(replaced);
 		this.showButtons();
@@ -141,6 +141,19 @@ class Page {
 	/** Results that are shown are about the files and options as they were. */
 	outdate() {
 		byId('outdated').hidden = byId('results').childElementCount === 0;
+	}
+
+	/** Of several programs, some may be there only for others to call. @param {JobFile} file */
+	roleButton(file) {
+		const {path, role} = file, alone = role === 'program', [label, text] = alone ? [`Use ${path} as a subprogram alone`, 'Subprogram'] : [`Check ${path} by itself`, 'Check it'];
+		if (role !== 'subprogram' && (!alone || this.files.filter((other) => other.role === 'program').length < 2))
+			return [];
+		const button = element('button', {type: 'button', title: label, ariaLabel: label}, text);
+		button.addEventListener('click', () => {
+			this.setFiles(this.files.map((other) => other === file ? {...file, role: /** @type {const} */ (alone ? 'subprogram' : 'program')} : other));
+			byId('file-list').querySelectorAll('li').forEach((row, i) => this.files[i].path === path && row.querySelector('button')?.focus());
+		});
+		return [button];
 	}
 
 	/** @param {JobFile} file */

@@ -39,7 +39,7 @@ export class ProgramResult {
 	/** @param {Record<string, any>} event */
 	onEvent(event) {
 		if (FINDINGS.has(event.kind))
-			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
+			this.findings.append(element('li', {className: event.kind}, wordsOf(event, this.path)));
 		if (event.kind === 'header')
 			this.used = usedIn(event);
 		if (event.kind !== 'program')
@@ -138,10 +138,11 @@ function usedIn({method, step, tolerance, stock_tolerance: stock, clearance, all
 /**
  * A finding in words.
  * @param {Record<string, any>} event
+ * @param {string} path of the program, which may call others
  */
-function wordsOf(event) {
+function wordsOf(event, path) {
 	const axes = Object.entries(event.axes ?? {}).map(([axis, value]) => `${axis} ${Number(value).toFixed(3)}`).join(', ');
 	const what = event.b ? `${event.a} and ${event.b}` : event.a ?? '';
-	return `Line ${event.line}: ${event.kind}${what ? `: ${what}` : ''} (${axes})`;
+	return `${event.file === path ? 'Line' : `${event.file}, line`} ${event.line}: ${event.kind}${what ? `: ${what}` : ''} (${axes})`;
 }
 
