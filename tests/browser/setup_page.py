@@ -105,14 +105,14 @@ def library_of_tools(bench):
     page = bench.open()
     program = "G21 G90 G94 G54\nT4 M6\nG43 H4\nS5000 M3\nG0 X0 Y0\nG0 Z50\nM2\n"
     with tempfile.TemporaryDirectory() as work:
-        for name, text in (("tools.csv", TABLE), ("part.nc", program), ("package.json", "{}"), ("machine.xml", open("machines/ac-trunnion/machine.xml", encoding="utf-8").read())):  # noqa: SIM115
+        for name, text in (("tools.csv", TABLE), ("part.nc", program), ("package.json", "{}"), ("measured.csv", "x,y\n1,2\n"), ("machine.xml", open("machines/ac-trunnion/machine.xml", encoding="utf-8").read())):  # noqa: SIM115
             with open(os.path.join(work, name), "w", encoding="utf-8") as file:
                 file.write(text)
         os.symlink(os.path.abspath("machines/ac-trunnion/stl"), os.path.join(work, "stl"))
-        drop(page, *(os.path.join(work, name) for name in ("tools.csv", "part.nc", "package.json", "machine.xml")), *(os.path.join(os.path.abspath("machines/ac-trunnion/stl"), name) for name in os.listdir("machines/ac-trunnion/stl")))
+        drop(page, *(os.path.join(work, name) for name in ("tools.csv", "part.nc", "package.json", "measured.csv", "machine.xml")), *(os.path.join(os.path.abspath("machines/ac-trunnion/stl"), name) for name in os.listdir("machines/ac-trunnion/stl")))
         same("roles", page.run("fivecheckPage.files.filter(({role}) => role !== 'mesh').map(({path, role}) => [path, role])"),
-             [["machine.xml", "machine"], ["part.nc", "program"], ["tools.csv", "library"], ["package.json", "other"]])
-        true("what to do", "tools.csv may hold tools, but no setup names it. The form for a setup below does." in page.run("document.querySelector('#job').textContent"))
+             [["machine.xml", "machine"], ["part.nc", "program"], ["tools.csv", "library"], ["package.json", "other"], ["measured.csv", "other"]])
+        true("what to do", "tools.csv: perhaps tools, but no setup names them. The form for a setup below does." in page.run("document.querySelector('#job').textContent"))
         page.run("document.querySelector('#setup-details').open = true")
         same("proposed", page.run("[...document.querySelectorAll('[data-kind=table] [name$=href]')].map((e) => e.value)"), ["tools.csv"])
         same("its tools are not asked for", rows(page, "tool"), [])
@@ -120,7 +120,7 @@ def library_of_tools(bench):
         write(page, "setup")
         same("faults", faults(page, "setup"), [])
         after(page, "files-shown", lambda: page.run("document.querySelector('#use-setup').click()"))
-        same("nothing is missing", page.run("document.querySelector('#job').textContent"), "Not of use for a check: package.json.")
+        same("nothing is missing", page.run("document.querySelector('#job').textContent"), "Not of use for a check: package.json, measured.csv.")
         bench.check(page)
         with open(os.path.join(work, "setup.xml"), "w", encoding="utf-8") as file:
             file.write(page.run(XML))

@@ -4,6 +4,14 @@ import {isArchive, isDrawing, isForeignMachine, missingFiles, nameOf, unlistedPr
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
+/** So many names are told, if there are more. */
+const TOLD = 8;
+
+/** @param {string[]} names */
+function list(names) {
+	return names.length <= TOLD + 1 ? names.join(', ') : `${names.slice(0, TOLD).join(', ')} and ${names.length - TOLD} others`;
+}
+
 /**
  * @param {JobFile[]} files
  * @param {string[]} replaced meshes that took the place of others of the same name
@@ -22,7 +30,7 @@ export function adviceOn(files, replaced) {
 		...foreign.map((path) => `${path} is a file of another program. On the command line, fivecheck import --output=machine ${nameOf(path)} makes a machine file of it: drop the folder machine.`),
 		...(empty.length ? [`${list(empty)}: nothing in it. Save or export it again.`] : []),
 		...replaced.map((path) => `Another ${path} took the place of the one that was here: all bodies that name ${path} have its shape now. Rename one of the two if they are different bodies.`),
-		...loose.map((path) => `${path} may hold tools, but no setup names it. ${setups ? `Add <tools href="${nameOf(path)}"/> to the setup.` : 'The form for a setup below does.'}`),
+		...(loose.length ? [`${list(loose)}: perhaps tools, but no setup names them. ${setups ? `Add <tools href="${nameOf(loose[0])}"/> to the setup.` : 'The form for a setup below does.'}`] : []),
 		...(others.length ? [`Not of use for a check: ${list(others)}.`] : []),
 		...(unlisted.length ? [`The job file does not name ${list(unlisted)}: not checked.`] : []),
 		...(missing.length ? [`Not here yet: ${list(missing)}. Drop them, too.`] : []),

@@ -52,7 +52,7 @@ function roleOf(path, text) {
 	if (isForeignMachine(path))
 		return 'other';
 	const root = /** @type {Role | undefined} */ (text.match(/<(machine|setup|waivers|jobs)[\s>]/)?.[1]);
-	return root ?? (LIBRARY.test(path) && (!/\.json$/i.test(path) || /tool/i.test(text)) ? 'library' : /\.xml$/i.test(path) || isDrawing(path) || isArchive(path) || FOREIGN.test(path) || LIBRARY.test(path) ? 'other' : 'program');
+	return root ?? (LIBRARY.test(path) && (!/\.(json|csv)$/i.test(path) || /tool|^[^\n]*number/i.test(text)) ? 'library' : /\.xml$/i.test(path) || isDrawing(path) || isArchive(path) || FOREIGN.test(path) || LIBRARY.test(path) ? 'other' : 'program');
 }
 
 /**
