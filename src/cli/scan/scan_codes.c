@@ -67,6 +67,12 @@ static bool is_start(const char *text, const char *behind)
 	       (isalpha((unsigned char)behind[1]) || behind[1] == '[' || behind[1] == '(');
 }
 
+/* "B3=": without '=' it is an axis and its value, as B3.5. */
+static bool is_coordinate(const char *text, char after)
+{
+	return isalpha((unsigned char)text[0]) && isdigit((unsigned char)text[1]) && !text[2] && after != '=';
+}
+
 static bool is_name_byte(char byte)
 {
 	return isalpha((unsigned char)byte) || byte == '_';
@@ -85,7 +91,7 @@ static void count_word(struct scan_codes *codes, const char *block, const struct
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
 		char after = at[strlen(text)];
 
-		if (!is_start(text, at + strlen(text)) && (at == block || !is_name_byte(at[-1])) &&
+		if (!is_start(text, at + strlen(text)) && !is_coordinate(text, after) && (at == block || !is_name_byte(at[-1])) &&
 		    !(isdigit((unsigned char)after) && isdigit((unsigned char)text[strlen(text) - 1]))) {
 			count(codes, 0, 0, word);
 			return;
