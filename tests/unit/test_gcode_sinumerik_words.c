@@ -74,7 +74,7 @@ static const struct program {
 	 "G55 X1 Z0\n",
 	 "feed 6 0 0 0 0\nfeed 2 0 3 0 0\n"},
 	/* ORISON and G60; K0 beside a circle in XY; RET of a subprogram that is started by itself. */
-	{"PROC ALONE(REAL AT) SAVE\nF6 G500 G17\nORISON G60 X1\nORISOF X2\nG2 X4 I1 J0 K0\nRET\nX9\n",
+	{"PROC ALONE(REAL AT) SAVE\nF6 G500 G17\nORISON G60 X1\nORISOF OSOF X2\nCANCEL(1,2)\nG2 X4 I1 J0 K0\nRET\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\narc 4 0 0 0 0 centre 3 0 0 normal 0 0 1 sweep -180\n"},
 	{"F6 G500 TOWSTD CUTCONOF TRAILOF(Y) FB=5\nWAITM(1,1,2)\nX1\n",
 	 "feed 1 0 0 0 0\n"},

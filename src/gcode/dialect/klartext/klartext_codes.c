@@ -102,6 +102,8 @@ static const struct code_word words[] = {
     {"FUNCTION MODE MILL", CODE_READ, "milling, without another kinematics"},
     {"FUNCTION FEED, S-PULSE, DCM, AFC, COUNT, LIFTOFF", CODE_IGNORED,
      "feed rates, speeds, monitoring, a counter, retract at an NC stop"},
+    {"FUNCTION PARAXCOMP OFF, PARAXMODE OFF, CORRDATA RESET, PROG PATH OFF, POLARKIN OFF", CODE_IGNORED,
+     "end of what is refused"},
     {"LBL", CODE_READ, "label"},
     {"CALL LBL", CODE_READ, "subprogram; with REP a program section repeat"},
     {"CALL PGM", CODE_READ, "another program"},

@@ -151,6 +151,21 @@ static bool is_harmless(const char *word)
 	return false;
 }
 
+/* What begins with them is not supported, so that they end nothing. DISPLAY needs a parallel axis to matter. */
+static bool ends_nothing(struct lexer *lexer)
+{
+	const bool *has = ((const struct interp *)lexer->context)->config->has_axis;
+
+	if (klartext_take(lexer, "POLARKIN") || klartext_take(lexer, "PARAXMODE"))
+		return klartext_take(lexer, "OFF");
+	if (klartext_take(lexer, "PARAXCOMP"))
+		return klartext_take(lexer, "OFF") ||
+		       (klartext_take(lexer, "DISPLAY") && !has[SLOT_U] && !has[SLOT_V] && !has[SLOT_W]);
+	if (klartext_take(lexer, "CORRDATA"))
+		return klartext_take(lexer, "RESET");
+	return klartext_take(lexer, "PROG") && klartext_take(lexer, "PATH") && klartext_take(lexer, "OFF");
+}
+
 bool klartext_function_mode(struct lexer *lexer)
 {
 	int column = klartext_column(lexer);
@@ -170,10 +185,7 @@ bool klartext_function_mode(struct lexer *lexer)
 			return switch_tcpm(lexer->context, false, column);
 		}
 	}
-	/* What counts with them is not supported, so that they end nothing. */
-	if (klartext_take(lexer, "POLARKIN") && klartext_take(lexer, "OFF"))
-		return true;
-	if (klartext_take(lexer, "PROG") && klartext_take(lexer, "PATH") && klartext_take(lexer, "OFF"))
+	if (ends_nothing(lexer))
 		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return klartext_ends(lexer) || fault(lexer->at, klartext_column(lexer),

@@ -90,6 +90,12 @@
 	CODE_ROW(ROW, "ORIEULER", ORI_ANGLES, SINUMERIK_ORIEULER, "what A2, B2 and C2 mean") \
 	CODE_ROW(ROW, "ORISOF", ORI_SMOOTHING, SINUMERIK_ORISOF, "no smoothing of the orientation") \
 	CODE_ROW(ROW, "ORISON", ORI_SMOOTHING, SINUMERIK_ORISON, "smoothing of the orientation, within OTOL") \
+	PLAIN_ROW(ROW, "OSOF", IGNORED, "no smoothing of the orientation") \
+	REFUSED_ROW(ROW, "OSC", "smoothing of the orientation over blocks") \
+	REFUSED_ROW(ROW, "OSS", "smoothing of the orientation over blocks") \
+	REFUSED_ROW(ROW, "OSSE", "smoothing of the orientation over blocks") \
+	REFUSED_ROW(ROW, "OSD", "smoothing of the orientation over blocks") \
+	REFUSED_ROW(ROW, "OST", "smoothing of the orientation over blocks") \
 	REFUSED_ROW(ROW, "ORIVIRT1", "virtual orientation axes") \
 	REFUSED_ROW(ROW, "ORIVIRT2", "virtual orientation axes") \
 	REFUSED_ROW(ROW, "ORIPATH", "orientation by the path") \
@@ -345,6 +351,7 @@
 	REFUSED_ROW(ROW, "TOROTY", "frame in the direction of the tool") \
 	REFUSED_ROW(ROW, "CORROF", "frame of the control") \
 	PLAIN_ROW(ROW, "CLEARM", IGNORED_CALL, "other channels") \
+	PLAIN_ROW(ROW, "CANCEL", IGNORED_CALL, "end of synchronous actions, which are refused") \
 	PLAIN_ROW(ROW, "SETM", IGNORED_CALL, "other channels") \
 	PLAIN_ROW(ROW, "WAITMC", IGNORED_CALL, "other channels") \
 	PLAIN_ROW(ROW, "WAITE", IGNORED_CALL, "other channels") \
