@@ -47,3 +47,20 @@ def access(bench):
         page.run("await until('machine-open', 1)")
         same("the page to learn with", page.run(BROKEN), [])
         bench.done(page)
+
+
+@test
+def focus(bench):
+    """A button that goes away hands the focus on to what stands in its place; nobody begins at the top of the page again."""
+    page = bench.open()
+    bench.example(page, "cb-head")
+    names = page.run("fivecheckPage.files.map(({path}) => path)")
+    for i in (3, len(names) - 2):
+        page.run(f"(document.querySelectorAll('#file-list li')[{i}].querySelector('button:last-of-type').focus())")
+        page.press("Enter")
+        names.pop(i)
+        same("the next one", page.run("document.activeElement.ariaLabel"), f"Remove {names[min(i, len(names) - 1)]}")
+    page.run("document.querySelector('#empty').focus()")
+    page.press("Enter")
+    same("where files are chosen", page.run("[fivecheckPage.files.length, document.activeElement.id]"), [0, "choose"])
+    bench.done(page)

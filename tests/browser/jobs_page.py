@@ -4,6 +4,7 @@ import os
 import shlex
 import subprocess
 import tempfile
+import zipfile
 
 import fixtures
 from bench import same, test, true
@@ -180,7 +181,8 @@ def options(bench):
                 ({"dialect": "sinumerik"}, None, None),
                 ({"dialect": "", "all": False, "fail_on": "limit"}, "accepted", ["fail-on limit", "tolerance 0.01 mm", "clearance 2 mm"]),
                 ({"fail_on": "", "clearance": "0", "tolerance": "", "parse_only": True}, "passed", ["method parse-only"]),
-                ({"parse_only": False, "max_blocks": "x"}, "incomplete", None)):
+                ({"parse_only": False, "max_blocks": "1000", "include": "."}, "found", ["subprograms in .", "at most 1000 blocks"]),
+                ({"max_blocks": "x"}, "incomplete", None)):
             choose(page, **chosen)
             checks += 1
             bench.check(page, checks)
@@ -195,8 +197,16 @@ def options(bench):
             true(f"{line}: {found}", verdict in (None, found))
             said = page.run("document.querySelector('.used')?.textContent ?? ''")
             true(f"{line}: {said}", all(word in said for word in used or []))
-        page.run("document.querySelector('.program .copied button').click()")
-        page.run("await new Promise((done) => setTimeout(done))")
+        button = "document.querySelector('.program .copied button')"
+        page.run("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async (text) => { window.copied = text; }}, configurable: true})")
+        page.run(f"{button}.click()")
+        page.frames()
+        same("copied", page.run(f"[window.copied, {button}.textContent]"), [line, "Copied"])
+        # A page that comes over http from another computer has no clipboard.
+        page.run("Object.defineProperty(navigator, 'clipboard', {value: undefined})")
+        page.run(f"{button}.click()")
+        page.frames()
+        same("selected", page.run(f"[String(getSelection()), {button}.textContent]"), [line, "Selected: copy it"])
     bench.done(page, "page-options")
 
 
@@ -229,7 +239,7 @@ def dead_ends(bench):
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, program = fixtures.boxes(work)
-        made = {"all.zip": "PK", "mill.mch": "<VcMachine/>", "photo.jpg": "x", "x.xml": "<foo/>", "empty.nc": ""}
+        made = {"all.7z": "PK", "mill.mch": "<VcMachine/>", "photo.jpg": "x", "x.xml": "<foo/>", "empty.nc": ""}
         for name, text in made.items():
             write(os.path.join(work, name), text)
         os.mkdir(os.path.join(work, "void"))
@@ -237,7 +247,7 @@ def dead_ends(bench):
         same("an empty folder", page.run(ADVICE), "There is no file in what was dropped.")
         drop(page, *(os.path.join(work, name) for name in made))
         said = page.run(ADVICE)
-        for words in ("Unpack all.zip", "fivecheck import --output=machine mill.mch", "empty.nc: nothing in it", "Not of use for a check: photo.jpg, x.xml."):
+        for words in ("Unpack all.7z", "fivecheck import --output=machine mill.mch", "empty.nc: nothing in it", "Not of use for a check: photo.jpg, x.xml."):
             true(f"{words}: {said}", words in said)
         true("no machine", page.run(WHY).startswith("A machine file is missing: drop it, open an example, or write one below."))
         page.run("document.querySelector('#empty').click()")
@@ -277,3 +287,54 @@ def subprograms(bench):
         bench.check(page, 2)
         same("both", sorted(page.run(VERDICTS)), [["approach.ngc", "clear"], ["part.nc", "found"]])
     bench.done(page, "page-subprograms")
+
+
+def zipped(path, files, **options):
+    with zipfile.ZipFile(path, "w", **options) as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return path
+
+
+@test
+def zip_archives(bench):
+    """A ZIP of a job is a folder; one that is broken, encrypted, too large or leads out of itself is refused with the reason."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        machine, _, _ = fixtures.boxes(work)
+        files = {}
+        for name in os.listdir(os.path.dirname(machine)):
+            with open(os.path.join(os.path.dirname(machine), name), "rb") as file:
+                files[f"jöb/{name}"] = file.read()
+        good = zipped(os.path.join(work, "job.zip"), {**files, "jöb/leer/": b""}, compression=zipfile.ZIP_DEFLATED)
+        drop(page, good)
+        same("files", page.run("fivecheckPage.files.map(({path}) => path).sort()"), sorted(files))
+        bench.check(page)
+        same("verdict", page.run(VERDICTS), [["part.nc", "found"]])
+        same("words", page.run("document.querySelector('.findings .collision').textContent.split(' (')[0]"), "Line 8: collision: block and T1 cutter")
+        page.run("(document.querySelector('#empty').click(), scrollTo(0, 0))")
+        drop(page, zipped(os.path.join(work, "stored.zip"), files))
+        same("stored", page.run("fivecheckPage.files.length"), len(files))
+        with open(good, "rb") as file:
+            data = file.read()
+        page.run("(document.querySelector('#empty').click())")
+        page.run("((limits) => limits.bytes = 5e5)((await import('/zip_files.js')).LIMITS)")
+        encrypted = bytearray(zipped(os.path.join(work, "plain.zip"), {"a.nc": b"M2\n"}) and open(os.path.join(work, "plain.zip"), "rb").read())  # noqa: SIM115
+        for mark, field in ((b"PK\1\2", 8), (b"PK\3\4", 6)):
+            encrypted[encrypted.index(mark) + field] |= 1
+        longer = bytearray(open(os.path.join(work, "plain.zip"), "rb").read())  # noqa: SIM115
+        longer[longer.index(b"PK\1\2") + 24] += 1
+        bad = {"cut.zip": (data[:-30], "it has no end: is it whole?"), "text.zip": (b"no archive", "it has no end: is it whole?"), "empty.zip": (b"", "it has no end: is it whole?"),
+               "encrypted.zip": (bytes(encrypted), "a.nc is encrypted"), "longer.zip": (bytes(longer), "a.nc cannot be unpacked: has another length than its archive says"),
+               "broken.zip": (data.replace(b"PK\1\2", b"PK\1\1"), "its directory is broken")}
+        for name, (text, _) in bad.items():
+            with open(os.path.join(work, name), "wb") as file:
+                file.write(text)
+        bad["out.zip"] = (zipped(os.path.join(work, "out.zip"), {"../out.nc": "M2\n"}), "../out.nc leads out of it")
+        bad["bomb.zip"] = (zipped(os.path.join(work, "bomb.zip"), {"a.nc": bytes(10 ** 6)}, compression=zipfile.ZIP_DEFLATED), "more than 0.5 MB would come out of it")
+        drop(page, *(os.path.join(work, name) for name in bad))
+        said = page.run("[...document.querySelectorAll('#job .lack')].map((e) => e.textContent)")
+        for name, (_, reason) in bad.items():
+            true(f"{name}: {said}", f"{name} cannot be read: {reason}." in said)
+        same("no program", page.run("fivecheckPage.of('program').length"), 0)
+    bench.done(page)

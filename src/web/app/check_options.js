@@ -16,6 +16,7 @@ const MORE = [
 	{option: 'tolerance=MM', words: 'how exactly contact is decided, and how exactly --dump-path follows curves (0.001)', number: true},
 	{option: 'stock-tolerance=MM', words: 'the tolerance of the remaining stock (0.1)', number: true},
 	{option: 'step=SECONDS', words: 'time between samples of the sampled methods (0.01)', number: true},
+	{option: 'include=DIR', words: 'look for subprograms in DIR after the folder of the program; may be given several times', text: true},
 	{option: 'max-blocks=N', words: 'give up after N blocks in loops and subprograms (100000000)', number: true},
 	{option: 'fail-on=KIND,...', words: 'findings of these kinds fail the run, others only warn: collision, clearance, limit, start-overlap, rapid-contact, gouge, warning or none; warning: warnings fail, too; none: nothing fails', text: true},
 	{option: 'duplicates=error|last', words: 'a word that stands twice in a block is an error (the default), or the last one counts', choices: [['', 'error'], ['last', 'last']]},
@@ -71,7 +72,7 @@ export function copyField(label, text) {
 			button.textContent = 'Copied';
 		} catch {
 			getSelection()?.selectAllChildren(code);
-			button.textContent = 'Selected: press Ctrl+C';
+			button.textContent = 'Selected: copy it';
 		}
 	});
 	return element('p', {className: 'row copied'}, element('span', {}, `${label}:`), code, button);

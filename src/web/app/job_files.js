@@ -22,6 +22,11 @@ const FOREIGN = /\.(jpe?g|png|gif|svg|webp|pdf|html?|md|docx?|xlsx?|odt|ods|exe|
 /** Tables of tools and offsets, which a setup names. */
 const LIBRARY = /\.(json|csv|tls|tbl)$/i;
 
+/** @param {string} path */
+export function isZip(path) {
+	return /\.zip$/i.test(path);
+}
+
 /** What systems leave in folders. @param {string} path */
 export function isClutter(path) {
 	return /(^|\/)(\.DS_Store$|\._|Thumbs\.db$|desktop\.ini$|__MACOSX\/|\.git\/|\.svn\/)/i.test(path);

@@ -5,13 +5,14 @@ import {commandLine, copyField, moreOptions, optionsIn} from './check_options.js
 import {Cancelled, Client} from './client.js';
 import {PARTS} from './fivecheck.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
+import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, isZip, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
 import {jobsIn, messagesAt} from './job_list.js';
 import {JobResult} from './job_result.js';
 import {MachineForm} from './machine_form.js';
 import {byId, element} from './page.js';
 import {ProgramResult} from './program_result.js';
 import {SetupForm} from './setup_form.js';
+import {filesInZip} from './zip_files.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 /** One check: of a program, in a job of its own or of a job file. @typedef {{machine: string, setup?: string, waivers?: string, program: string}} Run */
@@ -41,7 +42,10 @@ class Page {
 		this.openForms();
 		byId('check').addEventListener('click', () => this.check());
 		byId('cancel').addEventListener('click', () => this.client.cancel());
-		byId('empty').addEventListener('click', () => this.setFiles([]));
+		byId('empty').addEventListener('click', () => {
+			this.setFiles([]);
+			byId('choose').focus();
+		});
 		byId('options').addEventListener('change', () => this.outdate());
 		byId('options').addEventListener('submit', (event) => event.preventDefault());
 		for (const id of ['choose', 'choose-folder']) {
@@ -107,7 +111,8 @@ class Page {
 	 * @param {[string, Blob][]} found
 	 */
 	async add(found) {
-		const files = atHome(await Promise.all(found.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
+		const {unpacked, faults} = await this.unpack(found);
+		const files = atHome(await Promise.all(unpacked.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
 		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
 		const once = new Set(files.map(({role}) => role).filter((role) => single.includes(role)));
 		const replaced = await Promise.all(files.filter(({role}) => role === 'mesh').map(async ({path, blob}) => {
@@ -115,8 +120,20 @@ class Page {
 			return old && !await sameBytes(old.blob, blob) ? [path] : [];
 		}));
 		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && !once.has(file.role)), ...files], replaced.flat());
-		if (!found.length)
-			byId('job').prepend(element('span', {className: 'lack'}, 'There is no file in what was dropped.'));
+		byId('job').prepend(...[...faults, ...(unpacked.length ? [] : ['There is no file in what was dropped.'])].map((text) => element('span', {className: 'lack'}, text)));
+	}
+
+	/** With the files of ZIP archives in place of these; those that cannot be read stay, with the reason. @param {[string, Blob][]} found */
+	async unpack(found) {
+		const faults = /** @type {string[]} */ ([]), unpacked = await Promise.all(found.map(async ([path, blob]) => {
+			try {
+				return isZip(path) ? await filesInZip(path, blob) : [/** @type {[string, Blob]} */ ([path, blob])];
+			} catch (error) {
+				faults.push(`${path} cannot be read: ${/** @type {Error} */ (error).message}.`);
+				return [/** @type {[string, Blob]} */ ([path, blob])];
+			}
+		}));
+		return {unpacked: unpacked.flat(), faults};
 	}
 
 	/** A file that a form wrote. @param {string} name @param {string} xml */
@@ -159,7 +176,13 @@ class Page {
 	/** @param {JobFile} file */
 	removeButton(file) {
 		const button = element('button', {type: 'button', title: `Remove ${file.path}`, ariaLabel: `Remove ${file.path}`}, '×');
-		button.addEventListener('click', () => this.setFiles(this.files.filter((other) => other !== file)));
+		button.addEventListener('click', () => {
+			const place = this.files.indexOf(file);
+			this.setFiles(this.files.filter((other) => other !== file));
+			// The focus goes to the same button of the next file.
+			const rows = byId('file-list').children, next = rows[Math.min(place, rows.length - 1)]?.querySelector('button:last-of-type');
+			/** @type {HTMLElement} */ (next ?? byId('choose')).focus();
+		});
 		return button;
 	}
 
@@ -243,6 +266,8 @@ class Page {
 				whole.fail('Incomplete: the job file is at fault, and no job was checked.');
 				return;
 			}
+			if (!jobsIn(list).length)
+				throw new Error('no job can be read');
 			whole.card.remove();
 		} catch (error) {
 			whole.fail(error instanceof Cancelled ? 'Cancelled: no job was checked.' : String(error));

@@ -129,9 +129,10 @@ export class ProgramResult {
  * What a verdict rests on besides the files, in words.
  * @param {Record<string, any>} header the first event of a run
  */
-function usedIn({method, step, tolerance, stock_tolerance: stock, clearance, all, dialect, block_delete: skips, duplicates, fail_on: fails}) {
+function usedIn({method, step, tolerance, stock_tolerance: stock, clearance, all, dialect, block_delete: skips, duplicates, include, max_blocks: most, fail_on: fails}) {
 	return [`method ${method}`, ...(method === 'certified' || method === 'parse-only' ? [] : [`step ${step} s`]), `dialect ${dialect}`, `clearance ${clearance} mm`, `tolerance ${tolerance} mm`, `stock tolerance ${stock} mm`,
 		...(all ? ['all findings'] : []), ...(skips ? ['blocks that begin with / skipped'] : []), ...(duplicates === 'last' ? ['the last of two like words'] : []),
+		...include.map((/** @type {string} */ folder) => `subprograms in ${folder}`), ...(most ? [`at most ${most} blocks in loops and subprograms`] : []),
 		...(fails.length === KINDS ? [] : [`fail-on ${fails.join(', ') || 'none'}`])];
 }
 
