@@ -65,87 +65,99 @@ bool raster_may_show(const struct raster *raster, const vec3 p[3])
 	return x[0] < x[1] && y[0] < y[1];
 }
 
-/* A share of a corner along a row: `at` in the first pixel, `step` more in each later one. */
-struct share {
-	double at, step;
-	double pixels;	/* -1 / step */
+/* Where a side of a triangle crosses the middle of row y, in pixels to the centre of the first one: at + y slope. */
+struct side {
+	double at, slope;
 };
 
-/* Narrows the pixels *from to *to - 1 of a row to those where the share may be 0 or more. */
-static void narrow(const struct share *share, int *from, int *to)
-{
-	/* One pixel to spare: the share itself is tested later. */
-	const double zero = share->at * share->pixels;
+/* The sides that cross rows, at most three: those that the triangle is to the right of, and those it is to the left of. */
+struct sides {
+	struct side left[3], right[3];
+	int left_count, right_count;
+};
 
-	if (share->step > 0 && zero - 1 > *from)
-		*from = zero - 1 < *to ? (int)(zero - 1) : *to;
-	else if (share->step < 0 && zero + 2 < *to)
-		*to = zero + 2 > *from ? (int)(zero + 2) : *from;
+/*
+ * Each side begins at its upper end, so that two triangles that share a side find the same numbers and leave no gap. A
+ * level side bounds the rows, not what is seen of them.
+ */
+static struct sides sides_of(const vec3 p[3], double area)
+{
+	struct sides sides = {.left_count = 0};
+
+	for (int k = 0; k < 3; k++) {
+		const vec3 from = p[k], to = p[(k + 1) % 3];
+		const bool down = from.y < to.y;
+		const vec3 upper = down ? from : to, lower = down ? to : from;
+		const double slope = (lower.x - upper.x) / (lower.y - upper.y);
+		const struct side side = {upper.x + (0.5 - upper.y) * slope - 0.5, slope};
+
+		if (!(upper.y < lower.y))
+			continue;
+		if (down == (area > 0))
+			sides.right[sides.right_count++] = side;
+		else
+			sides.left[sides.left_count++] = side;
+	}
+	return sides;
+}
+
+/* Narrows the pixels *low to *high of row y to those whose centres are between the sides. */
+static void narrow(const struct sides *sides, int y, double *low, double *high)
+{
+	for (int k = 0; k < sides->left_count; k++) {
+		const double x = sides->left[k].at + y * sides->left[k].slope;
+
+		*low = x > *low ? x : *low;
+	}
+	for (int k = 0; k < sides->right_count; k++) {
+		const double x = sides->right[k].at + y * sides->right[k].slope;
+
+		*high = x < *high ? x : *high;
+	}
 }
 
 /*
- * How the share of the corner opposite the side from p to q changes; `at` is that in the first pixel of the first row.
+ * Paints `count` pixels side by side where nothing nearer is; depths change by `step` from one to the next. Without a
+ * branch, and in floats, as depths are kept, so that compilers do several at once: most of a picture's time goes here.
  */
-static struct share share_of(vec3 p, vec3 q, double inverse_area, int x, int y, double *down)
+static void draw_pixels(float *restrict depths, uint8_t *restrict paints, int count, float first, float step,
+			uint8_t paint)
 {
-	const double step = (p.y - q.y) * inverse_area;
+	for (int i = 0; i < count; i++) {
+		const float depth = first + (float)i * step, before = depths[i];
+		const uint8_t old = paints[i];
 
-	*down = (q.x - p.x) * inverse_area;
-	return (struct share){area_of(p, q, (vec3){x + 0.5, y + 0.5, 0}) * inverse_area, step, -1 / step};
-}
-
-static bool is_inside(const struct share *a, const struct share *b, int x)
-{
-	const double of_a = a->at + x * a->step, of_b = b->at + x * b->step;
-
-	return of_a >= 0 && of_b >= 0 && 1 - of_a - of_b >= 0;
-}
-
-/* Paints the pixels *from to *to - 1 of a row where nothing nearer is; depths change by `step` from one to the next. */
-static void draw_row(struct raster *raster, int y, int from, int to, double at, double step, uint8_t paint)
-{
-	float *depths = raster->depths + (size_t)y * (size_t)raster->width;
-	uint8_t *paints = raster->paints + (size_t)y * (size_t)raster->width;
-
-	for (int x = from; x < to; x++) {
-		const float depth = (float)(at + x * step);
-
-		if (depth > depths[x]) {
-			depths[x] = depth;
-			paints[x] = paint;
-		}
+		paints[i] = before >= depth ? old : paint;
+		depths[i] = before < depth ? depth : before;
 	}
 }
 
 void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
-	const double a_depth = p[0].z - p[2].z, b_depth = p[1].z - p[2].z;
+	const vec3 b = vec3_sub(p[1], p[0]), c = vec3_sub(p[2], p[0]);
+	double right, down, depth;	/* change of the depth to the next pixel, and to the next row; that of the first */
+	struct sides sides;
 	int columns[2], rows[2];
-	double a_down, b_down;
-	struct share a, b, c;
 
 	if (!(fabs(area) > 0))
 		return;
+	right = (b.z * c.y - c.z * b.y) / area;
+	down = (c.z * b.x - b.z * c.x) / area;
+	depth = p[0].z + (0.5 - p[0].x) * right + (0.5 - p[0].y) * down;
 	bounds_of(raster, p, columns, rows);
-	/* Shares of the first two corners; of the third there is what is left. */
-	a = share_of(p[1], p[2], 1 / area, 0, rows[0], &a_down);
-	b = share_of(p[2], p[0], 1 / area, 0, rows[0], &b_down);
-	c = (struct share){1 - a.at - b.at, -a.step - b.step, 1 / (a.step + b.step)};
+	sides = sides_of(p, area);
 	for (int y = rows[0]; y < rows[1]; y++) {
-		int from = columns[0], to = columns[1];
+		double low = columns[0], high = columns[1] - 1;
+		size_t first;
+		int from;
 
-		narrow(&a, &from, &to);
-		narrow(&b, &from, &to);
-		narrow(&c, &from, &to);
-		while (from < to && !is_inside(&a, &b, from))
-			from++;
-		while (from < to && !is_inside(&a, &b, to - 1))
-			to--;
-		draw_row(raster, y, from, to, p[2].z + a.at * a_depth + b.at * b_depth,
-			 a.step * a_depth + b.step * b_depth, paint);
-		a.at += a_down;
-		b.at += b_down;
-		c.at -= a_down + b_down;
+		narrow(&sides, y, &low, &high);
+		if (low > high)
+			continue;
+		from = (int)low + (low > (int)low);
+		first = (size_t)y * (size_t)raster->width + (size_t)from;
+		draw_pixels(raster->depths + first, raster->paints + first, (int)high + 1 - from,
+			    (float)(depth + from * right + y * down), (float)right, paint);
 	}
 }

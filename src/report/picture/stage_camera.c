@@ -4,9 +4,8 @@
 #include <stdlib.h>
 
 #include "base/math/math_functions.h"
-#include "base/mem.h"
-#include "base/minmax.h"
-#include "base/same_double.h"
+#include "base/units.h"
+#include "report/picture/draft.h"
 
 static struct camera look_from(double turn, double rise)
 {
@@ -91,106 +90,19 @@ static bool sees_point(const struct stage *stage, const struct camera *camera, c
 	       raster->depths[y * raster->width + x] <= at.z + 1.5 / (camera->scale * raster->width);
 }
 
-/* The size of a picture that is judged, and never shown. */
-enum { DRAFT_WIDTH = 64, DRAFT_HEIGHT = 42 };
-
-/* A triangle in machine coordinates. */
-struct draft_triangle {
-	vec3 p[3];
-	double radius;	/* mm: of a ball around the first corner that holds all of it */
-	uint8_t paint;
-};
-
-/*
- * What is there, as coarse as a draft can show it: corners stand on a grid of a draft's pixels, and triangles that
- * shrink to a line or a point, as most of a fine mesh do, are left out. Neighbours share their corners, so that no gaps
- * open.
- */
-struct draft {
-	struct draft_triangle *triangles;	/* owned */
-	size_t count, capacity;
-};
-
-static vec3 snap(vec3 p, double grid)
-{
-	return (vec3){grid * rint(p.x / grid), grid * rint(p.y / grid), grid * rint(p.z / grid)};
-}
-
-static bool same_place(vec3 p, vec3 q)
-{
-	return same_double(p.x, q.x) && same_double(p.y, q.y) && same_double(p.z, q.z);
-}
-
-static void add_to_draft(struct draft *draft, const vec3 p[3], double grid, enum paint_class class)
-{
-	struct draft_triangle triangle = {.p = {snap(p[0], grid), snap(p[1], grid), snap(p[2], grid)},
-					  .paint = (uint8_t)(class * PAINT_LEVELS)};
-	const vec3 *q = triangle.p;
-
-	if (same_place(q[0], q[1]) || same_place(q[1], q[2]) || same_place(q[2], q[0]))
-		return;
-	triangle.radius = larger(vec3_norm(vec3_sub(q[1], q[0])), vec3_norm(vec3_sub(q[2], q[0])));
-	draft->triangles = mem_grow(draft->triangles, &draft->capacity, draft->count + 1, sizeof(*draft->triangles));
-	draft->triangles[draft->count++] = triangle;
-}
-
-static struct draft draft_of(const struct stage *stage, double grid)
-{
-	struct draft draft = {0};
-
-	for (int i = 0; (size_t)i < stage->scene->body_count; i++) {
-		const struct scene_body *it = &stage->scene->bodies[i];
-		const xform link = machine_pose(stage->scene->machine, it->body->link, &stage->axes);
-		const xform pose = xform_mul(&link, &it->body->placement);
-
-		for (size_t t = 0; stage_shows(stage, i) && t < stage_mesh(stage, i)->count; t++) {
-			vec3 p[3];
-
-			for (int k = 0; k < 3; k++)
-				p[k] = xform_apply(&pose, mesh_corner(&stage_mesh(stage, i)->triangles[t], k));
-			add_to_draft(&draft, p, grid, stage_class(stage, i));
-		}
-	}
-	for (int side = 0; stage->triangles && side < 2; side++)
-		add_to_draft(&draft, stage->triangles[side], grid, side ? PAINT_CONTACT_B : PAINT_CONTACT_A);
-	return draft;
-}
-
-/* May the triangle be in the picture? Most are beside it. */
-static bool is_framed(const struct camera *camera, const struct draft_triangle *triangle)
-{
-	const vec3 way = vec3_sub(triangle->p[0], camera->centre);
-	const double half = 0.51 / camera->scale;
-
-	return fabs(vec3_dot(camera->right, way)) <= half + triangle->radius &&
-	       fabs(vec3_dot(camera->up, way)) <= half * DRAFT_HEIGHT / DRAFT_WIDTH + triangle->radius;
-}
-
 static double judge(const struct stage *stage, const struct draft *draft, const struct camera *camera)
 {
 	struct raster raster;
-	const xform here = xform_identity();
-	struct screen screen;
 	double result;
 
-	raster_init(&raster, DRAFT_WIDTH, DRAFT_HEIGHT);
-	screen = screen_of(camera, &raster, &here);
-	for (size_t i = 0; i < draft->count; i++) {
-		vec3 at[3];
-
-		if (!is_framed(camera, &draft->triangles[i]))
-			continue;
-		for (int k = 0; k < 3; k++)
-			at[k] = screen_place(&screen, draft->triangles[i].p[k]);
-		if (raster_may_show(&raster, at))
-			raster_triangle(&raster, at, draft->triangles[i].paint);
-	}
+	raster_init(&raster, draft->width, draft->height);
+	draft_draw(draft, camera, &raster);
 	result = score(&raster) * (sees_point(stage, camera, &raster) ? 2 : 1);
 	raster_release(&raster);
 	return result;
 }
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE (PI / 180)
 
 struct camera camera_usual(void)
 {
@@ -203,34 +115,94 @@ struct camera camera_usual(void)
  */
 static double familiar(int turn, int rise)
 {
-	return (rise == 35 ? 1.2 : 1) * (turn <= 0 ? 1.1 : 1) * (turn % 90 ? 1.15 : 1);
+	return (rise == draft_rises[0] ? 1.2 : 1) * (turn <= 0 ? 1.1 : 1) * (turn % 90 ? 1.15 : 1);
+}
+
+/* A direction to look from, in degrees, and how well it shows the contact. */
+struct candidate {
+	int turn, rise;
+	double score;
+};
+
+/*
+ * Twelve turns at the usual height; the best of these also from the other heights; the best of all these in finer
+ * pictures, whose drafts are ROUGH times as fine.
+ */
+enum { TURNS = 12, RISEN = 4, CANDIDATES = TURNS + (DRAFT_RISES - 1) * RISEN, JUDGED_FINELY = 6, ROUGH = 3 };
+
+static struct camera camera_of(const struct stage *stage, const struct candidate *candidate)
+{
+	struct camera camera = look_from(candidate->turn * DEGREE, candidate->rise * DEGREE);
+
+	frame_contact(stage, &camera);
+	return camera;
+}
+
+static void judge_all(const struct stage *stage, const struct draft *draft, struct candidate *candidates, int count)
+{
+	for (int i = 0; i < count; i++) {
+		struct candidate *it = &candidates[i];
+		const struct camera camera = camera_of(stage, it);
+
+		it->score = judge(stage, draft, &camera) * familiar(it->turn, it->rise);
+	}
+}
+
+/* The best first; of equals the one that came first. */
+static void sort_candidates(struct candidate *candidates, int count)
+{
+	for (int i = 1; i < count; i++) {
+		const struct candidate it = candidates[i];
+		int k = i;
+
+		for (; k > 0 && candidates[k - 1].score < it.score; k--)
+			candidates[k] = candidates[k - 1];
+		candidates[k] = it;
+	}
+}
+
+/* The candidates by rough pictures, the best first. */
+static void find_candidates(const struct stage *stage, const struct draft *rough, struct candidate *candidates)
+{
+	int count = TURNS;
+
+	for (int i = 0; i < TURNS; i++)
+		candidates[i] = (struct candidate){.turn = -150 + 30 * i, .rise = draft_rises[0]};
+	judge_all(stage, rough, candidates, TURNS);
+	sort_candidates(candidates, TURNS);
+	for (int i = 0; i < RISEN; i++) {
+		for (int k = 1; k < DRAFT_RISES; k++)
+			candidates[count++] = (struct candidate){.turn = candidates[i].turn, .rise = draft_rises[k]};
+	}
+	judge_all(stage, rough, candidates + TURNS, CANDIDATES - TURNS);
+	sort_candidates(candidates, CANDIDATES);
+}
+
+static struct candidate best_candidate(const struct stage *stage, double scale)
+{
+	struct draft fine, rough;
+	struct candidate candidates[CANDIDATES];
+
+	draft_init(&fine, stage, scale);
+	draft_init_coarser(&rough, &fine, ROUGH);
+	find_candidates(stage, &rough, candidates);
+	judge_all(stage, &fine, candidates, JUDGED_FINELY);
+	sort_candidates(candidates, JUDGED_FINELY);
+	draft_release(&fine);
+	draft_release(&rough);
+	return candidates[0];
 }
 
 struct camera stage_camera(const struct stage *stage)
 {
-	struct camera best = camera_usual();
-	struct draft draft;
-	double most = -1;
+	struct camera camera = camera_usual();
+	struct candidate best;
 
 	if (stage->a < 0 || stage->b < 0 || !stage->has_point) {
-		frame_all(stage, &best);
-		return best;
+		frame_all(stage, &camera);
+		return camera;
 	}
-	frame_contact(stage, &best);
-	draft = draft_of(stage, 1 / (best.scale * DRAFT_WIDTH));
-	for (int rise = 15; rise <= 55; rise += 20) {
-		for (int turn = -150; turn < 210; turn += 30) {
-			struct camera camera = look_from(turn * DEGREE, rise * DEGREE);
-			double good;
-
-			frame_contact(stage, &camera);
-			good = judge(stage, &draft, &camera) * familiar(turn, rise);
-			if (good > most) {
-				most = good;
-				best = camera;
-			}
-		}
-	}
-	free(draft.triangles);
-	return best;
+	frame_contact(stage, &camera);
+	best = best_candidate(stage, camera.scale);
+	return camera_of(stage, &best);
 }
