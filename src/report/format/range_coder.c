@@ -26,18 +26,12 @@ static void shift_out(struct range_coder *coder)
 	coder->low = (coder->low & 0xffffff) << 8;
 }
 
-static int shift_of(const struct bit_model *model)
-{
-	int bits = 0;
-
-	for (int n = model->seen + 1; n; n >>= 1)
-		bits++;
-	return bits < SLOWEST ? bits : SLOWEST;
-}
+/* By the number of bits seen: how many bits that number and 1 has, up to SLOWEST. */
+static const uint8_t shifts[SEEN_MAX + 1] = {1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, SLOWEST, SLOWEST};
 
 static void learn(struct bit_model *model, uint32_t p, bool bit)
 {
-	const int shift = shift_of(model);
+	const int shift = shifts[model->seen];
 
 	p = bit ? p + ((65536 - p) >> shift) : p - (p >> shift);
 	p = p < LEAST ? LEAST : p > GREATEST ? GREATEST : p;

@@ -7,22 +7,40 @@ static const unsigned char reserved[128] = {
 	[0] = 1, ['\r'] = 2, [14] = 3, [15] = 4, [26] = 5, [27] = 6, ['<'] = 7, [127] = 8,
 };
 
-static unsigned group_at(const unsigned char *bytes, size_t count, size_t group)
-{
-	const size_t byte = 7 * group / 8, skip = 7 * group % 8;
-	const unsigned two = (unsigned)bytes[byte] << 8 | (byte + 1 < count ? bytes[byte + 1] : 0);
+/* Groups of seven bits of a run of bytes, the highest first; the last one is filled up with zeros. */
+struct groups {
+	const unsigned char *next, *end;	/* bytes that were not read yet */
+	size_t left;	/* groups */
+	unsigned held;	/* its lowest `bits` bits were read, and belong to no group yet */
+	int bits;
+};
 
-	return two >> (9 - skip) & 127;
+static struct groups groups_of(const void *bytes, size_t count)
+{
+	const unsigned char *first = bytes;
+
+	return (struct groups){.next = first, .end = first + count, .left = (8 * count + 6) / 7};
+}
+
+static unsigned next_group(struct groups *groups)
+{
+	if (groups->bits < 7) {
+		groups->held = groups->held << 8 | (groups->next < groups->end ? *groups->next++ : 0);
+		groups->bits += 8;
+	}
+	groups->bits -= 7;
+	groups->left--;
+	return groups->held >> groups->bits & 127;
 }
 
 void seven_bit_add(struct strbuf *out, const void *bytes, size_t count)
 {
-	const size_t groups = (8 * count + 6) / 7;
-	char piece[1024];
+	struct groups groups = groups_of(bytes, count);
+	char piece[4096];
 	size_t length = 0;
 
-	for (size_t i = 0; i < groups; i++) {
-		const unsigned group = group_at(bytes, count, i);
+	while (groups.left) {
+		const unsigned group = next_group(&groups);
 		unsigned index, code;
 
 		if (length > sizeof(piece) - 2) {
@@ -34,10 +52,9 @@ void seven_bit_add(struct strbuf *out, const void *bytes, size_t count)
 			continue;
 		}
 		index = reserved[group] - 1U;
-		code = i + 1 < groups ? 0x100 + 128 * index + group_at(bytes, count, i + 1) : 0x500 + index;
+		code = groups.left ? 0x100 + 128 * index + next_group(&groups) : 0x500 + index;
 		piece[length++] = (char)(0xc0 | code >> 6);
 		piece[length++] = (char)(0x80 | (code & 63));
-		i++;
 	}
 	strbuf_add(out, piece, length);
 }

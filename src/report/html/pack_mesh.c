@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "report/html/mesh_coder.h"
 
 enum { GRID_MAX = 65535 };
@@ -28,17 +29,18 @@ static void choose_grid(struct packed_mesh *packed, const struct mesh *mesh, con
 	for (size_t i = 0; i < 3 * mesh->count; i++) {
 		vec3 p = xform_apply(place, mesh_corner(&mesh->triangles[i / 3], (int)(i % 3)));
 
-		least = (vec3){fmin(least.x, p.x), fmin(least.y, p.y), fmin(least.z, p.z)};
-		greatest = (vec3){fmax(greatest.x, p.x), fmax(greatest.y, p.y), fmax(greatest.z, p.z)};
+		least = (vec3){smaller(least.x, p.x), smaller(least.y, p.y), smaller(least.z, p.z)};
+		greatest = (vec3){larger(greatest.x, p.x), larger(greatest.y, p.y), larger(greatest.z, p.z)};
 	}
 	extent = fmax(greatest.x - least.x, fmax(greatest.y - least.y, greatest.z - least.z));
 	packed->origin = least;
 	packed->step = fmax(PACK_MESH_STEP, extent / (GRID_MAX - 1));
 }
 
+/* Without calls: this is done three times for each corner of a mesh. */
 static uint16_t quantise(double value, double origin, double step)
 {
-	return (uint16_t)lround(fmin(fmax((value - origin) / step, 0), GRID_MAX));
+	return (uint16_t)(smaller(larger((value - origin) / step, 0), GRID_MAX) + 0.5);
 }
 
 /* The number of the grid point, which is new or was seen before. */

@@ -105,18 +105,24 @@ static size_t count_facets(const struct mesh *mesh, double top)
 	return count;
 }
 
+/* Is the distance between the ends of two sides at a right angle at most half of TURNED_ERROR? */
+static bool is_near(double x, double y)
+{
+	return x * x + y * y <= TURNED_ERROR * TURNED_ERROR / 4;
+}
+
 /* Is the vertex one of a polygon's, or on the axis? */
 static bool is_explained(const struct turned *turned, const float p[3])
 {
-	const double r = math_hypot((double)p[0], (double)p[1]), part = 2 * PI / (double)turned->facets;
-	const double angle = part * round(math_atan2((double)p[1], (double)p[0]) / part);
+	const double x = (double)p[0], y = (double)p[1], r = sqrt(x * x + y * y);
+	const double part = 2 * PI / (double)turned->facets, angle = part * round(math_atan2(y, x) / part);
 
 	if (!(r > 0))
 		return true;
-	if (math_hypot((double)p[0] - r * math_cos(angle), (double)p[1] - r * math_sin(angle)) > TURNED_ERROR / 2)
+	if (!is_near(x - r * math_cos(angle), y - r * math_sin(angle)))
 		return false;
 	for (size_t i = 0; i < turned->count; i++) {
-		if (math_hypot(r - turned->corners[i].r, (double)p[2] - turned->corners[i].z) <= TURNED_ERROR / 2)
+		if (is_near(r - turned->corners[i].r, (double)p[2] - turned->corners[i].z))
 			return true;
 	}
 	return false;

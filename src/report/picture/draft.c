@@ -72,8 +72,8 @@ static struct sight sight_of(const struct stage *stage, double scale)
 	struct sight sight = {.point = stage->point, .radius = 0.51 / scale * math_hypot(1, (double)HEIGHT / WIDTH)};
 
 	for (int i = 0; i < DRAFT_RISES; i++) {
-		sight.cosine[i] = math_cos(draft_rises[i] * PI / 180);
-		sight.sine[i] = math_sin(draft_rises[i] * PI / 180);
+		sight.cosine[i] = math_cos(radians(draft_rises[i]));
+		sight.sine[i] = math_sin(radians(draft_rises[i]));
 	}
 	return sight;
 }

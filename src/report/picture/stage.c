@@ -172,11 +172,6 @@ struct screen screen_of(const struct camera *camera, const struct raster *raster
 	};
 }
 
-vec3 screen_place(const struct screen *screen, vec3 p)
-{
-	return vec3_add(screen->shift, (vec3){vec3_dot(screen->x, p), vec3_dot(screen->y, p), vec3_dot(screen->z, p)});
-}
-
 static void draw_body(const struct stage *stage, const struct camera *camera, struct raster *raster, int body)
 {
 	const struct scene_body *it = &stage->scene->bodies[body];

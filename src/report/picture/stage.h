@@ -51,7 +51,11 @@ struct screen {
 	vec3 x, y, z, shift;
 };
 struct screen screen_of(const struct camera *camera, const struct raster *raster, const xform *pose);
-vec3 screen_place(const struct screen *screen, vec3 p);
+
+static inline vec3 screen_place(const struct screen *screen, vec3 p)
+{
+	return vec3_add(screen->shift, (vec3){vec3_dot(screen->x, p), vec3_dot(screen->y, p), vec3_dot(screen->z, p)});
+}
 
 /* Paints: a class and how bright it is, 0 to PAINT_LEVELS - 1. */
 enum paint_class {

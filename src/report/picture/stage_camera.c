@@ -102,11 +102,9 @@ static double judge(const struct stage *stage, const struct draft *draft, const 
 	return result;
 }
 
-#define DEGREE (PI / 180)
-
 struct camera camera_usual(void)
 {
-	return look_from(-60 * DEGREE, 30 * DEGREE);
+	return look_from(radians(-60), radians(30));
 }
 
 /*
@@ -132,7 +130,7 @@ enum { TURNS = 12, RISEN = 4, CANDIDATES = TURNS + (DRAFT_RISES - 1) * RISEN, JU
 
 static struct camera camera_of(const struct stage *stage, const struct candidate *candidate)
 {
-	struct camera camera = look_from(candidate->turn * DEGREE, candidate->rise * DEGREE);
+	struct camera camera = look_from(radians(candidate->turn), radians(candidate->rise));
 
 	frame_contact(stage, &camera);
 	return camera;
