@@ -60,7 +60,7 @@ static struct ball ball_around(const vec3 *points, size_t count)
 
 /* -------------------------------------------------------------- what is seen */
 
-/* What any of the cameras can see: it is around a ray from the stage's point at one of the heights, whatever its turn. */
+/* What any of the cameras can see: what is around a ray from the stage's point at one of the heights, in any turn. */
 struct sight {
 	vec3 point;
 	double radius;	/* mm, of a picture's corner from its middle */

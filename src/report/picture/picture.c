@@ -33,15 +33,19 @@ static void add_ring(struct strbuf *out, double x, double y)
 		    x, y, RING, x, y, RING);
 }
 
-/* A small square of the body's colour and its name. */
+/* A small square of the body's colour and its name, on a ground that keeps them readable whatever is behind. */
 static void add_label(struct strbuf *out, const struct stage *stage, int body, enum paint_class class, int row)
 {
+	const char *name = stage->scene->bodies[body].body->name;
+	const double width = fmin(46 + LETTER_WIDTH * FONT_SIZE * (double)strlen(name), WIDTH);
 	const int y = 22 + 24 * row;
 
+	strbuf_addf(out, "<rect y=\"%d\" width=\"%.0f\" height=\"24\" fill=\"#fff\" fill-opacity=\"0.8\"/>", y - 17,
+		    width);
 	strbuf_addf(out, "<rect x=\"14\" y=\"%d\" width=\"16\" height=\"16\" fill=\"#%06x\" stroke=\"none\"/>"
 			 "<text x=\"38\" y=\"%d\">",
 		    y - 13, (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3)), y + 1);
-	html_text_add(out, stage->scene->bodies[body].body->name);
+	html_text_add(out, name);
 	strbuf_addf(out, "</text>\n");
 }
 

@@ -70,7 +70,7 @@ struct side {
 	double at, slope;
 };
 
-/* The sides that cross rows, at most three: those that the triangle is to the right of, and those it is to the left of. */
+/* The sides that cross rows, at most three: those at the left end of a row, and those at its right end. */
 struct sides {
 	struct side left[3], right[3];
 	int left_count, right_count;
@@ -136,7 +136,7 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
 	const vec3 b = vec3_sub(p[1], p[0]), c = vec3_sub(p[2], p[0]);
-	double right, down, depth;	/* change of the depth to the next pixel, and to the next row; that of the first */
+	double depth, right, down;	/* of the first pixel; change to the next pixel and to the next row */
 	struct sides sides;
 	int columns[2], rows[2];
 

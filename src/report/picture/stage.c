@@ -13,12 +13,14 @@
 static const uint32_t darkest[PAINT_CLASSES] = {
 	[PAINT_NONE] = 0xf7f9fb, [PAINT_BASE] = 0xaab6c3, [PAINT_MOVING] = 0xa4b8cc, [PAINT_FIXTURE] = 0xb0b8bf,
 	[PAINT_PART] = 0xcdb896, [PAINT_TOOL] = 0xb4b4b4, [PAINT_A] = 0x8e0d14, [PAINT_B] = 0xa85a00,
-	[PAINT_CONTACT_A] = 0x4d0004, [PAINT_CONTACT_B] = 0x5a2d00, [PAINT_NEAR_A] = 0x1d4f86, [PAINT_NEAR_B] = 0x1a6b4a,
+	[PAINT_CONTACT_A] = 0x4d0004, [PAINT_CONTACT_B] = 0x5a2d00,
+	[PAINT_NEAR_A] = 0x1d4f86, [PAINT_NEAR_B] = 0x1a6b4a,
 };
 static const uint32_t brightest[PAINT_CLASSES] = {
 	[PAINT_NONE] = 0xf7f9fb, [PAINT_BASE] = 0xe6ebf0, [PAINT_MOVING] = 0xe0e8f0, [PAINT_FIXTURE] = 0xe8ebee,
 	[PAINT_PART] = 0xf4e8d2, [PAINT_TOOL] = 0xececec, [PAINT_A] = 0xff5a58, [PAINT_B] = 0xffb347,
-	[PAINT_CONTACT_A] = 0x7d0a10, [PAINT_CONTACT_B] = 0x8f4c00, [PAINT_NEAR_A] = 0x7fb2ea, [PAINT_NEAR_B] = 0x77cfa4,
+	[PAINT_CONTACT_A] = 0x7d0a10, [PAINT_CONTACT_B] = 0x8f4c00,
+	[PAINT_NEAR_A] = 0x7fb2ea, [PAINT_NEAR_B] = 0x77cfa4,
 };
 
 uint32_t paint_colour(uint8_t paint)
