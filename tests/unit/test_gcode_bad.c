@@ -93,7 +93,6 @@ static const struct bad codes[] = {
     {"M70\nM71\nM72\n", 3, 1, "M72 without an M70 or M73 of this subprogram before"},
     {"M70\nG93\nM72\n", 3, 1, "M72 and M73 would take back the feed mode, which LinuxCNC does by halves: bring it back by "
      "its own code first"},
-    {"M19\n", 1, 1, "M19: spindle orientation is not supported yet"},
     {"M428\n", 1, 1,
      "M428 is not known; if it moves no axis, <mcode number=\"428\" action=\"ignore\"/> in the machine's <controller> "
      "says so"},

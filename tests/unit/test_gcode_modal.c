@@ -178,12 +178,20 @@ static bool note_turning(void *context, const struct canon_event *event)
 	return true;
 }
 
-/* Haas mill operator's manual, "M19 Orient Spindle": the spindle stands in its orientation; P and R are its angle. */
+/*
+ * Haas mill operator's manual, "M19 Orient Spindle": the spindle stands in its orientation; P and R are its angle.
+ * LinuxCNC's manual, "M19": R is the angle, P the direction, Q a time.
+ */
 START_TEST(oriented_stop)
 {
-	static const char program[] = "G0 X1. M3 S1\nX2.\nM19\nX3.\nM4\nX4.\nM19 R90\nX5.\nM3\nX6.\nM19 P45.\nX7.\nM30\n";
+	static const char turns_and_stands[] =
+	    "G0 X1. M3 S1\nX2.\nM19\nX3.\nM4\nX4.\nM19 R90\nX5.\nM3\nX6.\nM19 P45.\nX7.\nM30\n";
+	static const char with_time[] =
+	    "G61 G0 X1. M3 S1\nX2.\nM19 R0\nX3.\nM4\nX4.\nM19 R90 Q2 P1\nX5.\nM3\nX6.\nM19 R5 P2\nX7.\nM30\n";
+	const struct dialect *const controls[] = {dialects[0], dialects[1], &dialect_linuxcnc};
 
-	for (int i = 0; i < 2; i++) {
+	for (int i = 0; i < 3; i++) {
+		const char *program = i == 2 ? with_time : turns_and_stands;
 		struct strbuf turns = {0};
 		struct gcode_case c;
 		struct canon_sink sink = {&turns, note_turning};
@@ -191,7 +199,7 @@ START_TEST(oriented_stop)
 		struct interp *interp;
 		FILE *in = fmemopen((char *)program, strlen(program), "r");
 
-		modal_case(&c, dialects[i]);
+		modal_case(&c, controls[i]);
 		c.diag.context = &c;
 		ck_assert_ptr_nonnull(in);
 		interp = interp_new(&c.config, &kinematics, &sink, &c.diag);
@@ -203,7 +211,7 @@ START_TEST(oriented_stop)
 		strbuf_release(&turns);
 		case_release(&c);
 	}
-	refuse(&dialect_linuxcnc, "M19 R90\n", 1, "M19: spindle orientation is not supported yet");
+	refuse(&dialect_haas, "M19 R90 Q3\n", 9, "no code in the block uses the word Q");
 }
 END_TEST
 

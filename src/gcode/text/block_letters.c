@@ -182,10 +182,10 @@ static uint32_t path_letters(const struct block *block, const struct dialect_tra
 	return used | (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO ? letter_bits("PQ") : 0);
 }
 
-static uint32_t spindle_letters(const struct block *block)
+static uint32_t spindle_letters(const struct block *block, const struct dialect_traits *traits)
 {
 	return (block->g[G_SPINDLE] == G96 ? letter_bit('D') : 0) |
-	       (block->m[M_SPINDLE] == 19 ? letter_bits("PR") : 0);
+	       (block->m[M_SPINDLE] == 19 ? letter_bits(traits->m19_has_time == ANSWER_YES ? "PQR" : "PR") : 0);
 }
 
 static uint32_t m_letters(const struct block *block, const struct dialect_traits *traits)
@@ -208,5 +208,5 @@ uint32_t block_used_letters(const struct block *block, const struct dialect *dia
 
 	return AXIS_BITS | letter_bits("FST") | motion_letters(block, dialect) | nonmodal_letters(block, dialect) |
 	       coordinate_letters(block, traits) | tool_letters(block, traits) | path_letters(block, traits) |
-	       spindle_letters(block) | m_letters(block, traits);
+	       spindle_letters(block, traits) | m_letters(block, traits);
 }

@@ -62,7 +62,7 @@ static const struct code g_codes[] = {
 };
 
 static const struct code m_codes[] = {
-	{19, GROUP_NONE, CODE_REFUSED, "spindle orientation"},
+	{19, M_SPINDLE, CODE_READ, "spindle orientation"},
 	/* LinuxCNC's manual, "M-Codes": overrides and outputs touch speeds and wires, no axis. */
 	{48, M_OVERRIDE, CODE_IGNORED, "speed and feed overrides on"},
 	{49, M_OVERRIDE, CODE_IGNORED, "speed and feed overrides off"},
@@ -172,6 +172,7 @@ const struct dialect dialect_linuxcnc = {
 		.g28_without_axes = G28_WITHOUT_AXES_ALL,
 		.references_in_parameters = ANSWER_YES,
 		.g30_has_number = ANSWER_NO,
+		.m19_has_time = ANSWER_YES,
 		.t_word = T_WORD_SELECTS,
 		/* "Order of Execution": T before M6. */
 		.m6_loads_own_t = ANSWER_YES,
