@@ -10,6 +10,7 @@
 #include "cli/path_checks.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
+#include "cli/program_queue.h"
 #include "report/output.h"
 #include "report/pose.h"
 #include "report/stock_file.h"
@@ -19,16 +20,19 @@ struct session {
 	struct stock_remainder remainder;	/* with --stock-out */
 	const struct options *options;
 	struct program_context context;
+	struct program_queue queue;
 	struct ordered_output order;
 	struct program_outcome *outcomes;	/* one a program */
 };
 
-static void check_program(void *context, int worker, size_t i)
+static void check_program(void *context, int worker, size_t round)
 {
 	struct session *session = context;
+	const size_t i = program_queue_take(&session->queue);
 	struct program_output *output = &session->order.programs[i];
 
 	(void)worker;
+	(void)round;
 	/* After a failed write nobody would see the result. */
 	session->outcomes[i].status = RUN_INCOMPLETE;
 	if (!ordered_output_is_lost(&session->order))
@@ -191,6 +195,21 @@ static struct program_context context_of(const struct programs_run *run, int thr
 	return context;
 }
 
+static void check_all(struct session *session, int threads)
+{
+	const struct options *options = session->options;
+	double *sizes = mem_zalloc(options->program_count + 1, sizeof(*sizes));
+	struct stat status;
+
+	for (size_t i = 0; i < options->program_count && threads > 1; i++)
+		if (!stat(options->programs[i], &status) && S_ISREG(status.st_mode))
+			sizes[i] = (double)status.st_size;
+	program_queue_init(&session->queue, sizes, options->program_count, threads);
+	free(sizes);
+	parallel_for(options->program_count, threads, check_program, session);
+	program_queue_release(&session->queue);
+}
+
 /* Everything that is written behind the last program. */
 static enum run_status finish(struct session *session, const struct programs_run *run)
 {
@@ -237,7 +256,7 @@ enum run_status programs_check(const struct programs_run *run)
 	stderr_ui_expect(run->ui, options->program_count);
 	sinks_begin(run->sinks, &session.context.run);
 	interrupt_watch();
-	parallel_for(options->program_count, threads, check_program, &session);
+	check_all(&session, threads);
 	status = finish(&session, run);
 	ordered_output_release(&session.order);
 	free(session.outcomes);
