@@ -74,11 +74,9 @@ static struct near_pair recall(const struct body_pair *pair, const xform *pose)
 	return near;
 }
 
-double near_pair_distance(const struct body_pair *pair, const axis_values *q)
+double near_pair_distance(const struct body_pair *pair, const xform *pose)
 {
-	const xform pose = body_pair_pose(pair, q);
-
-	return recall(pair, &pose).distance;
+	return recall(pair, pose).distance;
 }
 
 /* Replaces one of the triangles by one that is nearer to the other's point. False: none is. */
@@ -120,15 +118,22 @@ static bool renew_points(const struct body_pair *pair, const xform *pose, struct
 	return moved2 > MOVED_SHARE * MOVED_SHARE * near->distance * near->distance;
 }
 
-double near_pair_improve(const struct body_pair *pair, const axis_values *q, double enough, long *visits)
+double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits)
 {
-	const xform pose = body_pair_pose(pair, q);
-	struct near_pair near = recall(pair, &pose);
+	struct near_pair near = recall(pair, pose);
 
 	for (int round = 0; round < ROUNDS && near.distance > enough; round++)
-		if (!replace_either(pair, &pose, &near, enough, visits) && !renew_points(pair, &pose, &near))
+		if (!replace_either(pair, pose, &near, enough, visits) && !renew_points(pair, pose, &near))
 			break;
 	if (near.measured)
-		remember(pair, &pose, &near);
+		remember(pair, pose, &near);
 	return near.distance;
+}
+
+vec3 near_pair_direction(const struct body_pair *pair, const xform *pose)
+{
+	const struct near_points *points = &pair->coherence->points;
+	const vec3 between = vec3_sub(xform_apply(pose, points->on_b), points->on_a);
+
+	return vec3_unit(mat3_apply(&pair->place_a.rotation, between));
 }

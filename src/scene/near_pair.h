@@ -5,10 +5,10 @@
 #include "scene/motion_interval.h"
 
 /*
- * mm: the two triangles that the pair remembers (struct coherence) are this close at the axis positions q, or nearer if
- * they have turned since they were measured.
+ * mm: the two triangles that the pair remembers (struct coherence) are this close at the pose (body_pair_pose), or
+ * nearer if they have turned since they were measured.
  */
-double near_pair_distance(const struct body_pair *pair, const axis_values *q);
+double near_pair_distance(const struct body_pair *pair, const xform *pose);
 
 /*
  * The same after a search for nearer triangles, which are remembered: the one that is nearest to the point where the
@@ -16,6 +16,12 @@ double near_pair_distance(const struct body_pair *pair, const axis_values *q);
  * finds none nearer. Then others may still be nearer, but between convex surfaces the nearest are found at little cost.
  * Adds the boxes that it looks at to *visits.
  */
-double near_pair_improve(const struct body_pair *pair, const axis_values *q, double enough, long *visits);
+double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits);
+
+/*
+ * From the one triangle's nearest point to the other's, as they were measured last, with the bodies at the pose now: a
+ * unit vector in the coordinates of A's link; 0: they touch.
+ */
+vec3 near_pair_direction(const struct body_pair *pair, const xform *pose);
 
 #endif

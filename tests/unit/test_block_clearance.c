@@ -25,7 +25,7 @@ static double could_be(enum clearance_accuracy accuracy, double bound)
 	for (int i = 0; i < 100; i++) {
 		double middle = 0.5 * (low + high);
 
-		if (block_clearance_promised(accuracy, middle) > bound)
+		if (clearance_accuracy_promised(accuracy, middle) > bound)
 			high = middle;
 		else
 			low = middle;
@@ -50,7 +50,7 @@ static bool measure_block(const struct program *p, struct block_clearance *block
 	require(bound >= 0 && bound <= most, "case %ld, step %d: a bound of %g", number, first, bound);
 	require(bound <= 0 || !comes_within(p, first, last, bound * (1 - 1e-9)),
 		"case %ld, step %d: %.9g mm proven, it is less", number, first, bound);
-	require(bound >= block_clearance_promised(accuracy, most) - p->tolerance ||
+	require(bound >= clearance_accuracy_promised(accuracy, most) - p->tolerance ||
 			comes_within(p, first, last, could_be(accuracy, bound) + 3 * p->tolerance),
 		"case %ld, step %d: only %.9g mm proven, it is much more", number, first, bound);
 	return bound > 0 && bound < most;

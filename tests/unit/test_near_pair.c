@@ -87,13 +87,13 @@ START_TEST(near_each_other)
 						random_in(&random, 20, 60)}};
 			const xform pose = duo_pose(&duo, &q, &q, 0, NULL);
 			const double truth = brute_distance(duo.a, duo.b, &pose, 1e9);
-			const double before = near_pair_distance(&duo.pair, &q);
+			const double before = near_pair_distance(&duo.pair, &pose);
 			const double enough = i % 2 ? 1.5 * truth : 0;
-			const double after = near_pair_improve(&duo.pair, &q, enough, &visits);
+			const double after = near_pair_improve(&duo.pair, &pose, enough, &visits);
 
 			require(after >= truth - 1e-9, "case %ld: %.12g mm, but they are %.12g apart", n, after, truth);
 			require(after <= before + 1e-9, "case %ld: %g mm after %g", n, after, before);
-			require(fabs(near_pair_distance(&duo.pair, &q) - after) < 1e-9, "case %ld: forgotten", n);
+			require(fabs(near_pair_distance(&duo.pair, &pose) - after) < 1e-9, "case %ld: forgotten", n);
 			require(after <= fmax(enough, 1.5 * truth + 1e-3), "case %ld: %g mm, not %g", n, after, truth);
 			improved += after < 0.9 * before;
 		}

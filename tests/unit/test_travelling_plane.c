@@ -374,6 +374,51 @@ START_TEST(what_the_ends_of_steps_prove_is_apart)
 }
 END_TEST
 
+/* mm: what planes that are carried on prove of the motion, with their own normals or with any other. */
+static double carry(struct scene_of_two *s, struct plane_cells *cells, const struct plane_motion *motion, double needed)
+{
+	const vec3 along = random_unit(&s->random);
+
+	if (random_below(&s->random, 2))
+		return plane_cells_carry_parts(cells, &motion->q1, motion, needed);
+	return plane_cells_carry_whole(cells, &motion->q1, motion, needed, random_below(&s->random, 4) ? NULL : &along);
+}
+
+/* Along a path planes are carried on from end to end: what is said to be left is left. */
+START_TEST(what_carried_planes_leave_is_apart)
+{
+	long proved = 0, lost = 0, cases = random_cases(80);
+
+	for (long n = 0; n < cases; n++) {
+		struct scene_of_two s;
+		struct plane_cells cells;
+
+		scene_init(&s, 6, n);
+		plane_cells_init(&cells, &s.duo.pair);
+		for (int m = 0; m < 12; m++) {
+			struct plane_motion motion = random_motion(&s);
+			double rest;
+
+			motion.straight = true;
+			motion.q0 = s.at;
+			for (int k = 0; k < SLOT_COUNT; k++)
+				motion.q1.v[k] = 0.8 * s.at.v[k] + 0.2 * motion.q1.v[k];
+			s.at = motion.q1;
+			rest = carry(&s, &cells, &motion, random_size(&s.random, 1e-3, 50));
+			lost += !(rest > 0);
+			proved += rest > 0;
+			if (rest > 0)
+				require_apart(&s, &motion, rest, n);
+			else
+				plane_cells_search(&cells, &motion.q1, &motion, random_size(&s.random, 1e-3, 5));
+		}
+		plane_cells_release(&cells);
+		duo_release(&s.duo);
+	}
+	require(proved > cases && lost > cases, "proved %ld, lost %ld", proved, lost);
+}
+END_TEST
+
 /* No position of a box has a larger path displacement than the bound for all of them. */
 START_TEST(the_path_displacement_is_bounded_over_a_box)
 {
@@ -520,6 +565,7 @@ int main(void)
 	tcase_add_test(tcase, the_gap_between_two_ends_is_never_smaller_than_the_bound);
 	tcase_add_test(tcase, what_cells_cover_is_apart);
 	tcase_add_test(tcase, what_the_ends_of_steps_prove_is_apart);
+	tcase_add_test(tcase, what_carried_planes_leave_is_apart);
 	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
 	tcase_add_test(tcase, normal_goes_with_its_link);

@@ -79,10 +79,21 @@ void plane_account_add_search(struct plane_account *account, long visits)
 	account->search_price += LAST_SHARE * (price - account->search_price);
 }
 
+bool plane_account_allows_carrying(struct plane_account *account)
+{
+	return allows(account, &account->carried);
+}
+
 static void learn(struct plane_pause *pause, bool proved)
 {
 	pause->backoff = proved ? 0 : pause->backoff < BACKOFF_MAX ? 2 * pause->backoff + 1 : BACKOFF_MAX;
 	pause->idle = pause->backoff;
+}
+
+void plane_account_add_carried(struct plane_account *account, long visits, bool proved)
+{
+	account->credit -= SEARCH_WEIGHT * (double)visits;
+	learn(&account->carried, proved);
 }
 
 void plane_account_add_chunk(struct plane_account *account, bool proved)

@@ -16,7 +16,7 @@ struct plane_account {
 	/* Chunks for which no plane is searched, and steps that are not halved: now, and after the next search in vain. */
 	struct plane_pause {
 		int idle, backoff;
-	} chunks, halves;
+	} chunks, halves, carried;
 };
 
 /* nodes: what the first search has to look at besides. */
@@ -36,6 +36,11 @@ void plane_account_add_query(struct plane_account *account, long visits);
 void plane_account_add_saved(struct plane_account *account, size_t steps);
 
 void plane_account_add_search(struct plane_account *account, long visits);
+
+/* The same of kept planes that are measured again and nothing else. */
+bool plane_account_allows_carrying(struct plane_account *account);
+void plane_account_add_carried(struct plane_account *account, long visits, bool proved);
+
 void plane_account_add_chunk(struct plane_account *account, bool proved);
 void plane_account_add_halves(struct plane_account *account, bool proved);
 

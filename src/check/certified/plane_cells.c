@@ -1,6 +1,7 @@
 #include "check/certified/plane_cells.h"
 
 #include <math.h>
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -162,16 +163,18 @@ static double cell_rest(struct plane_cell *cell, const struct chain *chain, cons
 	return best;
 }
 
-double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most)
+double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most,
+			enum planes_asked asked)
 {
 	const struct chain *chain = cells->bodies->chain;
-	double whole, least = INFINITY;
+	double whole = -INFINITY, least = INFINITY;
 	size_t nearest = 0;
 
 	if (!cells->cell_count)
 		return -INFINITY;
-	whole = cell_rest(&cells->cells[0], chain, motion, most);
-	if (whole > most || !cells->cells[0].divided)
+	if (asked != PLANES_OF_PARTS)
+		whole = cell_rest(&cells->cells[0], chain, motion, most);
+	if (whole > most || asked == PLANES_OF_WHOLE || !cells->cells[0].divided)
 		return whole;
 	for (size_t i = 1; i < cells->cell_count && least > whole; i++) {
 		double rest;
@@ -205,6 +208,62 @@ static void keep_plane(struct plane_cell *cell, const struct kept_plane *plane)
 	else
 		cell->newest = (cell->newest + PLANES_KEPT - 1) % PLANES_KEPT;
 	cell->kept[cell->newest] = *plane;
+}
+
+/* mm: what the cell's newest plane leaves, measured again; a plane that leaves something is kept. */
+static double carry_cell(struct plane_cells *cells, struct plane_search *search, struct plane_cell *cell,
+			 const vec3 *along)
+{
+	double rest;
+
+	if (!cell->count)
+		return -INFINITY;
+	rest = plane_search_carry(search, &cells->parts[cell->part[0]], &cells->parts[cell->part[1]],
+				  &cell->kept[cell->newest], along);
+	if (rest > 0)
+		keep_plane(cell, &search->best);
+	return rest;
+}
+
+double plane_cells_carry_whole(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			       double needed, const vec3 *along)
+{
+	struct plane_search search = {
+		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
+	double rest;
+
+	if (!cells->cell_count || !cells->cells[0].count)
+		return -INFINITY;
+	plane_pose_init(&search.pose, cells->bodies, q);
+	rest = carry_cell(cells, &search, &cells->cells[0], along);
+	/* The next search looks at the whole bodies first. */
+	if (rest > 0)
+		cells->cells[0].idle = cells->cells[0].backoff = 0;
+	return rest;
+}
+
+double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			       double needed)
+{
+	struct plane_search search = {
+		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
+	double least = INFINITY;
+
+	if (!cells->cell_count || !cells->cells[0].divided)
+		return -INFINITY;
+	plane_pose_init(&search.pose, cells->bodies, q);
+	for (size_t i = 1; i < cells->cell_count && least > 0; i++) {
+		struct plane_cell *cell = &cells->cells[i];
+		double rest;
+
+		if (cell->divided)
+			continue;
+		rest = cell_rest(cell, cells->bodies->chain, motion, needed);
+		if (!(rest > needed))
+			rest = larger(rest, carry_cell(cells, &search, cell, NULL));
+		least = smaller(least, rest);
+	}
+	return least;
 }
 
 /* Gives the part's children parts of their own; false: it has none. */

@@ -39,11 +39,29 @@ void plane_cells_join(struct plane_cells *cells);
 /* Do kept planes leave gaps of more than `needed` mm throughout the motion? */
 bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed);
 
+/* Which planes to ask: those between the whole bodies cost least. */
+enum planes_asked {
+	PLANES_OF_WHOLE,
+	PLANES_OF_PARTS,
+	PLANES_ALL
+};
+
 /*
  * mm: kept planes leave gaps of more than this throughout the motion; -INFINITY: they leave none. Of more
  * than `most` any may be given.
  */
-double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most);
+double plane_cells_rest(struct plane_cells *cells, const struct plane_motion *motion, double most,
+			enum planes_asked asked);
+
+/*
+ * mm: the same after planes were measured again at q, which is an end of a straight motion: it costs a small part of a
+ * search. Of the whole bodies the plane that was of use last, `along` another normal or its own (NULL) as for
+ * plane_search_carry; of the parts the same in each cell that has less than `needed` mm.
+ */
+double plane_cells_carry_whole(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			       double needed, const vec3 *along);
+double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			       double needed);
 
 /*
  * Do planes prove the motion, new ones at q in the cells where no kept plane does? It may take their gaps at both ends

@@ -1,6 +1,7 @@
 #include "check/certified/plane_search.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/minmax.h"
 
@@ -170,6 +171,58 @@ static void try_ends(struct plane_search *search, const struct plane_part *const
 	gap1 = gap0 > search->needed ? gap_at_end(search, parts, before, 1) : -INFINITY;
 	search->held = travelling_plane_between(&search->best.plane, search->bodies->chain, motion, gap0, gap1) >
 		       search->needed;
+}
+
+/* Of a plane that is carried on: what its gap may be off, as a share of what it was. */
+#define CARRIED_SHARE 0x1p-7
+
+/*
+ * mm: what the plane leaves where the motion begins, as far as that is known without measuring it there: it need not be
+ * the same plane to the last place.
+ */
+static double gap_at_start(const struct travelling_plane *plane, const struct chain *chain,
+			   const struct plane_motion *motion)
+{
+	const struct plane_motion start = {.straight = true, .q0 = motion->q0, .q1 = motion->q0};
+
+	return travelling_plane_rest(plane, chain, &start, -INFINITY) - plane->rounding;
+}
+
+/* mm: what the best plane leaves throughout the straight motion, with gap0 where it begins. */
+static double rest_between(struct plane_search *search, const struct plane_part *const parts[2],
+			   const struct travelling_plane *before, double gap0)
+{
+	const double gap1 = gap0 > 0 ? gap_at_end(search, parts, before, 1) : -INFINITY;
+
+	return travelling_plane_between(&search->best.plane, search->bodies->chain, search->motion, gap0, gap1);
+}
+
+double plane_search_carry(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+			  const struct kept_plane *last, const vec3 *along)
+{
+	const struct plane_part *const parts[2] = {a, b};
+	const struct travelling_plane *before = along ? NULL : &last->plane;
+	const struct chain *chain = search->bodies->chain;
+	const struct convex of_a = shape_of(&search->pose, a, last->rings[0]);
+	const struct convex of_b = shape_of(&search->pose, b, last->rings[1]);
+	const vec3 n = along ? *along : travelling_plane_normal(&last->plane, &search->pose);
+	const double slack = larger(CARRIED_SHARE * last->plane.gap, 0);
+	const double gap = travelling_plane_gap(&search->pose, &of_a, &of_b, n, slack, search->visits);
+	double rest;
+
+	if (!(gap > 0))
+		return -INFINITY;
+	memcpy(search->best.rings, last->rings, sizeof(last->rings));
+	travelling_plane_init(&search->best.plane, &search->pose, &of_a, &of_b, n, last->plane.link, gap,
+			      search->visits);
+	rest = travelling_plane_rest(&search->best.plane, chain, search->motion, -INFINITY);
+	if (!search->motion->straight)
+		return rest;
+	if (before && !(rest > search->needed))
+		rest = larger(rest, rest_between(search, parts, before, gap_at_start(before, chain, search->motion)));
+	if (!(rest > search->needed))
+		rest = larger(rest, rest_between(search, parts, before, gap_at_end(search, parts, before, 0)));
+	return rest;
 }
 
 static void try_all_shapes(struct plane_search *search, const struct plane_part *of_a, const struct plane_part *of_b)

@@ -45,4 +45,13 @@ struct plane_search {
 bool plane_search_between(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
 			  const struct kept_plane *last);
 
+/*
+ * Measures a kept plane again where its link has taken it, and nothing else: it becomes search->best. `along`: another
+ * normal, a unit vector in the coordinates of A's link; NULL: the plane's own. The pose is an end of a straight motion.
+ * Returns mm: the plane leaves a larger gap throughout the motion, by its gaps at both ends, too, if it must;
+ * -INFINITY: it leaves none at the pose, and there is no best one.
+ */
+double plane_search_carry(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+			  const struct kept_plane *last, const vec3 *along);
+
 #endif

@@ -3,21 +3,12 @@
 #include <math.h>
 
 #include "base/ablation.h"
-#include "base/minmax.h"
-#include "base/same_double.h"
 #include "check/certified/clearance_query.h"
+#include "check/measure/measured_step.h"
 #include "check/step.h"
-#include "scene/near_pair.h"
 
 /* A distance query asks for this share of the distance. More costs far more than asking whether a distance holds. */
 #define DISTANCE_SHARE 0.2
-
-/*
- * Of a sharp bound: this share of the distance is enough. Measured: 0.9 takes a sixth longer. But where the distance is
- * so many times what the block has, only that is enough: a report tells where the whole cap holds.
- */
-#define SHARP_ENOUGH 0.87
-#define SHARP_BEYOND 1.1
 
 /* How exactly each query decides, as a share of the distance. */
 #define TARGET_SHARE 0.03
@@ -28,15 +19,6 @@
  */
 #define FAILURES_MAX 4
 #define QUERIES_MAX 60
-
-/*
- * How often a step is halved until planes last for a part of it. Measured: with 4 an eighth to a 16th of the sweeps are
- * left that are needed without, with 5 half of those again; then most are left where planes do not help at all.
- */
-#define HALVINGS 5
-
-/* Where the distances at the ends of a part of a step have at least this ratio, planes are measured in its middle. */
-#define ALIKE 0.8
 
 /*
  * After so many chunks the cells of planes are joined again: they were divided where planes of larger parts did not
@@ -69,49 +51,23 @@ void block_clearance_start(struct block_clearance *block, double most)
 	block->bound = most;
 }
 
-/*
- * mm: the search is done once as much is proved and the bodies are no farther apart than `distance` mm. A little above
- * what is promised, for what rounding and TARGET_SHARE take.
- */
-static double enough(const struct block_clearance *block, double distance)
-{
-	switch (block->accuracy) {
-	case CLEARANCE_SHARP:
-		break;
-	case CLEARANCE_COARSE:
-		return fmin(0.65 * distance, fmax(distance - 0.25, 0.3 * distance));
-	case CLEARANCE_ROUGH:
-		return 0.12 * distance;
-	}
-	return fmax(SHARP_ENOUGH * distance, distance > SHARP_BEYOND * block->bound ? block->bound : 0);
-}
-
 /* Do kept planes keep the bodies more than `needed` mm apart? */
 static bool kept_planes_cover(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
 	return WITH_PLANES && plane_cells_cover(&block->planes, motion, needed);
 }
 
-/* Do planes that are measured at q keep them so far apart? */
-static bool new_planes_cover(struct block_clearance *block, const struct plane_motion *motion, const axis_values *q,
-			     double needed)
-{
-	long before = block->planes.visits;
-	bool held = plane_cells_search(&block->planes, q, motion, needed);
-
-	plane_account_add_search(&block->account, block->planes.visits - before);
-	return held;
-}
-
-/* The same for a chunk, if that may pay. */
+/* Do new planes keep them so far apart throughout a chunk, if a search for them may pay? */
 static bool new_planes_cover_chunk(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
 	const axis_values middle = plane_motion_middle(motion);
+	const long before = block->planes.visits;
 	bool held;
 
 	if (!WITH_PLANES || !plane_account_allows_chunk(&block->account))
 		return false;
-	held = new_planes_cover(block, motion, &middle, needed);
+	held = plane_cells_search(&block->planes, &middle, motion, needed);
+	plane_account_add_search(&block->account, block->planes.visits - before);
 	plane_account_add_chunk(&block->account, held);
 	return held;
 }
@@ -153,208 +109,6 @@ bool block_clearance_clears(struct block_clearance *block, const struct batch_ch
 	return true;
 }
 
-/* mm: the distance of which `proved` is just enough. */
-static double distance_for(const struct block_clearance *block, double proved)
-{
-	switch (block->accuracy) {
-	case CLEARANCE_SHARP:
-		break;
-	case CLEARANCE_COARSE:
-		return fmax(proved / 0.65, fmin(proved + 0.25, proved / 0.3));
-	case CLEARANCE_ROUGH:
-		return proved / 0.12;
-	}
-	return proved / SHARP_ENOUGH;
-}
-
-/* A step whose smallest distance is looked for. */
-struct measured_step {
-	const struct motion_step *step;
-	struct position_errors errors;
-	double path;	/* mm: no path displacement is larger */
-	double seen;	/* mm: two triangles were this close somewhere on it: the bodies are no farther apart */
-	double rest;	/* mm: what the budget proves */
-};
-
-static void measured_step_init(struct measured_step *measured, const struct block_clearance *block,
-			       const struct motion_step *step)
-{
-	measured->step = step;
-	measured->errors = step_errors(block->bodies.chain, step);
-	measured->path = 0;
-	measured->seen = INFINITY;
-}
-
-/* mm: what is wanted of planes, as far as it is known how near the bodies come. */
-static double wanted_of(const struct block_clearance *block, const struct measured_step *measured)
-{
-	return fmin(block->bound, enough(block, measured->seen - measured->path));
-}
-
-/* Looks for triangles that are near each other at q. If planes have proved `kept`, others than those are of no use. */
-static void look_at(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
-		    const axis_values *q, double kept)
-{
-	const double useful = kept > 0 ? distance_for(block, kept) + measured->path : 0;
-
-	measured->seen = fmin(measured->seen, near_pair_improve(&block->bodies, q, useful, &sweep->visits));
-}
-
-/* mm: what kept planes prove of the motion; they are not asked for more than what is wanted of them. */
-static double kept_for(struct block_clearance *block, const struct measured_step *measured,
-		       const struct plane_motion *motion)
-{
-	if (!WITH_PLANES)
-		return -INFINITY;
-	return plane_cells_rest(&block->planes, motion, wanted_of(block, measured) + measured->path) - measured->path;
-}
-
-/* Does a search for planes at q pay, and prove what is wanted of them in this part of the step? */
-static bool new_planes_prove(struct block_clearance *block, const struct measured_step *measured,
-			     const struct plane_motion *part, const axis_values *q)
-{
-	const double needed = wanted_of(block, measured) + measured->path;
-
-	/* Of kept planes what they prove is known already, and that other triangles are nearer, too. */
-	return WITH_PLANES && plane_account_allows(&block->account) && new_planes_cover(block, part, q, needed);
-}
-
-static bool is_at(const struct chain *chain, const axis_values *a, const axis_values *b)
-{
-	for (size_t i = 0; i < chain->count; i++)
-		if (!same_double(a->v[chain->joints[i].slot], b->v[chain->joints[i].slot]))
-			return false;
-	return true;
-}
-
-/* The triangles that were close before, as they were seen at q; NULL: they were not, or are others now. */
-static const struct seen_distance *seen_at(const struct block_clearance *block, const axis_values *q)
-{
-	const struct coherence *coherence = &block->coherence;
-
-	for (int i = 0; i < SEEN_KEPT; i++) {
-		const struct seen_distance *seen = &block->seen[i];
-
-		if (seen->known && seen->triangles[0] == coherence->near_a &&
-		    seen->triangles[1] == coherence->near_b && is_at(block->bodies.chain, &seen->q, q))
-			return seen;
-	}
-	return NULL;
-}
-
-/* mm: how far apart the triangles that were close before are at q: the bodies are no farther apart. */
-static double distance_at(struct block_clearance *block, struct measured_step *measured, const axis_values *q)
-{
-	const struct coherence *coherence = &block->coherence;
-	const struct seen_distance *known = seen_at(block, q);
-	const double distance = known ? known->distance : near_pair_distance(&block->bodies, q);
-
-	if (!known) {
-		block->oldest_seen = (block->oldest_seen + 1) % SEEN_KEPT;
-		block->seen[block->oldest_seen] = (struct seen_distance){
-			.known = true,
-			.q = *q,
-			.triangles = {coherence->near_a, coherence->near_b},
-			.distance = distance,
-		};
-	}
-	measured->seen = smaller(measured->seen, distance);
-	return distance;
-}
-
-/*
- * Looks where the triangles that were close before are nearest to each other at the ends of the part, or in its middle
- * if the ends are alike. Stops as soon as what planes prove (`kept`) is all that is wanted of them. Returns the place.
- */
-static axis_values look_around(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
-			       const struct plane_motion *part, double kept)
-{
-	const double at1 = distance_at(block, measured, &part->q1);
-	axis_values nearest = part->q1;
-	double at0;
-
-	if (kept > wanted_of(block, measured))
-		return nearest;
-	at0 = distance_at(block, measured, &part->q0);
-	if (kept > wanted_of(block, measured))
-		return nearest;
-	if (part->straight && smaller(at0, at1) > ALIKE * larger(at0, at1))
-		nearest = plane_motion_middle(part);
-	else if (at0 < at1)
-		nearest = part->q0;
-	look_at(block, sweep, measured, &nearest, kept);
-	return nearest;
-}
-
-/*
- * Do travelling planes prove nearly all that there can be for this part of the step, of which they prove `kept` as it
- * is? What there can be becomes less as nearer triangles are found: those that were nearest before have moved apart as
- * a rule.
- */
-static bool planes_prove(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured,
-			 const struct plane_motion *part, double kept, int halvings)
-{
-	axis_values middle, nearest;
-
-	if (kept > wanted_of(block, measured))
-		return true;
-	nearest = look_around(block, sweep, measured, part, kept);
-	if (kept > wanted_of(block, measured))
-		return true;
-	if (!(wanted_of(block, measured) > 0))
-		return false;
-	if (new_planes_prove(block, measured, part, &nearest))
-		return true;
-	if (!part->straight || !halvings)
-		return false;
-	middle = plane_motion_middle(part);
-	for (int half = 0; half < 2; half++) {
-		struct plane_motion shorter = *part;
-
-		*(half ? &shorter.q0 : &shorter.q1) = middle;
-		if (!planes_prove(block, sweep, measured, &shorter, kept_for(block, measured, &shorter), halvings - 1))
-			return false;
-	}
-	return true;
-}
-
-/* Do travelling planes prove as much for the step as the block has, or nearly all there is? They give the bound. */
-static bool by_planes(struct block_clearance *block, struct sweep *sweep, struct measured_step *measured)
-{
-	const struct motion_step *step = measured->step;
-	const struct plane_motion motion = {.straight = !step_is_box(step), .q0 = step->span.q0, .q1 = step->span.q1,
-					    .chord_error = measured->errors.chord};
-	double kept, wanted;
-
-	measured->path = plane_motion_path(&motion, &block->bodies, &measured->errors);
-	/* Where the step begins the triangles were seen by every other step: then they need not be looked at where it ends. */
-	if (block->is_near)
-		distance_at(block, measured, seen_at(block, &motion.q0) ? &motion.q0 : &motion.q1);
-	kept = kept_for(block, measured, &motion);
-	block->is_near = !(kept > block->bound);
-	if (!planes_prove(block, sweep, measured, &motion, kept, WITH_PLANES ? HALVINGS : 0))
-		return false;
-	wanted = wanted_of(block, measured);
-	if (block->accuracy == CLEARANCE_SHARP)
-		wanted = larger(wanted, kept > wanted ? kept : kept_for(block, measured, &motion));
-	block->bound = smaller(block->bound, wanted);
-	plane_account_add_saved(&block->account, 1);
-	return true;
-}
-
-double block_clearance_promised(enum clearance_accuracy accuracy, double distance)
-{
-	switch (accuracy) {
-	case CLEARANCE_SHARP:
-		break;
-	case CLEARANCE_COARSE:
-		return fmin(0.6 * distance, fmax(distance - 0.3, 0.25 * distance));
-	case CLEARANCE_ROUGH:
-		return 0.1 * distance;
-	}
-	return 0.85 * distance;
-}
-
 double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
 {
 	sweep_distance(sweep, &block->bodies, q, DISTANCE_SHARE, 0, 0);
@@ -386,7 +140,7 @@ static bool spend(struct block_clearance *block, struct measured_step *measured)
 	step_box(measured->step, &low, &high);
 	measured->rest = motion_budget_rest(&block->budget, &low, &high, &measured->errors);
 	most = block->found + (block->budget.room - measured->rest);
-	if (!(measured->rest > 0) || (measured->rest <= block->bound && measured->rest < enough(block, most))) {
+	if (!(measured->rest > 0) || (measured->rest <= block->bound && measured->rest < clearance_accuracy_enough(block->accuracy, most, block->bound))) {
 		block->budget.known = ++block->unspent < UNSPENT_MOST;
 		return false;
 	}
@@ -399,7 +153,7 @@ static bool spend(struct block_clearance *block, struct measured_step *measured)
 static double next_target(const struct block_clearance *block, double low, double high, int failures)
 {
 	if (failures < FAILURES_MAX)
-		return sqrt(0.95 * high * fmax(low, enough(block, high)));
+		return sqrt(0.95 * high * fmax(low, clearance_accuracy_enough(block->accuracy, high, block->bound)));
 	return low > 0 ? fmin(sqrt(low * high), 0.95 * high) : 0.5 * high;
 }
 
@@ -414,7 +168,7 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 	double target = high < block->bound ? next_target(block, low, high, 0) : block->bound;
 	int failures = 0;
 
-	for (int round = 0; low < fmin(enough(block, high), block->bound) && target > tolerance; round++) {
+	for (int round = 0; low < fmin(clearance_accuracy_enough(block->accuracy, high, block->bound), block->bound) && target > tolerance; round++) {
 		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, TARGET_SHARE * target),
 						true,  BOX_VISITS};
 		struct contact contact;
@@ -447,7 +201,7 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 	if (spend(block, &measured))
 		return;
 	before = sweep->visits;
-	if (by_planes(block, sweep, &measured))
+	if (measured_step_by_planes(&measured, block, sweep))
 		return;
 	renew(block, sweep, &step->span.q1);
 	if (!spend(block, &measured))

@@ -9,22 +9,10 @@
 #include "check/certified/motion_budget.h"
 #include "check/certified/plane_account.h"
 #include "check/certified/plane_cells.h"
+#include "check/measure/clearance_accuracy.h"
 #include "motion/motion.h"
 #include "scene/coherence.h"
 #include "scene/sweep.h"
-
-/* How near the bound must come to the smallest distance. Where bodies slide along each other each step costs time. */
-enum clearance_accuracy {
-	CLEARANCE_SHARP,
-	CLEARANCE_COARSE,	/* what can be seen in the curve of a report */
-	CLEARANCE_ROUGH
-};
-
-/*
- * mm: the bound that a block has at least whose bodies are `distance` apart where they are nearest, less the tolerance;
- * or it is what was asked for. Where the way of a rapid is not known (PATH_BOX) it may be any lower bound.
- */
-double block_clearance_promised(enum clearance_accuracy accuracy, double distance);
 
 enum { SEEN_KEPT = 3 };
 
@@ -34,6 +22,13 @@ struct seen_distance {
 	axis_values q;
 	uint32_t triangles[2];	/* of A, B */
 	double distance;	/* mm */
+};
+
+/* The pose of two bodies (body_pair_pose) at a position. */
+struct posed {
+	bool known;
+	axis_values q;
+	xform pose;
 };
 
 /* Only the block under way is remembered. */
@@ -46,8 +41,10 @@ struct block_clearance {
 	int chunks;	/* that block_clearance_clears was asked for */
 	double found;	/* mm: where the budget begins, two triangles were this close */
 	int unspent;	/* steps since the budget gave the last bound */
+	struct posed posed;	/* where triangles were looked at last */
 	struct seen_distance seen[SEEN_KEPT];	/* the last ones, as the next step begins where one ends */
 	int oldest_seen;
+	bool by_parts;	/* planes between the whole bodies were of no use when planes were last carried on */
 	bool is_near;	/* the last step had less than what was of interest */
 	enum clearance_accuracy accuracy;	/* of the step under way */
 	double bound;	/* mm: proven for the block so far: more than this, or at least `most`; 0: nothing */
