@@ -290,10 +290,10 @@ static void measure_inside(struct pair_check *check, const struct motion_step *s
 	struct block_clearance *block = &check->methods->block;
 	vec3 point;
 
-	block->maybe_inside = !(block->bound > 0);
+	block->maybe_inside = !(block->pair.bound > 0);
 	if (!block->maybe_inside && static_query_contained(check->scene, &check->scene->pairs[check->pair],
 							   &step->span.q0, &point) == INSIDE_YES) {
-		block->bound = 0;
+		block->pair.bound = 0;
 		block->maybe_inside = true;
 	}
 }
@@ -338,7 +338,7 @@ static enum clearance_accuracy accuracy_of(const struct check_options *options, 
 /* Node pairs that measuring has looked at: searches for planes count, too. */
 static long looked_at(const struct pair_check *check, const struct sweep *sweep)
 {
-	return sweep->visits + check->methods->block.planes.visits;
+	return sweep->visits + check->methods->block.pair.planes.visits;
 }
 
 /*
@@ -363,15 +363,15 @@ static void measure_step(struct pair_check *check, struct sweep *sweep, const st
 {
 	struct pair_check_clearance *clearance = &check->clearances[check->clearance_count - 1];
 	struct block_clearance *block = &check->methods->block;
-	const double before = block->bound;
+	const double before = block->pair.bound;
 
 	if (measured || !(proved > 0))
 		block_clearance_step(block, sweep, &step->motion, options->tolerance, accuracy);
 	else
-		block->bound = 0;
+		block->pair.bound = 0;
 	if (proved > 0)
-		block->bound = larger(block->bound, smaller(before, proved));
-	if (block->bound < before)
+		block->pair.bound = larger(block->pair.bound, smaller(before, proved));
+	if (block->pair.bound < before)
 		clearance->so_far = !measured && proved > 0;
 }
 
@@ -410,9 +410,9 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			measure_step(check, sweep, step, wish == MEASURE_NEAREST || (wish == MEASURE_CURVE && !spent),
 				     proved, accuracy_of(options, spent), options);
 		}
-		if (block->maybe_inside || !(block->bound > 0))
+		if (block->maybe_inside || !(block->pair.bound > 0))
 			measure_inside(check, &step->motion);
-		check->clearances[check->clearance_count - 1].clearance = block->bound;
+		check->clearances[check->clearance_count - 1].clearance = block->pair.bound;
 	}
 	return looked_at(check, sweep) - before;
 }

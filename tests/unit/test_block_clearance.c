@@ -46,7 +46,7 @@ static bool measure_block(const struct program *p, struct block_clearance *block
 
 		block_clearance_step(block, sweep, &step, p->tolerance, accuracy);
 	}
-	bound = block->bound;
+	bound = block->pair.bound;
 	require(bound >= 0 && bound <= most, "case %ld, step %d: a bound of %g", number, first, bound);
 	require(bound <= 0 || !comes_within(p, first, last, bound * (1 - 1e-9)),
 		"case %ld, step %d: %.9g mm proven, it is less", number, first, bound);
@@ -71,7 +71,7 @@ START_TEST(between_the_truth_and_a_share_of_it)
 		cap = random_size(&p.random, 1, 50);
 		block_clearance_init(&block, &p.duo.pair);
 		/* Half of the cases look for travelling planes wherever they can. */
-		block.account.credit = n % 2 ? 1e12 : 0;
+		block.pair.account.credit = n % 2 ? 1e12 : 0;
 		for (int first = 0, last; first < STEPS; first = last) {
 			/* Of a coarse measure other pairs may have shown already that not all is of interest. */
 			const double most = accuracy ? cap * random_size(&p.random, 0.1, 1) : cap;
@@ -79,7 +79,7 @@ START_TEST(between_the_truth_and_a_share_of_it)
 			last = first + 1 + random_below(&p.random, 6);
 			last = last < STEPS ? last : STEPS;
 			told += measure_block(&p, &block, &sweep, first, last, most, accuracy, n);
-			capped += !(block.bound < most);
+			capped += !(block.pair.bound < most);
 		}
 		block_clearance_release(&block);
 		duo_release(&p.duo);
@@ -105,7 +105,7 @@ START_TEST(clear_without_a_look)
 		program_init(&p, 2, n);
 		cap = random_size(&p.random, 0.01, 5);
 		block_clearance_init(&block, &p.duo.pair);
-		block.account.credit = n % 2 ? 1e12 : 0;
+		block.pair.account.credit = n % 2 ? 1e12 : 0;
 		measure_block(&p, &block, &sweep, 0, 1, cap, CLEARANCE_SHARP, n);
 		last = 2 + random_below(&p.random, 5);
 		box = (struct batch_chunk){.low = p.corners[1], .high = p.corners[1]};
@@ -152,7 +152,7 @@ static double go(struct block_clearance *block, struct sweep *sweep, double x0, 
 	step.tolerance.v[SLOT_X] = tolerance;
 	block_clearance_start(block, 8);
 	block_clearance_step(block, sweep, &step, 1e-3, CLEARANCE_SHARP);
-	return block->bound;
+	return block->pair.bound;
 }
 
 static void between(double value, double least, double most)

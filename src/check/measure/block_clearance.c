@@ -34,49 +34,47 @@ enum { UNSPENT_MOST = 64 };
 
 void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies)
 {
-	*block = (struct block_clearance){.bodies = *bodies};
-	block->bodies.coherence = &block->coherence;
+	*block = (struct block_clearance){.chunks = 0};
+	measured_pair_init(&block->pair, bodies);
 	motion_budget_init(&block->budget, bodies->chain);
-	plane_cells_init(&block->planes, &block->bodies);
-	plane_account_init(&block->account, bodies->a->mesh.count + bodies->b->mesh.count);
 }
 
 void block_clearance_release(struct block_clearance *block)
 {
-	plane_cells_release(&block->planes);
+	measured_pair_release(&block->pair);
 }
 
 void block_clearance_start(struct block_clearance *block, double most)
 {
-	block->bound = most;
+	block->pair.bound = most;
 }
 
 /* Do kept planes keep the bodies more than `needed` mm apart? */
 static bool kept_planes_cover(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
-	return WITH_PLANES && plane_cells_cover(&block->planes, motion, needed);
+	return WITH_PLANES && plane_cells_cover(&block->pair.planes, motion, needed);
 }
 
 /* Do new planes keep them so far apart throughout a chunk, if a search for them may pay? */
 static bool new_planes_cover_chunk(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
 	const axis_values middle = plane_motion_middle(motion);
-	const long before = block->planes.visits;
+	const long before = block->pair.planes.visits;
 	bool held;
 
-	if (!WITH_PLANES || !plane_account_allows_chunk(&block->account))
+	if (!WITH_PLANES || !plane_account_allows_chunk(&block->pair.account))
 		return false;
-	held = plane_cells_search(&block->planes, &middle, motion, needed);
-	plane_account_add_search(&block->account, block->planes.visits - before);
-	plane_account_add_chunk(&block->account, held);
+	held = plane_cells_search(&block->pair.planes, &middle, motion, needed);
+	plane_account_add_search(&block->pair.account, block->pair.planes.visits - before);
+	plane_account_add_chunk(&block->pair.account, held);
 	return held;
 }
 
 /* Were the bodies seen within `most` mm of each other at a position in the box? The last such position is asked for. */
 static bool is_seen_near(const struct block_clearance *block, const struct batch_chunk *box, double most)
 {
-	const struct seen_distance *seen = &block->seen[block->oldest_seen];
-	const struct chain *chain = block->bodies.chain;
+	const struct seen_distance *seen = &block->pair.seen[block->pair.oldest_seen];
+	const struct chain *chain = block->pair.bodies.chain;
 
 	if (!seen->known || !(seen->distance <= most))
 		return false;
@@ -96,36 +94,42 @@ bool block_clearance_clears(struct block_clearance *block, const struct batch_ch
 	double needed;
 
 	if (thorough && ++block->chunks % JOIN_CHUNKS == 0)
-		plane_cells_join(&block->planes);
+		plane_cells_join(&block->pair.planes);
 	if (block->maybe_inside || is_seen_near(block, box, most))
 		return false;
 	if (motion_budget_rest(&block->budget, &box->low, &box->high, &box->errors) > most)
 		return true;
-	needed = most + plane_motion_path(&motion, &block->bodies, &box->errors);
+	needed = most + plane_motion_path(&motion, &block->pair.bodies, &box->errors);
 	if (!kept_planes_cover(block, &motion, needed) &&
 	    !(thorough && new_planes_cover_chunk(block, &motion, needed)))
 		return false;
-	plane_account_add_saved(&block->account, steps);
+	plane_account_add_saved(&block->pair.account, steps);
 	return true;
 }
 
 double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
 {
-	sweep_distance(sweep, &block->bodies, q, DISTANCE_SHARE, 0, 0);
-	return block->coherence.near;
+	sweep_distance(sweep, &block->pair.bodies, q, DISTANCE_SHARE, 0, 0);
+	return block->pair.coherence.near;
 }
 
 /* Makes a budget at the end of the step, where the next step can use it. */
 static void renew(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
 {
-	const struct body_pair *bodies = &block->bodies;
+	const struct body_pair *bodies = &block->pair.bodies;
 	struct chain_state state;
 	double proven = sweep_distance(sweep, bodies, q, DISTANCE_SHARE, 0, 0);
 
-	block->found = block->coherence.near;
+	block->found = block->pair.coherence.near;
 	block->unspent = 0;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
 	motion_budget_set(&block->budget, q, &state, proven);
+}
+
+/* mm: as much of the distance as the search need not go beyond. */
+static double enough(const struct block_clearance *block, double distance)
+{
+	return clearance_accuracy_enough(block->pair.accuracy, distance, block->pair.bound);
 }
 
 /* Does the budget prove enough for the step, or nearly all that there can be? Then it gives the bound. */
@@ -140,12 +144,12 @@ static bool spend(struct block_clearance *block, struct measured_step *measured)
 	step_box(measured->step, &low, &high);
 	measured->rest = motion_budget_rest(&block->budget, &low, &high, &measured->errors);
 	most = block->found + (block->budget.room - measured->rest);
-	if (!(measured->rest > 0) || (measured->rest <= block->bound && measured->rest < clearance_accuracy_enough(block->accuracy, most, block->bound))) {
+	if (!(measured->rest > 0) || (measured->rest <= block->pair.bound && measured->rest < enough(block, most))) {
 		block->budget.known = ++block->unspent < UNSPENT_MOST;
 		return false;
 	}
 	block->unspent = 0;
-	block->bound = fmin(block->bound, measured->rest);
+	block->pair.bound = fmin(block->pair.bound, measured->rest);
 	return true;
 }
 
@@ -153,7 +157,7 @@ static bool spend(struct block_clearance *block, struct measured_step *measured)
 static double next_target(const struct block_clearance *block, double low, double high, int failures)
 {
 	if (failures < FAILURES_MAX)
-		return sqrt(0.95 * high * fmax(low, clearance_accuracy_enough(block->accuracy, high, block->bound)));
+		return sqrt(0.95 * high * fmax(low, enough(block, high)));
 	return low > 0 ? fmin(sqrt(low * high), 0.95 * high) : 0.5 * high;
 }
 
@@ -165,12 +169,18 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 		  double tolerance)
 {
 	double low = fmax(measured->rest, 0), high = fmin(measured->seen, block->found);
-	double target = high < block->bound ? next_target(block, low, high, 0) : block->bound;
+	double target = high < block->pair.bound ? next_target(block, low, high, 0) : block->pair.bound;
 	int failures = 0;
 
-	for (int round = 0; low < fmin(clearance_accuracy_enough(block->accuracy, high, block->bound), block->bound) && target > tolerance; round++) {
-		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, TARGET_SHARE * target),
-						true,  BOX_VISITS};
+	for (int round = 0; low < fmin(enough(block, high), block->pair.bound) && target > tolerance; round++) {
+		const struct clearance_query query = {
+			.sweep = sweep,
+			.bodies = &block->pair.bodies,
+			.clearance = target,
+			.tolerance = fmax(tolerance, TARGET_SHARE * target),
+			.any = true,
+			.box_visits = BOX_VISITS,
+		};
 		struct contact contact;
 		enum query_answer answer = clearance_query_step(&query, measured->step, &contact);
 
@@ -185,7 +195,7 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 		}
 		target = next_target(block, low, high, failures);
 	}
-	block->bound = low > tolerance ? fmin(block->bound, low) : 0;
+	block->pair.bound = low > tolerance ? fmin(block->pair.bound, low) : 0;
 }
 
 void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
@@ -194,17 +204,17 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 	struct measured_step measured;
 	long before;
 
-	if (!(block->bound > 0))
+	if (!(block->pair.bound > 0))
 		return;
-	block->accuracy = accuracy;
-	measured_step_init(&measured, block, step);
+	block->pair.accuracy = accuracy;
+	measured_step_init(&measured, &block->pair, step);
 	if (spend(block, &measured))
 		return;
 	before = sweep->visits;
-	if (measured_step_by_planes(&measured, block, sweep))
+	if (measured_step_by_planes(&measured, &block->pair, sweep))
 		return;
 	renew(block, sweep, &step->span.q1);
 	if (!spend(block, &measured))
 		prove(block, sweep, &measured, tolerance);
-	plane_account_add_sweep(&block->account, sweep->visits - before);
+	plane_account_add_sweep(&block->pair.account, sweep->visits - before);
 }
