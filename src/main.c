@@ -88,8 +88,8 @@ static void note_command(const char *word, struct diag *diag)
 	for (const struct command *command = command_table; command->name; command++)
 		spelling_offer(&nearest, command->name);
 	if (nearest.best && access(word, F_OK) != 0)
-		diag_note(diag, (struct srcloc){0}, "'%s' is no file and no command; did you mean 'fivecheck %s'?", word,
-			  nearest.best);
+		diag_note(diag, (struct srcloc){0}, "'%s' is no file and no command; did you mean 'fivecheck %s'?",
+			  word, nearest.best);
 }
 
 int main(int argc, char **argv)

@@ -361,8 +361,8 @@ static void judge(struct program *program, const struct verdict *verdict)
 	if (options->fail_on_warnings && verdict->warnings && outcome->status == RUN_CLEAR) {
 		outcome->status = RUN_FOUND;
 		program->failing_warning = verdict->first_warning;
-		diag_note(&program->output->diag, nowhere, "%s fails the run because of its warnings (--fail-on=warning)",
-			  program->name);
+		diag_note(&program->output->diag, nowhere,
+			  "%s fails the run because of its warnings (--fail-on=warning)", program->name);
 	}
 }
 

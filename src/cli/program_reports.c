@@ -302,7 +302,8 @@ static void add_title(struct strbuf *out, const struct program_reports *reports,
 			    reports->scene->bodies[pair->a].body->name, reports->scene->bodies[pair->b].body->name,
 			    shown(recorder->least));
 		if (recorder->sampled)
-			strbuf_addf(out, "; all blocks: at least %.3f mm", shown(fmin(recorder->bound, recorder->least)));
+			strbuf_addf(out, "; all blocks: at least %.3f mm",
+				    shown(fmin(recorder->bound, recorder->least)));
 	}
 }
 

@@ -61,8 +61,8 @@ static struct axis_letters usual_head(const char *axes, const char *table, size_
 static bool head_fault(struct srcloc place, const char *head, struct diag *diag)
 {
 	diag_error(diag, place,
-		   "this file does not say in which order the rotary axes that carry the tool follow each other: name all "
-		   "axes that carry it (%s) from the base on, with --head=LETTERS", head);
+		   "this file does not say in which order the rotary axes that carry the tool follow each other: name "
+		   "all axes that carry it (%s) from the base on, with --head=LETTERS", head);
 	return false;
 }
 

@@ -167,7 +167,8 @@ static bool turn(struct reading *r, const struct module *module, const struct ro
 	if (rotary->nutating) {
 		if (!read_pin(r, module, "nut-angle", false, &tilt))
 			return false;
-		*direction = vec3_mad((vec3){0, 0, math_cos(radians(tilt))}, math_sin(radians(tilt)), rotary->direction);
+		*direction = vec3_mad((vec3){0, 0, math_cos(radians(tilt))}, math_sin(radians(tilt)),
+				      rotary->direction);
 		return true;
 	}
 	if (rotary->turned && !read_pin(r, module, "conventional-directions", true, &conventional))

@@ -117,7 +117,8 @@ static const char *advice(const char *path, const struct file_bytes *file)
 	if (skip_space(text) == text + file->count)
 		return "this file is empty";
 	if (ends_with(path, ".hsmlib"))
-		return "this is a tool library of HSMWorks: save it as JSON (Fusion 360 exports it), which can be imported";
+		return "this is a tool library of HSMWorks: save it as JSON (Fusion 360 exports it), which can be "
+		       "imported";
 	if (strstr(text, "(tool_number)"))
 		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
 	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))

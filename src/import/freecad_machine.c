@@ -108,16 +108,16 @@ static bool read_joint(const struct reading *r, const json_t *data, char letter,
 	if (json_is_object(joint)) {
 		if (!read_vector(json_object_get(joint, "origin"), &axis->location) ||
 		    !read_vector(json_object_get(joint, "axis"), &axis->direction) || is_none(axis->direction))
-			return fault(r, "axis %c: joint needs an origin and an axis of three numbers each, and the axis "
-					"may not be 0 0 0", letter);
+			return fault(r, "axis %c: joint needs an origin and an axis of three numbers each, and the "
+					"axis may not be 0 0 0", letter);
 		return true;
 	}
 	if (json_array_size(joint) != 2 || !read_vector(json_array_get(joint, 0), &first) ||
 	    !read_vector(json_array_get(joint, 1), &second) || (is_none(first) && is_none(second)))
 		return fault(r, "axis %c: joint must be two vectors of three numbers each, and not both 0 0 0", letter);
 	if (!axis->rotary && !is_none(first) && !is_none(second))
-		return fault(r, "axis %c: versions of FreeCAD differ in which vector of this joint is the direction of a "
-				"linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": [...]}", letter);
+		return fault(r, "axis %c: versions of FreeCAD differ in which vector of this joint is the direction of "
+				"a linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": [...]}", letter);
 	axis->direction = is_none(second) ? first : second;
 	axis->location = is_none(second) || !axis->rotary ? (vec3){0, 0, 0} : first;
 	return true;
@@ -210,8 +210,8 @@ static bool judge_direction(const struct reading *r, char letter, const struct a
 	if (axis->rotary || axis->slot > SLOT_Z ||
 	    vec3_dot(axis->direction, axis_chains_direction(axis->slot, false)) > 0)
 		return true;
-	return fault(r, "axis %c: its direction %g %g %g does not point towards +%c, in which the coordinate of a control "
-			"counts (the tool relative to the work, also for an axis of the table)", letter,
+	return fault(r, "axis %c: its direction %g %g %g does not point towards +%c, in which the coordinate of a "
+			"control counts (the tool relative to the work, also for an axis of the table)", letter,
 		     axis->direction.x, axis->direction.y, axis->direction.z, letter);
 }
 
@@ -235,8 +235,8 @@ static bool read_axis(struct reading *r, const json_t *axes, char letter)
 		return false;
 	read.axis.location = vec3_scale(r->unit, read.axis.location);
 	if (rotary && is_none(read.axis.location))
-		warn(r, "the axis %c is at 0 0 0, which FreeCAD writes if nobody says where it is: correct its location",
-		     letter);
+		warn(r, "the axis %c is at 0 0 0, which FreeCAD writes if nobody says where it is: correct its "
+			"location", letter);
 	r->axes[read.axis.slot] = read;
 	return true;
 }
@@ -306,8 +306,8 @@ static bool table_agrees(struct reading *r, const char *table)
 			continue;
 		if (last && (is_along_z(&last->axis) || !is_along_z(&axis->axis)))
 			return fault(r, "the table has several rotary axes, and FreeCAD's parents and what it computes "
-					"contradict each other in their order: name the axes that carry the work (%s) from "
-					"the base on, with --table=LETTERS", table);
+					"contradict each other in their order: name the axes that carry the work (%s) "
+					"from the base on, with --table=LETTERS", table);
 		last = axis;
 	}
 	return true;
@@ -326,9 +326,9 @@ static bool find_sides(struct reading *r)
 		if (r->options->table)
 			axis->side = axis_letters_have(asked.text, *at) ? SIDE_TABLE : SIDE_HEAD;
 		if (axis->side == SIDE_UNKNOWN)
-			return fault(r, "this file does not say which axes carry the work and which the tool (\"role\", "
-					"which later versions of FreeCAD write): name those that carry the work, from the base "
-					"on, with --table=LETTERS, such as --table=YX, or --table= for none");
+			return fault(r, "this file does not say which axes carry the work and which the tool "
+					"(\"role\", which later versions of FreeCAD write): name those that carry the work, "
+					"from the base on, with --table=LETTERS, such as --table=YX, or --table= for none");
 	}
 	return true;
 }
@@ -368,8 +368,8 @@ static bool add_chains(struct reading *r)
 			axes[slot].direction = vec3_scale(-1, axes[slot].direction);
 	}
 	axis_chains_hang(r->machine, axes, table.text, head.text);
-	import_machine_todo(r->machine, "Compare the order in which the axes carry each other with the machine: the work "
-					"is carried by %s and the tool by %s, from the base on.",
+	import_machine_todo(r->machine, "Compare the order in which the axes carry each other with the machine: the "
+					"work is carried by %s and the tool by %s, from the base on.",
 			    *table.text ? table.text : "the base", *head.text ? head.text : "the base");
 	return true;
 }
@@ -405,8 +405,8 @@ static bool read_tool(struct reading *r, const json_t *data)
 	type = json_string_value(json_object_get(tool, "toolhead_type"));
 	axis = json_object_get(tool, "tool_axis");
 	if (json_array_size(list) > 1)
-		warn(r, "this file has %zu tool heads, and a machine of fivecheck has one spindle: the first is taken over",
-		     json_array_size(list));
+		warn(r, "this file has %zu tool heads, and a machine of fivecheck has one spindle: the first is taken "
+			"over", json_array_size(list));
 	if (type && strcmp(type, "rotary") != 0)
 		warn(r, "the tool head is a %.20s: nothing but the motion of its mount is checked", type);
 	if (!axis)

@@ -42,7 +42,7 @@ struct import_options {
 	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 	const char *head;	/* of those that carry the tool; or NULL: not given */
-	const char *device;	/* name, uuid or id of the device to take, where there are several; or NULL: not given */
+	const char *device;	/* name, uuid or id of the device to take, where there are several; or NULL */
 };
 
 /*

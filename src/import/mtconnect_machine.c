@@ -89,8 +89,8 @@ static bool add_component(struct reading *r, const xmlNode *node, struct axis_le
 					       "neither nativeName nor name of this Linear is X, Y, Z, U, V or W");
 	if (axis_letters_have(found->text, letter)) {
 		xml_error(&r->xml, node, NULL,
-			  "two axes of this device have the letter %c: leave those out of the file that do not belong to "
-			  "the tool and the work of one program", letter);
+			  "two axes of this device have the letter %c: leave those out of the file that do not belong "
+			  "to the tool and the work of one program", letter);
 		return false;
 	}
 	axis_letters_add(found, letter);
@@ -200,8 +200,8 @@ static bool find_work(struct reading *r, const char *head, struct axis_letters *
 			*table = chain;
 	}
 	return strlen(table->text) == rest ||
-	       fault(r, r->device, "the axes that do not carry the spindle are no single chain: say which axes carry the "
-				   "work, from the base on, with --table=LETTERS");
+	       fault(r, r->device, "the axes that do not carry the spindle are no single chain: say which axes carry "
+				   "the work, from the base on, with --table=LETTERS");
 }
 
 /* An axis that carries another by its Motion must stand before it in the same chain. */
@@ -217,8 +217,8 @@ static bool judge_asked(struct reading *r, const char *letters)
 		before = letter ? strchr(letters, letter) : letters;
 		if (before && before <= at)
 			continue;
-		xml_error(&r->xml, motion, NULL, "this Motion says that the axis %c carries %c: --table and --head must not "
-						 "contradict that", letter, *at);
+		xml_error(&r->xml, motion, NULL, "this Motion says that the axis %c carries %c: --table and --head "
+						 "must not contradict that", letter, *at);
 		return false;
 	}
 	return true;
@@ -232,8 +232,8 @@ static bool find_asked(struct reading *r, struct axis_letters *table, struct axi
 					 r->diag) &&
 		       judge_asked(r, table->text) && judge_asked(r, head->text);
 	xml_error(&r->xml, r->device, NULL,
-		  "this file does not say which axes carry the work and which the tool (%s%s): name those that carry the "
-		  "work, from the base on, with --table=LETTERS, or --table= for none; it has %s",
+		  "this file does not say which axes carry the work and which the tool (%s%s): name those that carry "
+		  "the work, from the base on, with --table=LETTERS, or --table= for none; it has %s",
 		  *r->still.text ? "there is no Motion of " : "one spindle needs a Motion",
 		  *r->still.text ? r->still.text : "", r->letters.text);
 	return false;
@@ -257,9 +257,10 @@ static bool judge_direction(struct reading *r, const struct mtconnect_axis *axis
 	    vec3_dot(a->direction, axis_chains_direction(a->slot, carries_work)) > 0)
 		return true;
 	xml_error(&r->xml, axis->motion, NULL,
-		  "the Axis of this Motion moves the %s along %g %g %g: then the tool moves against +%c of the work, in which a "
-		  "control counts; turn its sign round if the file has it wrong",
-		  carries_work ? "work" : "tool", a->direction.x, a->direction.y, a->direction.z, AXIS_LETTERS[a->slot]);
+		  "the Axis of this Motion moves the %s along %g %g %g: then the tool moves against +%c of the work, "
+		  "in which a control counts; turn its sign round if the file has it wrong",
+		  carries_work ? "work" : "tool", a->direction.x, a->direction.y, a->direction.z,
+		  AXIS_LETTERS[a->slot]);
 	return false;
 }
 
@@ -299,10 +300,10 @@ static bool finish_axis(struct reading *r, char letter, bool carries_work)
 	if (!axis->motion)
 		a->direction = axis_chains_direction(a->slot, carries_work);
 	if (a->rotary && !has_place(axis->motion)) {
-		diag_warning(r->diag, place(r, axis->node), "this file does not say where the axis %c is: correct its location",
-			     letter);
-		import_machine_todo(r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is "
-						"a guess.", letter);
+		diag_warning(r->diag, place(r, axis->node),
+			     "this file does not say where the axis %c is: correct its location", letter);
+		import_machine_todo(r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 "
+						"0 is a guess.", letter);
 	}
 	return true;
 }
@@ -317,8 +318,8 @@ static bool judge_systems(struct reading *r)
 		const char *system = motion ? foreign_attribute(motion, "coordinateSystemIdRef") : NULL;
 
 		if (motion && first && strcmp(first, system ? system : "") != 0)
-			return fault(r, motion, "the Motion elements of this device are in different coordinate systems, "
-						"which is not supported");
+			return fault(r, motion, "the Motion elements of this device are in different coordinate "
+						"systems, which is not supported");
 		first = motion ? (system ? system : "") : first;
 	}
 	return true;
@@ -330,8 +331,8 @@ static void name_models(struct reading *r)
 		const char *href = foreign_is(at, "SolidModel") ? foreign_attribute(at, "href") : NULL;
 
 		if (href)
-			import_machine_todo(r->machine, "The file has a solid model: %.80s. Make STL of it, and add its parts "
-							"as bodies.", href);
+			import_machine_todo(r->machine, "The file has a solid model: %.80s. Make STL of it, and add "
+							"its parts as bodies.", href);
 	}
 	import_machine_todo(r->machine, "No bodies were taken over: add <body> elements, drawn with every axis at 0.");
 	import_machine_todo(r->machine,
@@ -358,8 +359,8 @@ static bool build(struct reading *r)
 			return false;
 		/* Z counts from the work to the spindle, the tool points the other way (ISO 841). */
 		d->spindles[0].direction = vec3_scale(-1, direction);
-		import_machine_todo(r->machine, "Tools are taken to point against the Axis of the spindle's Motion: compare "
-						"it with the machine.");
+		import_machine_todo(r->machine, "Tools are taken to point against the Axis of the spindle's Motion: "
+						"compare it with the machine.");
 	}
 	name_models(r);
 	return true;

@@ -119,8 +119,8 @@ static bool read_rotation(struct xml_reader *xml, const xmlNode *transformation,
 		}
 	if (turned > 1)
 		xml_error(xml, transformation, NULL,
-			  "a Rotation about several axes is not supported: in which order they follow each other is not "
-			  "said");
+			  "a Rotation about several axes is not supported: in which order they follow each other is "
+			  "not said");
 	return turned <= 1;
 }
 
@@ -138,8 +138,9 @@ static bool read_place(struct xml_reader *xml, const xmlNode *motion, xform *pla
 		xml_error(xml, motion, NULL, "a Motion has an Origin or a Transformation, not both");
 		return false;
 	}
-	if (transformation && (!read_three(xml, transformation, "Translation", "TranslationDataSet", "XYZ", p, &found) ||
-			       !read_rotation(xml, transformation, &place->rotation)))
+	if (transformation &&
+	    (!read_three(xml, transformation, "Translation", "TranslationDataSet", "XYZ", p, &found) ||
+	     !read_rotation(xml, transformation, &place->rotation)))
 		return false;
 	place->translation = (vec3){p[0], p[1], p[2]};
 	return true;
@@ -193,7 +194,7 @@ bool mtconnect_line(struct xml_reader *xml, const xmlNode *device, const xmlNode
 		return true;
 	}
 	xml_error(xml, motion, NULL,
-		  "it is not said whether the place of this Motion counts from the parent or from the coordinate system: write "
-		  "<Origin> instead, in the coordinate system");
+		  "it is not said whether the place of this Motion counts from the parent or from the coordinate "
+		  "system: write <Origin> instead, in the coordinate system");
 	return false;
 }

@@ -83,7 +83,8 @@ static bool read_specifications(struct xml_reader *xml, const xmlNode *node, str
 		double scale;
 
 		if (foreign_attribute_is(at, "type", axis->rotary ? "ANGLE" : "POSITION")) {
-			if (!read_unit(xml, at, axis->rotary ? angles : lengths, &scale) || !narrow(xml, at, scale, axis))
+			if (!read_unit(xml, at, axis->rotary ? angles : lengths, &scale) ||
+			    !narrow(xml, at, scale, axis))
 				return false;
 		} else if (foreign_attribute_is(at, "type", "VELOCITY") ||
 			   (axis->rotary && foreign_attribute_is(at, "type", "ANGULAR_VELOCITY"))) {
@@ -100,7 +101,8 @@ static bool is_machine_item(const xmlNode *device, const xmlNode *item)
 	const char *name = foreign_attribute(item, "coordinateSystemIdRef"), *id;
 
 	for (const xmlNode *at = device; name && at; at = mtconnect_next(device, at))
-		if (foreign_is(at, "CoordinateSystem") && (id = foreign_attribute(at, "id")) != NULL && !strcmp(id, name))
+		if (foreign_is(at, "CoordinateSystem") && (id = foreign_attribute(at, "id")) != NULL &&
+		    !strcmp(id, name))
 			return foreign_attribute_is(at, "type", "MACHINE");
 	return foreign_attribute_is(item, "coordinateSystem", "MACHINE");
 }
@@ -117,7 +119,8 @@ static bool read_constraints(struct xml_reader *xml, const xmlNode *device, cons
 		if (!constraints || !is_machine_item(device, at) ||
 		    !foreign_attribute_is(at, "type", axis->rotary ? "ANGLE" : "POSITION"))
 			continue;
-		if (!read_unit(xml, at, axis->rotary ? angles : lengths, &scale) || !narrow(xml, constraints, scale, axis))
+		if (!read_unit(xml, at, axis->rotary ? angles : lengths, &scale) ||
+		    !narrow(xml, constraints, scale, axis))
 			return false;
 	}
 	return true;

@@ -307,8 +307,8 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 			chosen = c;
 	}
 	if (count > 1)
-		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count,
-		     type, xml_quote(chosen->name).text);
+		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over",
+		     count, type, xml_quote(chosen->name).text);
 	return chosen;
 }
 

@@ -15,8 +15,8 @@
  * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
  * otherwise (ISO 841: a positive value is a motion of the tool against the work).
  *
- * `build`: the components of a setup, which the machine gets as far as they belong to it, and which say what carries the
- * work; or NULL.
+ * `build`: the components of a setup, which the machine gets as far as they belong to it, and which say what carries
+ * the work; or NULL.
  *
  * False, reported: the file is faulty, or says something that cannot be taken over.
  */

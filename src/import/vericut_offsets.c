@@ -200,8 +200,8 @@ static bool take_row(const struct reading *r, const xmlNode *table, const xmlNod
 
 	if (!name || is_taken(r->setup, name))
 		strbuf_addf(&text,
-			    "Row %s of the table %s has no name here: its place is X%.10g Y%.10g Z%.10g, to be given as "
-			    "a work offset that the program selects.",
+			    "Row %s of the table %s has no name here: its place is X%.10g Y%.10g Z%.10g, to be given "
+			    "as a work offset that the program selects.",
 			    xml_quote(index).text, xml_quote(kind).text, values[0], values[1], values[2]);
 	else if (strlen(index) < 2)
 		strbuf_addf(&text, "Register %s of the work offsets is taken as %s: compare with the control.", index,
@@ -318,7 +318,8 @@ bool vericut_offsets_read(struct import_setup *setup, const struct import_machin
 			note_other(&r, table);
 			continue;
 		}
-		for (const xmlNode *row = base ? NULL : foreign_child(table, "Row"); row; row = foreign_next(row, "Row"))
+		for (const xmlNode *row = base ? NULL : foreign_child(table, "Row"); row;
+		     row = foreign_next(row, "Row"))
 			if (!read_row(&r, table, row))
 				return false;
 	}

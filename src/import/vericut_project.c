@@ -91,8 +91,8 @@ static bool find_machine(struct reading *r, const char **path)
 	if (*path && !file_kind_of(&kind, *path, r->diag))
 		return false;
 	if (*path && kind != FILE_VERICUT_MACHINE) {
-		xml_error(&r->xml, xml_root(&r->xml), NULL, "'%s' is no machine of VERICUT: its root must be <VcMachine>",
-			  xml_quote(first).text);
+		xml_error(&r->xml, xml_root(&r->xml), NULL,
+			  "'%s' is no machine of VERICUT: its root must be <VcMachine>", xml_quote(first).text);
 		return false;
 	}
 	if (!*path)
@@ -302,8 +302,8 @@ static void note_collisions(struct reading *r, struct import_setup *setup, const
 	}
 	if (most > 0)
 		note(r, setup, list,
-		     "The collision list of the setup keeps up to %.10g mm, which is not taken over: all pairs that can "
-		     "meet are checked; give the distance with the option clearance.",
+		     "The collision list of the setup keeps up to %.10g mm, which is not taken over: all pairs that "
+		     "can meet are checked; give the distance with the option clearance.",
 		     r->xml.unit * most);
 }
 

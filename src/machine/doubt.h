@@ -21,7 +21,8 @@ enum doubt_kind {
 	DOUBT_RATE_LOW, /* the axis' rate_max is `value` mm or radians a minute */
 	DOUBT_RADIANS, /* the travel of the rotary axis is only `value` */
 	DOUBT_ROTARY_MISSES, /* the axis' line misses all bodies that it carries, by `value` */
-	DOUBT_ROTARY_BESIDE, /* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
+	/* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
+	DOUBT_ROTARY_BESIDE,
 	DOUBT_SPINDLE_ACROSS, /* Z does not move the tool along the spindle */
 	DOUBT_SPINDLE_TOWARD, /* Z+ moves the tool where its tip points */
 	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */

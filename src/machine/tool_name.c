@@ -57,7 +57,8 @@ static bool is_angle(const char *behind)
 
 static bool is_same(double number, double length)
 {
-	return fabs(number - length) <= SAME_SHARE * length || fabs(number * MM_PER_INCH - length) <= SAME_SHARE * length;
+	return fabs(number - length) <= SAME_SHARE * length ||
+	       fabs(number * MM_PER_INCH - length) <= SAME_SHARE * length;
 }
 
 bool tool_name_tells_twice(const struct tool *tool)

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "machine/kinematics_check.h"
@@ -14,7 +15,7 @@
 #define HAS_NO_UNITS "(STL has none: units=\"inch\", \"cm\" or \"m\")"
 #define GAUGE_AT_ORIGIN "a mesh has the gauge point at its origin and the tip toward -Z"
 
-/* What each kind says; {words} in braces are those of `fields`. */
+/* What each kind says; {words} in braces are those of `fields` and `number_fields`. */
 static const char *const texts[] = {
 	[DOUBT_LEFT_HANDED] = "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
 			      "exchanged; check the directions, or give one of the axes checked=\"reason\"",
@@ -118,8 +119,8 @@ static const char *const texts[] = {
 			     "it; " GAUGE_AT_ORIGIN OR_CHECKED,
 	[DOUBT_RADIUS_OFFSET] = "tool {tool} has a diameter of {limit} mm, but the radius of its D is {value} mm: "
 				"check that it is no diameter" OR_CHECKED,
-	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name tells {limit} mm: check that no radius "
-			    "is given as diameter" OR_CHECKED,
+	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name tells {limit} mm: check that no "
+			    "radius is given as diameter" OR_CHECKED,
 	[DOUBT_LENGTH_OFFSET] = "tool {tool} is {limit 5} mm long, but its length offset is {value 5} mm: with G43 its "
 				"tip is {difference} mm from where the program takes it to be; check length_offset"
 				OR_CHECKED,
@@ -238,28 +239,33 @@ static void add_offset(struct strbuf *out, const struct scene *scene, const stru
 	strbuf_addf(out, "%s", scene->setup->offsets[doubt->item].name);
 }
 
-static void add_value(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+/* The numbers of a doubt as they are: how many digits matter differs from text to text. */
+static const struct number_field {
+	const char *name;
+	size_t offset;	/* of the number in struct doubt */
+	int digits;
+} number_fields[] = {
+	{"value", offsetof(struct doubt, value), 4}, {"value 5", offsetof(struct doubt, value), 5},
+	{"limit", offsetof(struct doubt, limit), 4}, {"limit 5", offsetof(struct doubt, limit), 5},
+};
+
+static bool has_name(const char *name, const char *text, size_t length)
 {
-	(void)scene;
-	strbuf_addf(out, "%.4g", doubt->value);
+	return strlen(name) == length && !memcmp(name, text, length);
 }
 
-static void add_value_5(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+/* Adds the number of that name. False: it is no number. */
+static bool add_number(struct strbuf *out, const struct doubt *doubt, const char *name, size_t length)
 {
-	(void)scene;
-	strbuf_addf(out, "%.5g", doubt->value);
-}
+	for (size_t i = 0; i < sizeof(number_fields) / sizeof(*number_fields); i++) {
+		const struct number_field *field = &number_fields[i];
 
-static void add_limit(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
-{
-	(void)scene;
-	strbuf_addf(out, "%.4g", doubt->limit);
-}
-
-static void add_limit_5(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
-{
-	(void)scene;
-	strbuf_addf(out, "%.5g", doubt->limit);
+		if (!has_name(field->name, name, length))
+			continue;
+		strbuf_addf(out, "%.*g", field->digits, *(const double *)((const char *)doubt + field->offset));
+		return true;
+	}
+	return false;
 }
 
 static void add_difference(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
@@ -276,15 +282,14 @@ static const struct {
 	{"moves", add_moves}, {"goer", add_goer}, {"turner", add_turner}, {"unit", add_unit},
 	{"axis value", add_axis_value}, {"position", add_position}, {"limit_min", add_limit_min},
 	{"limit_max", add_limit_max}, {"body", add_body}, {"against", add_against}, {"tool", add_tool},
-	{"others", add_others}, {"offset", add_offset}, {"value", add_value}, {"value 5", add_value_5},
-	{"limit", add_limit}, {"limit 5", add_limit_5}, {"difference", add_difference},
+	{"others", add_others}, {"offset", add_offset}, {"difference", add_difference},
 };
 
 static field_fn *find_field(const char *name, size_t length)
 {
 	size_t i = 0;
 
-	while (strlen(fields[i].name) != length || memcmp(fields[i].name, name, length) != 0) {
+	while (!has_name(fields[i].name, name, length)) {
 		i++;
 		assert(i < sizeof(fields) / sizeof(*fields));
 	}
@@ -301,7 +306,8 @@ void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct 
 		strbuf_add(out, text, plain);
 		if (text[plain] == '\0')
 			return;
-		find_field(text + plain + 1, field - 1)(out, scene, doubt);
+		if (!add_number(out, doubt, text + plain + 1, field - 1))
+			find_field(text + plain + 1, field - 1)(out, scene, doubt);
 		text += plain + field + 1;
 	}
 }

@@ -51,12 +51,12 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 		return false;
 	if (remainder->coarse)
 		diag_note(diag, nowhere,
-			  "many cuts overlap: finer cubes than %.3g mm would take too long, so what remains of the stock is "
-			  "drawn with these",
+			  "many cuts overlap: finer cubes than %.3g mm would take too long, so what remains of the "
+			  "stock is drawn with these",
 			  remainder->edge);
 	diag_note(diag, nowhere,
-		  "%s holds all that remains of the stock; what lies deeper than %.2f mm below its surface is certainly "
-		  "there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
+		  "%s holds all that remains of the stock; what lies deeper than %.2f mm below its surface is "
+		  "certainly there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
 		  path, excess, path, excess);
 	return true;
 }

@@ -1,6 +1,6 @@
 /*
- * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions, statuses of pairs. One table for --explain, for
- * SARIF's rules and, held against it by a test, for the manual page.
+ * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions, statuses of pairs. One table for
+ * --explain, for SARIF's rules and, held against it by a test, for the manual page.
  */
 #ifndef FIVECHECK_REPORT_TOPICS_H
 #define FIVECHECK_REPORT_TOPICS_H

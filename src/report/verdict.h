@@ -63,8 +63,8 @@ enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = CAUTION_DOUBT + VERDICT_DOUBTS + 1
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
 
 /*
- * Does the i-th caution doubt what the verdict takes for granted? The others tell what a person has excused, accepted or
- * waived, or left to another run.
+ * Does the i-th caution doubt what the verdict takes for granted? The others tell what a person has excused, accepted
+ * or waived, or left to another run.
  */
 bool verdict_caution_is_doubt(int i);
 

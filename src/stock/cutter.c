@@ -315,8 +315,8 @@ static double whole_removes(const struct revolved *whole, const struct cutter_wa
 		return INFINITY;
 	place = place_at(way, inside);
 	/*
-	 * Along a solid that is not convex the search may miss the deepest place: where a wide cutter has a narrow neck,
-	 * all places below the wide part's top are equally deep. But the end is where cuts meet.
+	 * Along a solid that is not convex the search may miss the deepest place: where a wide cutter has a narrow
+	 * neck, all places below the wide part's top are equally deep. But the end is where cuts meet.
 	 */
 	if (point_distance(whole, &place, cube->centre) > needed) {
 		inside = near.s;

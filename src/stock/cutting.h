@@ -11,7 +11,8 @@ struct cutting {
 	int cutter;	/* index of the log's cutters */
 	struct chord chord;
 	double from, to;	/* when, as the log counts time */
-	double chord_error;	/* mm: pieces of a curved way are so short that they leave their chords by less than this */
+	/* mm: pieces of a curved way are so short that they leave their chords by less than this */
+	double chord_error;
 	vec3 low, high;	/* the box around the blank: cuts outside of it are left out */
 };
 

@@ -16,7 +16,8 @@ struct stock_sweep {
 	bool stock_is_a;	/* else it is b */
 	const struct obstacle *obstacle;	/* the other one */
 	double clearance;	/* mm */
-	double least_way;	/* mm: a piece of motion in which no point moves more than twice this counts as an instant */
+	/* mm: a piece of motion in which no point moves more than twice this counts as an instant */
+	double least_way;
 	long effort;	/* cells to look at before the answer is UNDECIDED; 0: no limit */
 	const struct cancel *cancel;	/* asked during long work; or NULL */
 	bool broken_off;	/* `cancel` said stop: the answer is UNDECIDED */

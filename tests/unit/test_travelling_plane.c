@@ -1,88 +1,10 @@
 #include "check/certified/travelling_plane.h"
 
 #include "base/same_double.h"
-#include "check/certified/plane_cells.h"
-#include "solids.h"
+#include "scene_of_two.h"
 #include "suite.h"
 
 enum { SAMPLES = 12 };
-
-/* Two solids on a random chain, which stand at `at`. */
-struct scene_of_two {
-	struct random random;
-	struct duo duo;
-	axis_values at;
-	double size;
-};
-
-static void scene_init(struct scene_of_two *s, uint64_t test, long number)
-{
-	struct random *random = &s->random;
-	struct chain chain;
-	struct mesh a, b;
-	xform place_a, place_b;
-	axis_values other;
-
-	s->random = random_case(test, number);
-	chain = random_chain(random, 1 + random_below(random, 6), 200);
-	random_move(random, &chain, 0.001, &s->at, &other);
-	/* Some machines wind on without end. */
-	if (!random_below(random, 4))
-		for (size_t i = 0; i < chain.count; i++)
-			s->at.v[chain.joints[i].slot] += chain.joints[i].rotary ? random_in(random, -400, 400) : 0;
-	s->size = random_size(random, 2, 60);
-	a = random_solid(random, s->size);
-	b = random_solid(random, s->size);
-	place_a = random_place(random, 200);
-	place_b = place_near(random, &chain, &s->at, &place_a,
-			     vec3_scale(s->size * random_in(random, 1, 4), random_unit(random)));
-	duo_init(&s->duo, &chain, &a, &b, &place_a, &place_b);
-}
-
-/* Straight or a box, with chord errors or without; long or short. */
-static struct plane_motion random_motion(struct scene_of_two *s)
-{
-	struct random *random = &s->random;
-	struct plane_motion motion = {.straight = random_below(random, 2), .q0 = s->at, .q1 = s->at};
-	double step = random_size(random, 1e-3, 100);
-	bool strays = !random_below(random, 3), ordered = !motion.straight;
-
-	for (size_t i = 0; i < s->duo.chain.count; i++) {
-		const struct joint *joint = &s->duo.chain.joints[i];
-		double unit = step * (joint->rotary ? 0.01 : 1);
-		double *q0 = &motion.q0.v[joint->slot], *q1 = &motion.q1.v[joint->slot];
-
-		*q0 += random_below(random, 3) ? unit * random_in(random, -1, 1) : 0;
-		*q1 += random_below(random, 3) ? unit * random_in(random, -1, 1) : 0;
-		if (ordered && *q0 > *q1) {
-			double keep = *q0;
-
-			*q0 = *q1;
-			*q1 = keep;
-		}
-		if (strays)
-			motion.chord_error.v[joint->slot] = random_size(random, 1e-4, 0.1) * unit;
-	}
-	return motion;
-}
-
-/* A position of the motion, often at its edge. */
-static axis_values random_position(struct scene_of_two *s, const struct plane_motion *motion)
-{
-	struct random *random = &s->random;
-	double along = random_below(random, 2) ? random_below(random, 2) : random_in(random, 0, 1);
-	axis_values q;
-
-	for (int k = 0; k < SLOT_COUNT; k++) {
-		double share = motion->straight		 ? along
-			       : random_below(random, 2) ? random_below(random, 2)
-							 : random_in(random, 0, 1);
-		double off = random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1);
-
-		q.v[k] = (1 - share) * motion->q0.v[k] + share * motion->q1.v[k] + off * motion->chord_error.v[k];
-	}
-	return q;
-}
 
 /* The least n.p over the mesh's corners at the pose. */
 static real least_along(const struct bvh *bvh, const xform *place, const struct turned *pose, real3 n)
@@ -291,134 +213,6 @@ START_TEST(the_gap_between_two_ends_is_never_smaller_than_the_bound)
 }
 END_TEST
 
-/* At every position of the motion, by the distance of all pairs of triangles. */
-static void require_apart(struct scene_of_two *s, const struct plane_motion *motion, double needed, long n)
-{
-	for (int i = 0; i < SAMPLES; i++) {
-		axis_values at = random_position(s, motion);
-		xform pose = duo_pose(&s->duo, &at, &at, 0, NULL);
-		double d = brute_distance(s->duo.a, s->duo.b, &pose, needed + 1);
-
-		require(d > needed - 1e-12, "case %ld: %.15g proved, %.15g is", n, needed, d);
-	}
-}
-
-/* What the planes of cells prove holds at every position. */
-START_TEST(what_cells_cover_is_apart)
-{
-	long covered = 0, divided = 0, copies = 0, cases = random_cases(80);
-
-	for (long n = 0; n < cases; n++) {
-		struct scene_of_two s;
-		struct plane_cells cells, copy;
-		double needed;
-
-		scene_init(&s, 2, n);
-		needed = random_below(&s.random, 2) ? 1e-3 : random_size(&s.random, 1e-3, 5);
-		plane_cells_init(&cells, &s.duo.pair);
-		for (int m = 0; m < 12; m++) {
-			struct plane_motion motion = random_motion(&s);
-			axis_values q = random_position(&s, &motion);
-
-			if (!plane_cells_cover(&cells, &motion, needed) &&
-			    !plane_cells_search(&cells, &q, &motion, needed))
-				continue;
-			covered++;
-			divided += cells.cell_count > 1;
-			require_apart(&s, &motion, needed, n);
-			plane_cells_copy(&copy, &cells);
-			copies += plane_cells_cover(&copy, &motion, needed) ==
-				  plane_cells_cover(&cells, &motion, needed);
-			plane_cells_release(&copy);
-		}
-		plane_cells_release(&cells);
-		duo_release(&s.duo);
-	}
-	require(copies == covered, "of %ld motions that were covered, copies cover %ld as well", covered, copies);
-	/* Few cases divide: a tenth of the usual number need not have one. */
-	require(covered > 2 * cases && (divided > 0 || cases < 80), "covered %ld, divided %ld", covered, divided);
-}
-END_TEST
-
-/* Along a path a plane is measured again at each end; then the gaps at both ends prove a step, too. */
-START_TEST(what_the_ends_of_steps_prove_is_apart)
-{
-	long proved = 0, by_ends = 0, cases = random_cases(40);
-
-	for (long n = 0; n < cases; n++) {
-		struct scene_of_two s;
-		struct plane_cells cells;
-
-		scene_init(&s, 5, n);
-		plane_cells_init(&cells, &s.duo.pair);
-		for (int m = 0; m < 12; m++) {
-			const xform pose = duo_pose(&s.duo, &s.at, &s.at, 0, NULL);
-			const double needed = 0.99 * brute_distance(s.duo.a, s.duo.b, &pose, INFINITY);
-			struct plane_motion motion = random_motion(&s);
-
-			motion.straight = true;
-			motion.q0 = s.at;
-			for (int k = 0; k < SLOT_COUNT; k++)
-				motion.q1.v[k] = 0.5 * s.at.v[k] + 0.5 * motion.q1.v[k];
-			s.at = motion.q1;
-			if (!(needed > 0) || !plane_cells_search(&cells, &motion.q1, &motion, needed))
-				continue;
-			proved++;
-			by_ends += !plane_cells_cover(&cells, &motion, needed);
-			require_apart(&s, &motion, needed, n);
-		}
-		plane_cells_release(&cells);
-		duo_release(&s.duo);
-	}
-	require(proved > 2 * cases && by_ends > cases / 16, "proved %ld, by the ends %ld", proved, by_ends);
-}
-END_TEST
-
-/* mm: what planes that are carried on prove of the motion, with their own normals or with any other. */
-static double carry(struct scene_of_two *s, struct plane_cells *cells, const struct plane_motion *motion, double needed)
-{
-	const vec3 along = random_unit(&s->random);
-
-	if (random_below(&s->random, 2))
-		return plane_cells_carry_parts(cells, &motion->q1, motion, needed);
-	return plane_cells_carry_whole(cells, &motion->q1, motion, needed, random_below(&s->random, 4) ? NULL : &along);
-}
-
-/* Along a path planes are carried on from end to end: what is said to be left is left. */
-START_TEST(what_carried_planes_leave_is_apart)
-{
-	long proved = 0, lost = 0, cases = random_cases(80);
-
-	for (long n = 0; n < cases; n++) {
-		struct scene_of_two s;
-		struct plane_cells cells;
-
-		scene_init(&s, 6, n);
-		plane_cells_init(&cells, &s.duo.pair);
-		for (int m = 0; m < 12; m++) {
-			struct plane_motion motion = random_motion(&s);
-			double rest;
-
-			motion.straight = true;
-			motion.q0 = s.at;
-			for (int k = 0; k < SLOT_COUNT; k++)
-				motion.q1.v[k] = 0.8 * s.at.v[k] + 0.2 * motion.q1.v[k];
-			s.at = motion.q1;
-			rest = carry(&s, &cells, &motion, random_size(&s.random, 1e-3, 50));
-			lost += !(rest > 0);
-			proved += rest > 0;
-			if (rest > 0)
-				require_apart(&s, &motion, rest, n);
-			else
-				plane_cells_search(&cells, &motion.q1, &motion, random_size(&s.random, 1e-3, 5));
-		}
-		plane_cells_release(&cells);
-		duo_release(&s.duo);
-	}
-	require(proved > cases && lost > cases, "proved %ld, lost %ld", proved, lost);
-}
-END_TEST
-
 /* No position of a box has a larger path displacement than the bound for all of them. */
 START_TEST(the_path_displacement_is_bounded_over_a_box)
 {
@@ -563,9 +357,6 @@ int main(void)
 
 	tcase_add_test(tcase, the_gap_is_never_smaller_than_the_bound);
 	tcase_add_test(tcase, the_gap_between_two_ends_is_never_smaller_than_the_bound);
-	tcase_add_test(tcase, what_cells_cover_is_apart);
-	tcase_add_test(tcase, what_the_ends_of_steps_prove_is_apart);
-	tcase_add_test(tcase, what_carried_planes_leave_is_apart);
 	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
 	tcase_add_test(tcase, normal_goes_with_its_link);

@@ -156,8 +156,8 @@ static bool check_inclinations(const struct machine_plan *plan, struct diag *dia
 		if (axis->has_inclination &&
 		    (axis->inclination < INCLINATION_LEAST || axis->inclination > 180 - INCLINATION_LEAST))
 			diag_warning(diag, nowhere,
-				     "--inclination of %c: %c stands only %.6g degrees from Z, and so turns like C; angles "
-				     "are in degrees, 45 for most nutating heads and tables",
+				     "--inclination of %c: %c stands only %.6g degrees from Z, and so turns like C; "
+				     "angles are in degrees, 45 for most nutating heads and tables",
 				     AXIS_LETTERS[slot], AXIS_LETTERS[slot],
 				     fmin(axis->inclination, 180 - axis->inclination));
 		if (!axis->has_inclination || (!axis->has_direction && (slot == SLOT_A || slot == SLOT_B)))

@@ -58,7 +58,7 @@ static void count_codes(struct scan_codes *codes, const char *block)
 	}
 }
 
-/* Blanks are gone: a short word with two letters behind it is the start of a longer one, as PO of POCKET3 and POS[X]. */
+/* Blanks are gone: a short word with two letters behind it begins a longer one, as PO of POCKET3 and POS[X]. */
 #define SHORT_WORD 4
 
 static bool is_start(const char *text, const char *behind)
@@ -91,7 +91,8 @@ static void count_word(struct scan_codes *codes, const char *block, const struct
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
 		char after = at[strlen(text)];
 
-		if (!is_start(text, at + strlen(text)) && !is_coordinate(text, after) && (at == block || !is_name_byte(at[-1])) &&
+		if (!is_start(text, at + strlen(text)) && !is_coordinate(text, after) &&
+		    (at == block || !is_name_byte(at[-1])) &&
 		    !(isdigit((unsigned char)after) && isdigit((unsigned char)text[strlen(text) - 1]))) {
 			count(codes, 0, 0, word);
 			return;

@@ -31,8 +31,8 @@ bool catalog_tools_are_numbered(bool number_all, const char *path, struct diag *
 {
 	if (!number_all)
 		diag_error(diag, (struct srcloc){.file = path},
-			   "this is a catalogue, whose tools have no numbers: 'fivecheck import --number-tools' gives them "
-			   "numbers and writes a setup, to which the holders are added");
+			   "this is a catalogue, whose tools have no numbers: 'fivecheck import --number-tools' gives "
+			   "them numbers and writes a setup, to which the holders are added");
 	return number_all;
 }
 
@@ -146,10 +146,11 @@ static void warn(const struct tool_outline *tool, const struct catalog_tool *t, 
 	const bool sharp = t->shape == CATALOG_MILL && !(given(t->corner_radius) > 0) && !(given(t->chamfer_width) > 0);
 
 	diag_warning(diag, t->at,
-		     "tool %ld: nothing is known of its holder, and its length of %g mm ends with its shank: add the holder "
-		     "and correct the length%s",
+		     "tool %ld: nothing is known of its holder, and its length of %g mm ends with its shank: add the "
+		     "holder and correct the length%s",
 		     tool->number, tool->length,
-		     sharp ? "; its corner is taken as sharp, as the catalogue gives neither a radius nor a chamfer" : "");
+		     sharp ? "; its corner is taken as sharp, as the catalogue gives neither a radius nor a chamfer"
+			   : "");
 }
 
 bool catalog_tool_add(struct tool_library *tools, const struct catalog_tool *t, struct diag *diag)

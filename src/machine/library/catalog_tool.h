@@ -18,7 +18,7 @@ struct catalog_tool {
 	double point_angle;	/* the full one, of a drill */
 	double cutting_length;	/* the edges, or the flutes of a drill; always needed */
 	double neck_diameter, neck_end;
-	double shank_diameter, shank_length;	/* the diameter is always needed; the length counts from the other end */
+	double shank_diameter, shank_length;	/* the diameter is needed; the length counts from the other end */
 };
 
 /* Everything NAN but the place and the shape. */

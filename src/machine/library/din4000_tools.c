@@ -147,7 +147,8 @@ static bool add_tool(struct tool_library *tools, const struct record *record, st
 {
 	const char *nsm = value_of(record, "NSM"), *bld = value_of(record, "BLD"), *name = value_of(record, "J23");
 	struct catalog_tool tool = catalog_tool_empty(record->at);
-	const char *why = "its class is none of DIN 4000-82, pictures 1, 2 and 6 (mills), and DIN 4000-81, picture 1 (drills)";
+	const char *why = "its class is none of DIN 4000-82, pictures 1, 2 and 6 (mills), and DIN 4000-81, picture 1 "
+			  "(drills)";
 
 	tool.name = *name ? name : *value_of(record, "J22") ? value_of(record, "J22") : value_of(record, "J21");
 	bld += *bld == '0';

@@ -184,7 +184,8 @@ static const char *add_taper(struct tool_outline *tool, const struct geometry *g
 	flat = fmax(flat, 0);
 	if (round > 0)
 		tool_profile_add_arc(&tool->cutter, 0, flat, low, flat + round * math_cos(angle), round, flat, true);
-	tool_profile_add(&tool->cutter, low, flat + round * math_cos(angle), g->flutes, r + g->flutes * math_tan(angle));
+	tool_profile_add(&tool->cutter, low, flat + round * math_cos(angle), g->flutes,
+			 r + g->flutes * math_tan(angle));
 	return NULL;
 }
 
@@ -247,11 +248,12 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		break;
 	case SHAPE_CHAMFER:
 		return add_cone(tool, g, g->taper_angle,
-				"its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than it");
+				"its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than "
+				"it");
 	case SHAPE_SINK:
 		return add_cone(tool, g, g->point_angle / 2,
-				"its angle SIG is missing, or not between 2 and 178 degrees, or its tip is thicker than "
-				"it");
+				"its angle SIG is missing, or not between 2 and 178 degrees, or its tip is thicker "
+				"than it");
 	case SHAPE_TAPER:
 		return add_taper(tool, g);
 	case SHAPE_DOVETAIL:
@@ -272,7 +274,8 @@ static bool add_shank(struct tool_outline *tool, const json_t *shaft, const stru
 	if (json_array_size(json_object_get(shaft, "segments"))) {
 		double from = g->flutes > 0 ? g->flutes : top;
 
-		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, fmax(from, top), g->shoulder_diameter / 2);
+		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, fmax(from, top),
+				 g->shoulder_diameter / 2);
 		return add_segments(shaft, unit, &tool->shank, &from);
 	}
 	if (shoulder < g->below_holder) {

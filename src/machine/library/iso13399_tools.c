@@ -56,7 +56,9 @@ static const char *const harmless[] = {
 };
 
 /* Properties without a unit that only tools with inserts have. */
-static const char *const of_inserts[] = {"CICT", "cutting item count", "insert index count", "insert mounting style code"};
+static const char *const of_inserts[] = {
+	"CICT", "cutting item count", "insert index count", "insert mounting style code",
+};
 
 static bool is_among(const char *name, const char *const *list, size_t count)
 {
@@ -163,7 +165,8 @@ static void read_items(struct reading *r, struct catalog_tool *tool)
 			const char *kind = step_entity_argument(entity, 1, &r->arena);
 
 			is_tool |= !strcmp(kind, "tool item");
-			if (!strcmp(kind, "adaptive item") || !strcmp(kind, "cutting item") || !strncmp(kind, "assembl", 7))
+			if (!strcmp(kind, "adaptive item") || !strcmp(kind, "cutting item") ||
+			    !strncmp(kind, "assembl", 7))
 				leave_out(r, "it is no tool by itself, but of the kind: ", kind);
 		}
 	}

@@ -7,7 +7,7 @@
 
 #include "base/diag.h"
 
-/* The root of the file; the caller drops it with json_decref. NULL, reported: it cannot be read, or is no valid JSON. */
+/* The root of the file; the caller drops it with json_decref. NULL, reported: it cannot be read, or is no JSON. */
 json_t *json_file_read(const char *path, struct diag *diag);
 
 /* A number that may be missing or null; then *value stays. False: it is something else, or not finite. */

@@ -60,7 +60,8 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	case LIBRARY_CSV:
 		return csv_tools_read(tools, text, path, options->unit, diag);
 	case LIBRARY_DIN_XML:
-		return catalog_tools_are_numbered(options->number_all, path, diag) && din4000_xml_read(tools, path, diag);
+		return catalog_tools_are_numbered(options->number_all, path, diag) &&
+		       din4000_xml_read(tools, path, diag);
 	case LIBRARY_DIN_TABLE:
 		return catalog_tools_are_numbered(options->number_all, path, diag) &&
 		       din4000_table_read(tools, text, path, diag);

@@ -167,8 +167,8 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
 	}
 	if (is_known(tools, outline->number)) {
 		diag_error(diag, at,
-			   "the tool number %ld is given twice: keep only the tool that is in the machine, or give one of "
-			   "them another number",
+			   "the tool number %ld is given twice: keep only the tool that is in the machine, or give one "
+			   "of them another number",
 			   outline->number);
 		return false;
 	}

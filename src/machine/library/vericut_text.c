@@ -64,11 +64,11 @@ bool vericut_text_refuse(const char *path, const char *text, struct diag *diag)
 			continue;
 		version = version_of(text, &length);
 		diag_error(diag, (struct srcloc){.file = path},
-			   "this is %s of VERICUT in its text form, %s%.*s: the grammar of that form is not published, so it "
-			   "is not read. Open it in VERICUT 7 or later and save it under a new name: then it is XML, which "
-			   "can be imported",
-			   kinds[i].what, length ? "of version " : "of version 6 or before", (int)(length < 20 ? length : 20),
-			   version);
+			   "this is %s of VERICUT in its text form, %s%.*s: the grammar of that form is not published, "
+			   "so it is not read. Open it in VERICUT 7 or later and save it under a new name: then it is "
+			   "XML, which can be imported",
+			   kinds[i].what, length ? "of version " : "of version 6 or before",
+			   (int)(length < 20 ? length : 20), version);
 		return true;
 	}
 	return false;

@@ -10,8 +10,8 @@
 #include "machine/xml/xml_element.h"
 
 static const char *const elements[] = {
-	"machine", "controller", CONTROLLER_XML_ELEMENTS, "base", "body", "axis", "spindle", "workholding", "pairs", "pair",
-	SETUP_XML_ELEMENTS, NULL,
+	"machine", "controller", CONTROLLER_XML_ELEMENTS, "base", "body", "axis", "spindle", "workholding", "pairs",
+	"pair", SETUP_XML_ELEMENTS, NULL,
 };
 
 /* ------------------------------------------------------------------- links */

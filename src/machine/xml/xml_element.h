@@ -23,8 +23,8 @@ struct xml_child {
 bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
 
 /*
- * The same for a file of another program: its version is its own affair, and it may name a document type that is defined
- * elsewhere, which is not read.
+ * The same for a file of another program: its version is its own affair, and it may name a document type that is
+ * defined elsewhere, which is not read.
  */
 bool xml_open_foreign(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
 

@@ -26,7 +26,8 @@ struct xml_reader {
 	size_t errors;
 	double unit;	/* mm per unit of length of the file */
 	const char *root;	/* libraries outside of this folder are not read; NULL: all are; borrowed */
-	bool foreign;	/* of another program: a document type is passed over if it is only a name and where it is defined */
+	/* Of another program: a document type is passed over if it is only a name and where it is defined. */
+	bool foreign;
 	const char *const *elements;	/* all elements that such a file may have; NULL ends them */
 	xmlDoc *doc;
 	char *bytes;	/* of the file, ended by a NUL byte */

@@ -51,7 +51,8 @@ static json_t *materials(void)
 		const char *name;
 		double colour[3];
 	} all[MATERIALS] = {
-		[MATERIAL_MACHINE] = {"machine", {0.45, 0.55, 0.65}}, [MATERIAL_FIXTURE] = {"fixture", {0.45, 0.5, 0.52}},
+		[MATERIAL_MACHINE] = {"machine", {0.45, 0.55, 0.65}},
+		[MATERIAL_FIXTURE] = {"fixture", {0.45, 0.5, 0.52}},
 		[MATERIAL_PART] = {"part", {0.75, 0.6, 0.35}}, [MATERIAL_TOOL] = {"tool", {0.6, 0.6, 0.6}},
 		[MATERIAL_A] = {"first body", {0.8, 0.02, 0.02}}, [MATERIAL_B] = {"second body", {0.95, 0.45, 0.0}},
 	};

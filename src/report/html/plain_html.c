@@ -110,8 +110,8 @@ static void add_findings(struct strbuf *out, const struct html_contents *report)
 
 	if (!recorder->finding_count)
 		return;
-	strbuf_addf(out, "<h2>Findings</h2>\n<table>\n<tr><th>Place</th><th>Kind</th><th>What happens</th><th>Block</th>"
-			 "<th>Axes</th><th>Time</th></tr>\n");
+	strbuf_addf(out, "<h2>Findings</h2>\n<table>\n<tr><th>Place</th><th>Kind</th><th>What happens</th>"
+			 "<th>Block</th><th>Axes</th><th>Time</th></tr>\n");
 	for (size_t i = 0; i < recorder->finding_count; i++)
 		add_finding(out, report->run->scene->machine, &recorder->findings[i]);
 	strbuf_addf(out, "</table>\n");
@@ -301,8 +301,8 @@ void plain_html_add_main(struct strbuf *out, const struct html_contents *report)
 	add_sensitivity(out, report->program);
 	add_statistics(out, report);
 	add_files(out, report);
-	strbuf_addf(out, "<p>Made by fivecheck " FIVECHECK_VERSION ". Meshes are drawn to %.3f mm; the proof is about the "
-			 "numbers of the STL files.", report->scene->accuracy);
+	strbuf_addf(out, "<p>Made by fivecheck " FIVECHECK_VERSION ". Meshes are drawn to %.3f mm; the proof is about "
+			 "the numbers of the STL files.", report->scene->accuracy);
 	stock_pack_add_text(report->stock, out);
 	strbuf_addf(out, "</p>\n</main>\n");
 }

@@ -128,7 +128,8 @@ static void on_block(struct recorder *recorder, const struct motion_block *block
 	const long number = ++recorder->blocks;
 
 	recorder->ends[number % BLOCK_ENDS] = (struct block_end){
-		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool, INFINITY, -1,
+		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool,
+		INFINITY, -1,
 	};
 	recorder->block_from = recorder->now;
 }

@@ -114,7 +114,8 @@ struct recorder {
 	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
-	double bound;	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
+	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
+	double bound;
 	bool sampled;	/* some blocks were not measured */
 	struct plane_wish *wishes;	/* for planes, in the order of time */
 	size_t wish_count, wish_capacity, wishes_forced;

@@ -30,7 +30,8 @@
  *   files         [{kind, file, sha256}]: what was read; sha256 null: unknown
  *   options       {method, step, tolerance, clearance, all, dialect, ...} as in the header of --format=ndjson
  *   shard         null, or {part, parts, of}: only a part was checked
- *   machine       {name, file, axes: [axis], links: [name], spindle: {link, location: [3], direction: [3]}, workholding}
+ *   machine       {name, file, axes: [axis], links: [name], spindle: {link, location: [3], direction: [3]},
+ *                 workholding}
  *     axis        {name, title|null, type: "linear"|"rotary", parent, direction: [3], location: [3], limit_min|null,
  *                 limit_max|null, rate_max (per minute), home}. Axes are in the order of the machine file: a carrying
  *                 axis before the carried one.

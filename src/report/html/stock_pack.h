@@ -14,7 +14,8 @@ struct stock_pack {
 	struct packed_mesh mesh;	/* without triangles: nothing is drawn */
 	struct strbuf blob;	/* owned */
 	bool left_out;	/* there would be too many */
-	double excess;	/* mm: what lies deeper than this below the surface that is drawn is certainly there; of the blank 0 */
+	/* mm: what lies deeper than this below the surface that is drawn is certainly there; of the blank 0 */
+	double excess;
 	/* At the start: no cutter was in the blank by then, and it is drawn. */
 	enum stock_instant { STOCK_AT_START, STOCK_AT_FINDING, STOCK_AT_END } when;
 };
