@@ -49,7 +49,6 @@ static inline void model_init(struct model *model)
 	model->scene->machine = &model->machine;
 	model->scene->setup = &model->setup;
 	model->scene->bodies = mem_zalloc(MODEL_BODIES, sizeof(*model->scene->bodies));
-	ck_assert_int_eq(pthread_mutex_init(&model->scene->building, NULL), 0);
 }
 
 static inline void model_release(struct model *model)
@@ -67,6 +66,7 @@ static inline int model_body(struct model *model, enum body_role role, int link)
 	model->bodies[body] = (struct body){.name = names[body] ? names[body] : "b", .role = role, .link = link,
 					    .scale = 1, .placement = xform_identity()};
 	model->scene->bodies[body].body = &model->bodies[body];
+	ck_assert_int_eq(pthread_mutex_init(&model->scene->bodies[body].building, NULL), 0);
 	return (int)body;
 }
 
