@@ -45,6 +45,7 @@ static bool take_linear(struct tcp *tcp, struct chain *chain, double sense, bool
 			*columns[joint.slot] = vec3_scale(sense, joint.direction);
 		else
 			tcp->others[joint.slot] = vec3_scale(sense, joint.direction);
+		tcp->has_others |= joint.slot > SLOT_Z;
 	}
 	chain->count = kept;
 	return true;
@@ -139,7 +140,7 @@ static vec3 other_axes(const struct tcp *tcp, const axis_values *q)
 {
 	vec3 sum = {0, 0, 0};
 
-	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
+	for (int slot = SLOT_U; slot < SLOT_COUNT && tcp->has_others; slot++)
 		sum = vec3_mad(sum, q->v[slot], tcp->others[slot]);
 	return sum;
 }
@@ -158,14 +159,24 @@ static axis_values with_linear_axes(const struct tcp *tcp, const axis_values *q,
 	return out;
 }
 
+/* Where the head takes the tip; many machines turn the table alone. */
+static vec3 carried_tip(const struct tcp *tcp, const axis_values *position)
+{
+	xform head;
+
+	if (tcp->head.count == 0)
+		return tcp->tip;
+	head = chain_pose(&tcp->head, position);
+	return xform_apply(&head, tcp->tip);
+}
+
 axis_values tcp_to_machine(const struct tcp *tcp, const axis_values *position)
 {
 	vec3 others = other_axes(tcp, position);
 	vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, position), others), tcp->gauge_zero);
 	xform table = chain_pose(&tcp->table, position);
-	xform head = chain_pose(&tcp->head, position);
 	vec3 wanted = xform_apply(&table, xform_apply(&tcp->table_zero_inverse, at_zero));
-	vec3 tip = xform_apply(&head, tcp->tip);
+	vec3 tip = carried_tip(tcp, position);
 
 	return with_linear_axes(tcp, position, vec3_sub(vec3_sub(wanted, tip), others));
 }
@@ -213,7 +224,7 @@ static void add_chain_second_derivative(const struct tcp *tcp, const struct chai
 					const axis_values *middle, const axis_values *rate, double half,
 					axis_values *second_derivative)
 {
-	mat3 turns[SLOT_COUNT], outer = mat3_identity();
+	mat3 turns[SLOT_COUNT], outer;	/* of the joints outside of k, for k > 0 */
 	vec3 axes[SLOT_COUNT];
 	double leans[SLOT_COUNT], lean = 0;
 
@@ -221,9 +232,10 @@ static void add_chain_second_derivative(const struct tcp *tcp, const struct chai
 		const struct joint *joint = &chain->joints[k];
 
 		turns[k] = mat3_turn(joint->direction, middle->v[joint->slot]);
-		axes[k] = mat3_apply(&outer, joint->direction);
+		axes[k] = k ? mat3_apply(&outer, joint->direction) : joint->direction;
 		leans[k] = lean;
-		outer = mat3_mul(&outer, &turns[k]);
+		if (k + 1 < chain->count)
+			outer = k ? mat3_mul(&outer, &turns[k]) : turns[k];
 		lean += half * fabs(rate->v[joint->slot]);
 	}
 	for (size_t k = chain->count; k-- > 0;) {
@@ -237,6 +249,8 @@ static void add_chain_second_derivative(const struct tcp *tcp, const struct chai
 
 		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 			second_derivative->v[slot] += own * share(tcp, slot, axes[k], leans[k]);
+		if (k == 0)
+			break;
 		carried.velocity = mat3_apply(&turns[k], vec3_mad(carried.velocity, omega, vec3_cross(d, r)));
 		carried.point = vec3_add(joint->location, mat3_apply(&turns[k], r));
 		carried.acceleration += own;

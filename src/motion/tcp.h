@@ -25,6 +25,7 @@ struct tcp {
 	struct chain table, head;	/* rotary joints only, the outermost first */
 	mat3 matrix;	/* M */
 	vec3 rows[3];	/* of its inverse */
+	bool has_others;	/* there are U V W, and then: */
 	vec3 others[SLOT_COUNT];	/* N: directions on the slots of U V W, else 0 */
 	xform table_zero_inverse;	/* T(theta0)^-1 */
 	vec3 gauge_zero;	/* H(theta0) gauge */

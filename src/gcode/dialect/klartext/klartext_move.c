@@ -89,7 +89,7 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 	point[0] = target->point.x;
 	point[1] = target->point.y;
 	point[2] = target->point.z;
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+	for (int slot = 0; words->axes >> slot; slot++) {
 		if (!klartext_words_has(words, slot))
 			continue;
 		if (slot > SLOT_Z) {

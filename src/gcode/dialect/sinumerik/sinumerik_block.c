@@ -53,9 +53,8 @@ static bool add_letter(struct reading *r, char letter, int column, double value,
 {
 	struct sinumerik_block *block = r->block;
 	const int index = letter - 'A', slot = slot_of_letter(letter);
-	const char name[] = {letter, '\0'};
 
-	if (slot < 0 && !sinumerik_way_fits(r->lexer->at, column, name, way, strchr("IJK", letter) != NULL))
+	if (slot < 0 && way != SINUMERIK_WAY_MODAL && !sinumerik_way_fits_letter(r->lexer->at, column, letter, way))
 		return false;
 	if (slot >= 0 && !r->interp->config->has_axis[slot])
 		return fault(r->lexer->at, column, "the machine has no %c axis", letter);

@@ -202,12 +202,14 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 static bool by_tangent(struct interp *interp, const struct sinumerik_block *block, struct circle *c, bool *straight)
 {
 	const struct sinumerik_tangent *before = &sinumerik_of(interp)->tangent;
-	const struct plane_point t = before->direction;
+	const double length = math_hypot(before->way.a, before->way.b);
+	const struct plane_point t = {before->way.a / fmax(length, SAME_POINT),
+				      before->way.b / fmax(length, SAME_POINT)};
 	const struct plane_point way = {c->end.a - c->start.a, c->end.b - c->start.b};
 	const double chord = math_hypot(way.a, way.b), across = t.a * way.b - t.b * way.a;
 	double radius;
 
-	if (!before->known || before->plane != interp->state.plane || !same_double(before->end.a, c->start.a) ||
+	if (!before->known || !(length > SAME_POINT) || before->plane != interp->state.plane || !same_double(before->end.a, c->start.a) ||
 	    !same_double(before->end.b, c->start.b))
 		return fault(&interp->at, circle_column(block),
 			     "CT goes on in the direction of the motion before it, which is not known here: move in its "
@@ -326,7 +328,6 @@ void sinumerik_circle_keep_tangent(struct interp *interp, const slot_values *fro
 	const struct circle_plane *plane = plane_of(interp->state.plane);
 	const double *offset = interp->state.offset.v;
 	struct plane_point way = {to->v[plane->a] - from->v[plane->a], to->v[plane->b] - from->v[plane->b]};
-	double length;
 
 	if (circle) {
 		const double a = to->v[plane->a] - (circle->centre.a - offset[plane->a]);
@@ -334,9 +335,7 @@ void sinumerik_circle_keep_tangent(struct interp *interp, const slot_values *fro
 
 		way = circle->clockwise ? (struct plane_point){b, -a} : (struct plane_point){-b, a};
 	}
-	length = math_hypot(way.a, way.b);
 	sinumerik_of(interp)->tangent = (struct sinumerik_tangent){
-		.known = length > SAME_POINT && (!circle || circle->in_plane), .plane = interp->state.plane,
-		.direction = {way.a / fmax(length, SAME_POINT), way.b / fmax(length, SAME_POINT)},
+		.known = !circle || circle->in_plane, .plane = interp->state.plane, .way = way,
 		.end = {to->v[plane->a], to->v[plane->b]}};
 }

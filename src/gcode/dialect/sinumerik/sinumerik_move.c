@@ -34,15 +34,17 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 		char letter;
 	} corners[] = {{SINUMERIK_CHF, 'L'}, {SINUMERIK_CHR, 'C'}, {SINUMERIK_RND, 'R'}};
 	struct block *shown = &interp->block;
+	uint32_t left = block->letters & (letter_bit('F') | AXIS_BITS);
 
 	shown->motion = motion;
 	shown->g[G_MOTION] = motion;
 	shown->g_column[G_MOTION] = block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code_column[SINUMERIK_MOTION]
 									       : sinumerik_block_axis_column(block);
-	shown->letters = block->letters & (letter_bit('F') | AXIS_BITS);
-	for (const char *letter = "F" AXIS_LETTERS; *letter; letter++) {
-		if (!sinumerik_block_has(block, *letter))
+	shown->letters = left;
+	for (const char *letter = AXIS_LETTERS "F"; left; letter++) {
+		if (!(left & letter_bit(*letter)))
 			continue;
+		left &= ~letter_bit(*letter);
 		shown->value[*letter - 'A'] = block->value[*letter - 'A'];
 		shown->column[*letter - 'A'] = block->column[*letter - 'A'];
 	}

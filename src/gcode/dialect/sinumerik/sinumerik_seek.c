@@ -46,9 +46,10 @@ struct sinumerik_head sinumerik_seek_head(const char *text)
 	    sinumerik_is_digit(text[head.rest + 1])) {
 		size_t length = 0;
 
-		for (at = head.rest; at == head.rest || sinumerik_is_digit(text[at]); at++) {
+		head.number[length++] = sinumerik_upper(text[head.rest]);
+		for (at = head.rest + 1; sinumerik_is_digit(text[at]); at++) {
 			if (length < SINUMERIK_NAME)
-				head.number[length++] = text[at] == ':' ? ':' : sinumerik_upper(text[at]);
+				head.number[length++] = text[at];
 		}
 		head.rest = skip_blanks(text, at);
 	}

@@ -72,9 +72,9 @@ struct sinumerik_polar {
 
 /* The direction in which the last motion has ended, in its plane; program coordinates. */
 struct sinumerik_tangent {
-	bool known;
+	bool known;	/* unless it is too short to have one */
 	int plane;
-	struct plane_point direction;	/* a unit */
+	struct plane_point way;	/* mm: along it */
 	struct plane_point end;	/* where it has ended, mm */
 };
 

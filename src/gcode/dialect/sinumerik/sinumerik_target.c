@@ -274,12 +274,15 @@ bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *
 {
 	const bool line = block->addresses & SINUMERIK_LINE_BIT;
 	const bool shifted = line && sinumerik_polar_is_shifted(interp);
+	uint32_t left = block->letters & AXIS_BITS;
 
 	*target = *sinumerik_frame_place(interp);
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
-		    !find_coordinate(interp, block, slot, &target->v[slot]))
+	for (int slot = 0; left; slot++) {
+		const uint32_t bit = letter_bit(AXIS_LETTERS[slot]);
+
+		if ((left & bit) && !find_coordinate(interp, block, slot, &target->v[slot]))
 			return false;
+		left &= ~bit;
 	}
 	if (line && !sinumerik_polar_find_line(interp, block, shifted, target))
 		return false;

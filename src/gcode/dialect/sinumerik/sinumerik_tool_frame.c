@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/apart.h"
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/tool_length.h"
@@ -61,7 +62,7 @@ static bool change(struct interp *interp, int column, const struct sinumerik_fra
  * Function manual K2, "Frame rotation in tool direction": TOFRAME makes the programmable frame a pure rotation, TOROT
  * replaces its rotation alone, by the same one; without a frame before they are one.
  */
-bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_block *block)
+static APART bool select_frame(struct interp *interp, const struct sinumerik_block *block)
 {
 	const int code = block->code[SINUMERIK_TOOL_FRAME], column = block->code_column[SINUMERIK_TOOL_FRAME];
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -70,7 +71,7 @@ bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_b
 	struct sinumerik_frame frame = sinumerik_frame_none();
 	vec3 tool;
 
-	if (code == CODE_NONE || (code == SINUMERIK_TOROTOF && !sinumerik->tool_frame))
+	if (code == SINUMERIK_TOROTOF && !sinumerik->tool_frame)
 		return true;
 	if (code == SINUMERIK_TOROTOF)
 		return change(interp, column, &frame, false);
@@ -90,6 +91,11 @@ bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_b
 		return false;
 	frame.matrix = frame_of(tool);
 	return change(interp, column, &frame, true);
+}
+
+bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_block *block)
+{
+	return block->code[SINUMERIK_TOOL_FRAME] == CODE_NONE || select_frame(interp, block);
 }
 
 bool sinumerik_tool_frame_check(struct interp *interp, const struct sinumerik_block *block, bool arc)

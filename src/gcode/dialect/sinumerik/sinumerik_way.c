@@ -43,3 +43,10 @@ bool sinumerik_way_fits(const struct line_place *at, int column, const char *wor
 	return fault(at, column, is_coordinate ? "%s takes AC() and IC(), not %s()" : "%s takes a plain value, not %s()",
 		     word, names[way]);
 }
+
+bool sinumerik_way_fits_letter(const struct line_place *at, int column, char letter, unsigned char way)
+{
+	const char word[] = {letter, '\0'};
+
+	return sinumerik_way_fits(at, column, word, way, letter >= 'I' && letter <= 'K');
+}

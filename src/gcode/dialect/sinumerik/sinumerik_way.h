@@ -24,4 +24,7 @@ bool sinumerik_way_read(struct interp *interp, struct lexer *lexer, double *valu
 bool sinumerik_way_fits(const struct line_place *at, int column, const char *word, unsigned char way,
 			bool is_coordinate);
 
+/* The same of a word of one letter that is no axis; I, J and K are coordinates. */
+bool sinumerik_way_fits_letter(const struct line_place *at, int column, char letter, unsigned char way);
+
 #endif
