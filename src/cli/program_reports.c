@@ -157,23 +157,39 @@ static void build_all(struct scene *scene)
 		scene_body_bvh(scene, (int)i);
 }
 
+static size_t mesh_bytes(const struct options *options)
+{
+	return (size_t)(MESH_SHARE * 1e6 * options->report_size);
+}
+
+static void pack_meshes(struct program_reports *reports, struct diag *diag)
+{
+	const struct options *options = reports->options;
+
+	scene_pack_init(&reports->pack, reports->scene, mesh_bytes(options) - reports->stock_bytes);
+	if (reports->pack.left_out)
+		diag_note(diag, (struct srcloc){0},
+			  "the meshes of %zu bodies are left out of the report, which may have %g MB (--report-size)",
+			  reports->pack.left_out, options->report_size);
+}
+
+/* Who waits for the verdict of one program does not wait for the meshes; several programs share them. */
+static bool packs_late(const struct options *options)
+{
+	return options->program_count == 1;
+}
+
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
-	const size_t mesh_bytes = (size_t)(MESH_SHARE * 1e6 * options->report_size);
-
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
 	if (!try_output(options->report, diag) || !try_output(options->glb, diag) ||
 	    !try_output(options->picture, diag))
 		return false;
 	build_all(scene);
-	reports->stock_bytes = scene_stock(scene) < 0 ? 0 : (size_t)(STOCK_SHARE * (double)mesh_bytes);
-	if (options->report)
-		scene_pack_init(&reports->pack, scene, mesh_bytes - reports->stock_bytes);
-	if (reports->pack.left_out)
-		diag_note(diag, (struct srcloc){0},
-			  "the meshes of %zu bodies are left out of the report, which may have %g MB (--report-size)",
-			  reports->pack.left_out, options->report_size);
+	reports->stock_bytes = scene_stock(scene) < 0 ? 0 : (size_t)(STOCK_SHARE * (double)mesh_bytes(options));
+	if (options->report && !packs_late(options))
+		pack_meshes(reports, diag);
 	reports->files = mem_alloc((file_count + 1) * sizeof(*files));
 	memcpy(reports->files, files, file_count * sizeof(*files));
 	reports->programs = mem_zalloc(options->program_count + 1, sizeof(*reports->programs));
@@ -401,6 +417,8 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 	recorder_close(recorder, &error);
 	add_title(&title, reports, recorder, program);
 	if (options->report) {
+		if (packs_late(options))
+			pack_meshes(reports, diag);
 		add_path(&path, options->report, it->name);
 		good = write_html(reports, &report, &stage, strbuf_text(&title), strbuf_text(&path), diag);
 		keep_for_index(it, program, good);

@@ -25,7 +25,20 @@ export class Client {
 		this.running = new Set();
 		/** @type {{start: () => void, cancel: (reason: Error) => void}[]} jobs that wait for a processor */
 		this.waiting = [];
+		/** The worker of the next job. @type {Worker | undefined} */
+		this.spare = undefined;
 		this.free = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8) - 1);
+	}
+
+	newWorker() {
+		return new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+	}
+
+	/** A check is likely to come: loads what each needs, as long as its files are not here. */
+	prepare() {
+		this.spare ??= this.newWorker();
+		this.spare.onerror = () => this.spare = undefined;
+		this.modules.viewer().catch(() => undefined);
 	}
 
 	/** Waits for a processor. */
@@ -52,7 +65,8 @@ export class Client {
 	 */
 	async post(message, modules, listener = {}) {
 		await this.begin();
-		const worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+		const worker = this.spare ?? this.newWorker();
+		this.spare = undefined;
 		/** @type {((reason: Error) => void) | undefined} */
 		let cancel;
 		try {

@@ -4,6 +4,7 @@ import {Client} from './client.js';
 import {Editor} from './editor.js';
 import {exampleFile, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
+import {keepOffline} from './offline.js';
 import {byId, element} from './page.js';
 import {SessionClient} from './session_client.js';
 import {showPairs, startTour} from './tour.js';
@@ -51,6 +52,8 @@ class LearnPage {
 		this.session = undefined;
 		/** The machine that is being loaded; the one before stays until it is. @type {SessionClient | undefined} */
 		this.opening = undefined;
+		/** Machines that are being loaded. */
+		this.loading = 0;
 		/** The same machine once more, for the editor. @type {SessionClient | undefined} */
 		this.scout = undefined;
 		/** @type {Jog | undefined} */
@@ -61,6 +64,7 @@ class LearnPage {
 		this.model = undefined;
 		startTour(this.client);
 		this.offerExamples();
+		keepOffline(() => this.loading > 0);
 		const choose = /** @type {HTMLInputElement} */ (byId('choose'));
 		choose.addEventListener('change', async () => {
 			const files = await Promise.all([...(choose.files ?? [])].map((file) => jobFile(file.webkitRelativePath || file.name, file)));
@@ -85,7 +89,9 @@ class LearnPage {
 	/** What keeps a machine from being opened stands where its name would. @param {Promise<void>} opening */
 	async told(opening) {
 		const say = byId('machine-name'), before = this.model?.machine;
+		this.loading++;
 		await opening.catch(({message}) => say.textContent = `This machine cannot be shown: ${message.trim()}${before === undefined ? '' : `\nWhat stands below is ${before || 'the machine before'}.`}`);
+		this.loading--;
 	}
 
 	/** @param {string} name @param {string[]} paths */
@@ -142,5 +148,3 @@ class LearnPage {
 }
 
 Object.assign(window, {learnPage: new LearnPage()});
-if ('serviceWorker' in navigator)
-	navigator.serviceWorker.register('service_worker.js');

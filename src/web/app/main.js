@@ -9,6 +9,7 @@ import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, isZip, jobFile, 
 import {jobsIn, messagesAt} from './job_list.js';
 import {JobResult} from './job_result.js';
 import {MachineForm} from './machine_form.js';
+import {keepOffline} from './offline.js';
 import {byId, element} from './page.js';
 import {ProgramResult} from './program_result.js';
 import {SetupForm} from './setup_form.js';
@@ -28,7 +29,7 @@ class Page {
 		/** @type {JobFile[]} */
 		this.files = [];
 		this.client = new Client(new URL('.', import.meta.url));
-		this.running = false;
+		this.running = this.opening = false;
 		/** @type {Map<string, Blob>} by the path of the program */
 		this.reports = new Map();
 		/** @type {Map<string, number>} bytes that the check of a program took */
@@ -58,6 +59,7 @@ class Page {
 		this.takeDrops();
 		this.showButtons();
 		this.offerExamples();
+		keepOffline(() => this.opening || this.running);
 	}
 
 	/** A link to a form opens it. */
@@ -96,12 +98,15 @@ class Page {
 
 	/** @param {string[]} paths */
 	async openExample(paths) {
+		this.opening = true;
+		this.client.prepare();
 		this.setFiles([]);
 		try {
 			this.setFiles(await Promise.all(paths.map(exampleFile)));
 		} catch (error) {
 			byId('job').replaceChildren(element('span', {className: 'lack'}, String(error)));
 		}
+		this.opening = false;
 		document.dispatchEvent(new Event('example-open'));
 	}
 
@@ -111,6 +116,7 @@ class Page {
 	 * @param {[string, Blob][]} found
 	 */
 	async add(found) {
+		this.client.prepare();
 		const {unpacked, faults} = await this.unpack(found);
 		const files = atHome(await Promise.all(unpacked.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
 		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
@@ -334,5 +340,3 @@ async function filesBelow(entry) {
 }
 
 Object.assign(window, {fivecheckPage: new Page()});
-if ('serviceWorker' in navigator)
-	navigator.serviceWorker.register('service_worker.js');
