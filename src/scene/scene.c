@@ -15,6 +15,7 @@
 int scene_core(struct scene *scene, int body, double depth)
 {
 	const struct body *cutter = scene->bodies[body].body;
+	struct scene_body *added;
 	struct tool_solid *solid;
 	struct body *core;
 
@@ -29,8 +30,9 @@ int scene_core(struct scene *scene, int body, double depth)
 	core = arena_alloc(&scene->cores, sizeof(*core));
 	*core = *cutter;
 	core->solid = NULL;
-	scene->bodies[scene->body_count + scene->core_count] =
-	    (struct scene_body){.body = core, .depth = depth, .core = solid};
+	added = &scene->bodies[scene->body_count + scene->core_count];
+	*added = (struct scene_body){.body = core, .depth = depth, .core = solid};
+	pthread_mutex_init(&added->building, NULL);
 	return (int)(scene->body_count + scene->core_count++);
 }
 
