@@ -34,7 +34,10 @@ struct program_reports {
 	struct reported_program *programs;
 };
 
-/* Looks whether the files can be written. The meshes are packed now for several programs, later for one. False: reported. */
+/*
+ * Looks whether the files can be written. The meshes are packed now for several programs, later for one. False:
+ * reported.
+ */
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);

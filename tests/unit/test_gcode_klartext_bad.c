@@ -249,6 +249,10 @@ static const struct klartext_fault faults[] = {
 	{"FN 20: WAIT FOR SYNC\nL X+3 FMAX\nFN 18: SYSREAD Q1 = ID240 NR1 IDX1\nL X+Q1 FMAX\n",
 	 "p.nc:5:5: error: Q1 was read from the control (FN 18, ID240 NR1 IDX1), and that value is not known here: to "
 	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
+	/* There and back: the control may read the position on the way. */
+	{"FN 20: WAIT FOR SYNC\nL X+3 FMAX\nL X+0 FMAX\nFN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n",
+	 "p.nc:6:5: error: Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to "
+	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
 	{"FN 28: TABREAD Q1 = +5/\"X,Y\"\nL X+Q2 FMAX\n",
 	 "p.nc:3:5: error: Q2 was read from the control (FN 28), and that value is not known here: to check the "
 	 "program, assign the value by FN 0 behind it"},

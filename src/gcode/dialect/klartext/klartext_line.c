@@ -480,6 +480,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	lexer = klartext_lexer(interp);
 	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))
 		return false;
+	klartext_of(interp)->synchronised &= interp->moves == 0;
 	definition->continued |= definition->open && definition->count > 0 && klartext_continues(interp->at.text);
 	/* A definition in one line, or the last line of one with '~'. */
 	if (definition->open && definition->by_q && !klartext_continues(interp->at.text) &&

@@ -212,7 +212,7 @@ struct klartext {
 	struct klartext_q q[KLARTEXT_Q_COUNT], qr[KLARTEXT_QL_COUNT], ql[KLARTEXT_CALLS_MAX + 1][KLARTEXT_QL_COUNT];
 	struct klartext_string strings[KLARTEXT_STRINGS_MAX];
 	int string_count;
-	bool synchronised; /* FN 20: WAIT FOR SYNC has been met, with the axes here */
+	bool synchronised; /* no block has moved since FN 20: WAIT FOR SYNC, with the axes here */
 	slot_values synchronised_at;
 	bool strings_read; /* FN 28 has read texts that are not known here */
 	struct klartext_call calls[KLARTEXT_CALLS_MAX + 1];

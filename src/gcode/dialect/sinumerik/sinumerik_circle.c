@@ -209,8 +209,8 @@ static bool by_tangent(struct interp *interp, const struct sinumerik_block *bloc
 	const double chord = math_hypot(way.a, way.b), across = t.a * way.b - t.b * way.a;
 	double radius;
 
-	if (!before->known || !(length > SAME_POINT) || before->plane != interp->state.plane || !same_double(before->end.a, c->start.a) ||
-	    !same_double(before->end.b, c->start.b))
+	if (!before->known || !(length > SAME_POINT) || before->plane != interp->state.plane ||
+	    !same_double(before->end.a, c->start.a) || !same_double(before->end.b, c->start.b))
 		return fault(&interp->at, circle_column(block),
 			     "CT goes on in the direction of the motion before it, which is not known here: move in its "
 			     "plane, by G1, G2 or G3, right before it");
