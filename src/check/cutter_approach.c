@@ -130,7 +130,7 @@ void cutter_approach_init(struct cutter_approach *approach, const struct scene *
 void cutter_approach_release(struct cutter_approach *approach)
 {
 	for (size_t i = 0; i < approach->target_count; i++)
-		corner_runs_release(approach->targets[i].corners);
+		corner_runs_free(approach->targets[i].corners);
 	free(approach->targets);
 	free(approach->tools);
 }

@@ -63,7 +63,6 @@ struct corner_runs *corner_runs_new(const struct bvh *bvh)
 	struct corner_runs *runs = mem_zalloc(1, sizeof(*runs));
 	size_t count = 0, capacity = 0;
 
-	runs->holders = 1;
 	runs->kernels = simd_kernels_at_level(bvh->simd_level);
 	if (bvh->mesh.count > RUN_MESH_TRIANGLES)
 		return runs;
@@ -80,16 +79,9 @@ struct corner_runs *corner_runs_new(const struct bvh *bvh)
 	return runs;
 }
 
-struct corner_runs *corner_runs_hold(struct corner_runs *runs)
+void corner_runs_free(struct corner_runs *runs)
 {
-	if (runs)
-		runs->holders++;
-	return runs;
-}
-
-void corner_runs_release(struct corner_runs *runs)
-{
-	if (!runs || --runs->holders > 0)
+	if (!runs)
 		return;
 	free(runs->points);
 	free(runs->runs);

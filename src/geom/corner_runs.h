@@ -14,27 +14,23 @@
 enum { RUN_TRIANGLES = 64 };
 
 /*
- * The mesh of more triangles has no runs: each pair of bodies makes its own, of some ten bytes a triangle, and what
- * they save does not grow with the mesh.
+ * The mesh of more triangles has no runs: they take some ten bytes a triangle, and what they save does not grow with
+ * the mesh.
  */
 enum { RUN_MESH_TRIANGLES = 100000 };
 
-/* Shared by all that hold it, of one thread at a time. */
 struct corner_runs {
 	float *points;	/* owned: groups of eight as for points_reach_fn, from the tree's origin */
 	struct corner_run {
 		uint32_t first, groups;	/* 0 groups: the branch has no run of its own */
 	} *runs;	/* owned: by node of the tree; NULL: no branch has a run */
 	const struct simd_kernels *kernels;	/* of the tree's level */
-	int holders;
 };
 
-/* Who makes the runs holds them, too. */
 struct corner_runs *corner_runs_new(const struct bvh *bvh);
-struct corner_runs *corner_runs_hold(struct corner_runs *runs);
 
-/* The last holder's release frees the runs; NULL is none. */
-void corner_runs_release(struct corner_runs *runs);
+/* NULL is none. */
+void corner_runs_free(struct corner_runs *runs);
 
 /* The point of a run that reaches farthest along n, about. */
 vec3 corner_runs_farthest(const struct corner_runs *runs, const struct corner_run *run, const float n[3]);

@@ -15,6 +15,7 @@
 #include "machine/chain.h"
 #include "machine/motion_bound.h"
 
+struct body_shapes;
 struct coherence;
 
 /* Two bodies and the joints between them. Borrows everything. */
@@ -26,6 +27,7 @@ struct body_pair {
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double rounding;	/* mm: both meshes' together */
 	double extent;	/* mm: the distances of both meshes' farthest corners from their origins, added up, or more */
+	struct body_shapes *shapes[2];	/* of A, B; NULL: no other pair shares them */
 	struct coherence *coherence;	/* axes and triangles that helped last time; NULL: none are kept */
 };
 

@@ -11,6 +11,7 @@
 #include "geom/topology.h"
 #include "machine/tool_core.h"
 #include "machine/tool_solid.h"
+#include "scene/body_shapes.h"
 
 int scene_core(struct scene *scene, int body, double depth)
 {
@@ -46,6 +47,7 @@ void scene_free(struct scene *scene)
 		if (scene->bodies[i].topology)
 			topology_release(scene->bodies[i].topology);
 		free(scene->bodies[i].topology);
+		body_shapes_release(scene->bodies[i].shapes);
 		pthread_mutex_destroy(&scene->bodies[i].building);
 	}
 	for (size_t i = 0; i < scene->pair_count; i++)
@@ -169,12 +171,26 @@ const struct topology *scene_body_topology(struct scene *scene, int body)
 	return b->topology;
 }
 
+static struct body_shapes *shapes_of(struct scene *scene, int body)
+{
+	struct scene_body *b = &scene->bodies[body];
+	const struct bvh *bvh = scene_body_bvh(scene, body);
+
+	pthread_mutex_lock(&b->building);
+	if (!b->shapes)
+		b->shapes = body_shapes_new(bvh, &b->body->placement);
+	pthread_mutex_unlock(&b->building);
+	return b->shapes;
+}
+
 struct body_pair scene_pair_bodies(struct scene *scene, const struct scene_pair *pair)
 {
 	struct body_pair bodies;
 
 	body_pair_init(&bodies, scene_body_bvh(scene, pair->a), scene_body_bvh(scene, pair->b),
 		       &scene->bodies[pair->a].body->placement, &scene->bodies[pair->b].body->placement, &pair->chain);
+	bodies.shapes[0] = shapes_of(scene, pair->a);
+	bodies.shapes[1] = shapes_of(scene, pair->b);
 	return bodies;
 }
 

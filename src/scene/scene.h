@@ -34,7 +34,8 @@ struct scene_body {
 	struct bvh *bvh;	/* NULL, of a core or of a piece made of sections, until scene_body_bvh builds it */
 	struct bvh *coarse;	/* NULL until scene_body_coarse builds it */
 	struct topology *topology;	/* NULL until asked for */
-	pthread_mutex_t building;	/* for these three: each is built by the first thread that needs it */
+	struct body_shapes *shapes;	/* held; NULL until a pair asks for them */
+	pthread_mutex_t building;	/* for these four: each is built by the first thread that needs it */
 	double depth;	/* mm, of a core */
 	const struct tool_solid *core;	/* a core's own sections; its tree is built when a check needs it */
 };

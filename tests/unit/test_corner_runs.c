@@ -81,7 +81,7 @@ START_TEST(the_support_is_just_enough_at_every_level)
 				"case %ld, level %d: %.17g, not %.17Lg", n, level, got, want);
 			require(vec3_dot(m, at) >= (double)want - off - 4e-6 * size - 1e-12 * fabs((double)want),
 				"case %ld, level %d: the point reaches %.17g of %.17Lg", n, level, vec3_dot(m, at), want);
-			corner_runs_release(corners);
+			corner_runs_free(corners);
 			bvh_free(bvh);
 		}
 	}
@@ -107,7 +107,7 @@ START_TEST(every_level_gives_the_same_bits)
 				first = got;
 			require(!(got < first) && !(got > first), "case %ld: level %d says %a, the scalar one %a", n, level,
 				got, first);
-			corner_runs_release(corners);
+			corner_runs_free(corners);
 			bvh_free(bvh);
 		}
 	}

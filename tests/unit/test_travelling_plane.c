@@ -98,8 +98,8 @@ static struct made make_plane(struct scene_of_two *s)
 
 static void release_plane(struct made *made)
 {
-	corner_runs_release(made->corners[0]);
-	corner_runs_release(made->corners[1]);
+	corner_runs_free(made->corners[0]);
+	corner_runs_free(made->corners[1]);
 }
 
 /* A bound may be off by what long double itself is, and no more. */
@@ -297,8 +297,8 @@ START_TEST(motion_across_the_normal_is_free)
 	motion.q0.v[SLOT_Z] = 30;
 	motion.q1.v[SLOT_Z] = 20.5;
 	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion, -INFINITY), 0.5, 1e-3);
-	corner_runs_release(corners[0]);
-	corner_runs_release(corners[1]);
+	corner_runs_free(corners[0]);
+	corner_runs_free(corners[1]);
 	duo_release(&duo);
 }
 END_TEST
@@ -344,8 +344,8 @@ START_TEST(normal_goes_with_its_link)
 		plane_pose_init(&pose, &duo.pair, &turned);
 		n = travelling_plane_normal(&plane, &pose);
 		ck_assert_double_lt(vec3_norm(vec3_sub(n, expected[link])), 1e-12);
-		corner_runs_release(corners[0]);
-		corner_runs_release(corners[1]);
+		corner_runs_free(corners[0]);
+		corner_runs_free(corners[1]);
 	}
 	duo_release(&duo);
 }

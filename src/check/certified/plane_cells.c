@@ -9,6 +9,7 @@
 #include "base/mem.h"
 #include "base/minmax.h"
 #include "check/certified/plane_search.h"
+#include "scene/body_shapes.h"
 
 /*
  * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells
@@ -35,7 +36,7 @@ void plane_cells_init(struct plane_cells *cells, const struct body_pair *bodies)
 void plane_cells_release(struct plane_cells *cells)
 {
 	for (int i = 0; i < 2; i++)
-		corner_runs_release(cells->corners[i]);
+		body_shapes_release(cells->shapes[i]);
 	free(cells->parts);
 	free(cells->cells);
 	*cells = (struct plane_cells){.bodies = cells->bodies};
@@ -45,7 +46,8 @@ void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from)
 {
 	*to = *from;
 	for (int i = 0; i < 2; i++)
-		corner_runs_hold(to->corners[i]);
+		if (to->shapes[i])
+			body_shapes_hold(to->shapes[i]);
 	if (!from->cell_count)
 		return;
 	to->parts = mem_realloc(NULL, from->part_count, sizeof(*to->parts));
@@ -70,6 +72,11 @@ static const struct bvh *bvh_of(const struct plane_cells *cells, int body)
 	return body ? cells->bodies->b : cells->bodies->a;
 }
 
+static const xform *place_of(const struct plane_cells *cells, int body)
+{
+	return body ? &cells->bodies->place_b : &cells->bodies->place_a;
+}
+
 /* The joint next to a body. */
 static const struct joint *joint_next_to(const struct plane_cells *cells, int body)
 {
@@ -78,20 +85,40 @@ static const struct joint *joint_next_to(const struct plane_cells *cells, int bo
 	return &chain->joints[body ? chain->count - 1 : 0];
 }
 
-static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
+/* Those of the body that all its pairs share, or else new ones. */
+static struct body_shapes *shapes_of(const struct plane_cells *cells, int body)
+{
+	const struct body_pair *bodies = cells->bodies;
+
+	return bodies->shapes[body] ? body_shapes_hold(bodies->shapes[body])
+				    : body_shapes_new(bvh_of(cells, body), place_of(cells, body));
+}
+
+/* Of a leaf, or of the whole tree. */
+static void init_profile(struct plane_cells *cells, int body, struct leaf leaf, struct profile *profile)
 {
 	const struct joint *joint = joint_next_to(cells, body);
+	const bool whole = !leaf.count && leaf.first == 0;
+
+	if (whole)
+		body_shapes_profile(cells->shapes[body], joint->location, joint->direction, profile, &cells->visits);
+	else
+		profile_init(profile, bvh_of(cells, body), leaf, place_of(cells, body), joint->location,
+			     joint->direction, &cells->visits);
+}
+
+static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
+{
+	const struct corner_runs *corners = body_shapes_corners(cells->shapes[body]);
 	struct plane_part *part;
 
 	cells->parts =
 	    mem_grow(cells->parts, &cells->part_capacity, cells->part_count + 1, sizeof(*cells->parts));
 	part = &cells->parts[cells->part_count++];
-	*part = (struct plane_part){.body = body, .mesh = mesh_part_of(bvh_of(cells, body), cells->corners[body], leaf),
-				    .has_profile = WITH_PROFILES && joint->rotary};
+	*part = (struct plane_part){.body = body, .mesh = mesh_part_of(bvh_of(cells, body), corners, leaf),
+				    .has_profile = WITH_PROFILES && joint_next_to(cells, body)->rotary};
 	if (part->has_profile)
-		profile_init(&part->profile, bvh_of(cells, body), leaf,
-			     body ? &cells->bodies->place_b : &cells->bodies->place_a, joint->location,
-			     joint->direction, &cells->visits);
+		init_profile(cells, body, leaf, &part->profile);
 }
 
 static void add_cell(struct plane_cells *cells, size_t a, size_t b)
@@ -353,7 +380,7 @@ bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const s
 		return false;
 	if (!cells->cell_count) {
 		for (int i = 0; i < 2; i++) {
-			cells->corners[i] = corner_runs_new(bvh_of(cells, i));
+			cells->shapes[i] = shapes_of(cells, i);
 			add_part(cells, i, (struct leaf){0, 0});
 		}
 		add_cell(cells, 0, 1);

@@ -18,7 +18,7 @@ struct plane_cell;
  */
 struct plane_cells {
 	const struct body_pair *bodies;
-	struct corner_runs *corners[2];	/* held, or NULL before the first search: of A, B */
+	struct body_shapes *shapes[2];	/* held, or NULL before the first search: of A, B */
 	struct plane_part *parts;	/* owned: parts of both bodies */
 	size_t part_count, part_capacity;
 	struct plane_cell *cells;	/* owned; the first one is that of the whole bodies */
