@@ -331,9 +331,16 @@ def zip_archives(bench):
         bad = {"cut.zip": (data[:-30], "it has no end: is it whole?"), "text.zip": (b"no archive", "it has no end: is it whole?"), "empty.zip": (b"", "it has no end: is it whole?"),
                "encrypted.zip": (bytes(encrypted), "a.nc is encrypted"), "longer.zip": (bytes(longer), "a.nc cannot be unpacked: has another length than its archive says"),
                "broken.zip": (data.replace(b"PK\1\2", b"PK\1\1"), "its directory is broken")}
+        damaged = bytearray(open(os.path.join(work, "plain.zip"), "rb").read())  # noqa: SIM115
+        damaged[damaged.index(b"M2\n")] ^= 1
+        pair = open(zipped(os.path.join(work, "pair.zip"), {"a.nc": "M2\n", "b.nc": "M30\n"}), "rb").read()  # noqa: SIM115
+        bad |= {"damaged.zip": (bytes(damaged), "a.nc cannot be unpacked: was damaged"), "twice.zip": (pair.replace(b"b.nc", b"a.nc"), "a.nc is in it twice"),
+                "zero.zip": (pair.replace(b"b.nc", b"b\0nc"), "a file in it has no name, or one with control characters"),
+                "drive.zip": (pair.replace(b"b.nc", b"b:nc"), "b:nc leads out of it")}
         for name, (text, _) in bad.items():
             with open(os.path.join(work, name), "wb") as file:
                 file.write(text)
+        bad["alias.zip"] = (zipped(os.path.join(work, "alias.zip"), {"x/a.nc": "M2\n", "x//./a.nc": "M30\n"}), "x/a.nc is in it twice")
         bad["out.zip"] = (zipped(os.path.join(work, "out.zip"), {"../out.nc": "M2\n"}), "../out.nc leads out of it")
         bad["bomb.zip"] = (zipped(os.path.join(work, "bomb.zip"), {"a.nc": bytes(10 ** 6)}, compression=zipfile.ZIP_DEFLATED), "more than 0.5 MB would come out of it")
         drop(page, *(os.path.join(work, name) for name in bad))
@@ -341,4 +348,43 @@ def zip_archives(bench):
         for name, (_, reason) in bad.items():
             true(f"{name}: {said}", f"{name} cannot be read: {reason}." in said)
         same("no program", page.run("fivecheckPage.of('program').length"), 0)
+    bench.done(page)
+
+
+@test
+def zip_names(bench):
+    """Names of a ZIP are those of an old system where they are no UTF-8; several ZIPs lie in folders of their own; what comes twice is told."""
+    page = bench.open()
+    with tempfile.TemporaryDirectory() as work:
+        old = zipped(os.path.join(work, "old.zip"), {"nc/kAse.nc": "M2\n"})
+        with open(old, "rb") as file:
+            data = file.read().replace(b"nc/kAse.nc", "nc\\käse.nc".encode("cp437"))
+        with open(old, "wb") as file:
+            file.write(data)
+        drop(page, old)
+        same("an old name", page.run("fivecheckPage.files.map(({path}) => path)"), ["nc/käse.nc"])
+        page.run("document.querySelector('#empty').click()")
+        drop(page, *(zipped(os.path.join(work, f"{name}.zip"), {"part.nc": f"({name})\nM2\n"}) for name in ("one", "two")))
+        same("two ZIPs", page.run("fivecheckPage.files.map(({path, text}) => [path, text.split('\\n')[0]]).sort()"), [["one/part.nc", "(one)"], ["two/part.nc", "(two)"]])
+        page.run("document.querySelector('#empty').click()")
+        write(os.path.join(work, "part.nc"), "(loose)\nM2\n")
+        drop(page, os.path.join(work, "one.zip"), os.path.join(work, "part.nc"))
+        same("one of a name", page.run("fivecheckPage.files.map(({path}) => path)"), ["part.nc"])
+        true("it is told", "part.nc came twice" in page.run(ADVICE))
+    bench.done(page)
+
+
+@test
+def names_without_end(bench):
+    """Files that name themselves or no letter, comments without an end and very many files keep the page alive."""
+    page = bench.open()
+    page.run("""await fivecheckPage.add([
+        ['jobs.xml', new Blob(['<jobs version="1"><job name="a" machine="a/jobs.xml" setup="&#x7fffffff;.xml"><program file="a/b/jobs.xml"/></job></jobs>'])],
+        ['setup.xml', new Blob(['<setup version="1"><part mesh="a/setup.xml"/>' + '<!--'.repeat(1e6)])],
+        ['tools.xml', new Blob(['<setup ' + '<tools '.repeat(1e6)])]])""")
+    said = page.run(ADVICE)
+    true(said, "Not here yet: &#x7fffffff;.xml." in said)
+    page.run("document.querySelector('#empty').click()")
+    page.run("await fivecheckPage.add(Array.from({length: 30}, (_, i) => [`photo-${i}.jpg`, new Blob(['x'])]))")
+    same("thirty files", page.run(ADVICE).split("photo-7.jpg")[1], " and 22 others.")
     bench.done(page)

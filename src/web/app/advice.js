@@ -18,7 +18,7 @@ function list(names) {
  * @returns {string[]}
  */
 export function adviceOn(files, replaced) {
-	const named = (/** @type {(file: JobFile) => boolean} */ is) => files.filter(is).map(({path}) => path), list = (/** @type {string[]} */ paths) => paths.join(', ');
+	const named = (/** @type {(file: JobFile) => boolean} */ is) => files.filter(is).map(({path}) => path);
 	const empty = named(({blob}) => blob.size === 0), drawings = named(({path}) => isDrawing(path)), archives = named(({path}) => isArchive(path));
 	const foreign = named(({path}) => isForeignMachine(path)), setups = files.some(({role}) => role === 'setup');
 	const loose = named(({role, path}) => role === 'library' && !files.some((file) => (file.role === 'setup' || file.role === 'machine') && file.text.includes(nameOf(path))));

@@ -2,6 +2,7 @@
 /**
  * job_files.js - what the files that a user dropped are: the machine, its meshes, the setup, the programs.
  */
+import {Files} from './files.js';
 
 /** Enough of a file to see what it is, and as much of an XML file as names other files. */
 const HEAD = 65536, MOST = 1 << 24;
@@ -85,14 +86,21 @@ export async function unreadable(files) {
 }
 
 /**
- * A program that comes without its folder is the edited one, if there is one of its name: it takes the path of that one.
+ * A program, mesh or tool library that comes without its folder is the edited one, if there is one of its name: it takes the
+ * path of that one.
  * @param {JobFile[]} files that come @param {JobFile[]} here
  */
 export function atHome(files, here) {
 	return files.map((file) => {
-		const same = here.filter(({path, role}) => role === 'program' && nameOf(path) === file.path);
-		return file.role === 'program' && same.length === 1 ? {...file, path: same[0].path} : file;
+		const same = here.filter(({path, role}) => role === file.role && nameOf(path) === file.path);
+		return ['program', 'mesh', 'library'].includes(file.role) && same.length === 1 ? {...file, path: same[0].path} : file;
 	});
+}
+
+/** Those whose path one before them has: it would not be sure which of them is meant. @param {JobFile[]} files */
+export function twins(files) {
+	const paths = new Set();
+	return files.filter(({path}) => paths.size === paths.add(path).size);
 }
 
 /** Do two files hold the same bytes? @param {Blob} a @param {Blob} b */
@@ -106,7 +114,7 @@ export async function sameBytes(a, b) {
 /** Files that a setup names as tool libraries are no programs. @param {JobFile[]} files */
 export function withLibraries(files) {
 	const setups = files.filter(({role}) => role === 'setup');
-	const named = new Set(setups.flatMap(({text}) => [...text.matchAll(/<tools\s[^>]*?\bhref=(["'])([^"']+)\1/g)].map(([, , path]) => nameOf(path))));
+	const named = new Set(setups.flatMap(({text}) => [...text.matchAll(/<tools\s[^<>]*?\bhref=(["'])([^"']+)\1/g)].map(([, , path]) => nameOf(path))));
 	return files.map((file) => (file.role === 'program' || file.role === 'other') && named.has(nameOf(file.path)) ? {...file, role: /** @type {Role} */ ('library')} : file);
 }
 
@@ -132,7 +140,10 @@ const ENTITIES = /** @type {Record<string, string>} */ ({lt: '<', gt: '>', amp: 
 
 /** @param {string} value of an attribute of XML */
 function unescaped(value) {
-	return value.replace(/&(?:#x([\da-f]+)|#(\d+)|(lt|gt|amp|quot|apos));/gi, (_, hex, code, name) => name ? ENTITIES[name.toLowerCase()] : String.fromCodePoint(parseInt(hex ?? code, hex ? 16 : 10)));
+	return value.replace(/&(?:#x([\da-f]+)|#(\d+)|(lt|gt|amp|quot|apos));/gi, (all, hex, code, name) => {
+		const letter = parseInt(hex ?? code, hex ? 16 : 10);
+		return name ? ENTITIES[name.toLowerCase()] : letter <= 0x10ffff ? String.fromCodePoint(letter) : all;
+	});
 }
 
 /** The files as they are called in the innermost folder that holds them all. @param {JobFile[]} files */
@@ -150,7 +161,7 @@ function namedIn({role, text}) {
 	if (role !== 'machine' && role !== 'setup' && role !== 'jobs')
 		return [];
 	const attribute = role === 'jobs' ? /\s(?:machine|setup|waivers|file)=(["'])([^"']+)\1/g : /\s(?:mesh|href)=(["'])([^"']+)\1/g;
-	return [...text.replace(/<!--[^]*?-->/g, '').matchAll(attribute)].map(([, , path]) => unescaped(path));
+	return [...text.replace(/<!--[^]*?(?:-->|$)/g, '').matchAll(attribute)].map(([, , path]) => unescaped(path));
 }
 
 /** Folders from somewhere up to a file: do they end alike? @param {string} a @param {string} b */
@@ -175,12 +186,14 @@ function namedFiles(files) {
 	const here = new Map(files.map((file) => [file.path, file])), all = [], asked = new Set(), waiting = [...files];
 	for (let file = waiting.shift(); file; file = waiting.shift()) {
 		for (const named of namedIn(file)) {
-			const path = folderOf(file.path) + named, found = here.get(path) ?? standIn(files, named);
+			const path = folderOf(file.path) + named;
 			if (asked.has(path))
 				continue;
+			const found = here.get(Files.parts(path).join('/')) ?? standIn(files, named);
 			asked.add(path);
 			all.push({path, named, found});
-			if (found && !here.has(path))
+			// No job file is named by another one: what names itself would have no end.
+			if (found && file.role === 'jobs' && found.role !== 'jobs' && !here.has(path))
 				waiting.push({...found, path});
 		}
 	}

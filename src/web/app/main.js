@@ -5,7 +5,7 @@ import {commandLine, copyField, moreOptions, optionsIn} from './check_options.js
 import {Cancelled, Client} from './client.js';
 import {PARTS} from './fivecheck.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, isZip, jobFile, nameOf, sameBytes, unreadable, withLibraries, withMeshes} from './job_files.js';
+import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, unreadable, withLibraries, withMeshes} from './job_files.js';
 import {jobsIn, messagesAt} from './job_list.js';
 import {JobResult} from './job_result.js';
 import {MachineForm} from './machine_form.js';
@@ -118,7 +118,9 @@ class Page {
 	async add(found) {
 		this.client.prepare();
 		const {unpacked, faults} = await this.unpack(found);
-		const files = atHome(await Promise.all(unpacked.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files), paths = new Set(files.map(({path}) => path));
+		const all = atHome(await Promise.all(unpacked.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files);
+		const second = twins(all), files = all.filter((file) => !second.includes(file)), paths = new Set(files.map(({path}) => path));
+		faults.push(...second.map(({path}) => `${path} came twice, from two places: the first is here. If it is the wrong one, drop the other alone.`));
 		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
 		const once = new Set(files.map(({role}) => role).filter((role) => single.includes(role)));
 		const replaced = await Promise.all(files.filter(({role}) => role === 'mesh').map(async ({path, blob}) => {
@@ -129,11 +131,15 @@ class Page {
 		byId('job').prepend(...[...faults, ...(unpacked.length ? [] : ['There is no file in what was dropped.'])].map((text) => element('span', {className: 'lack'}, text)));
 	}
 
-	/** With the files of ZIP archives in place of these; those that cannot be read stay, with the reason. @param {[string, Blob][]} found */
+	/**
+	 * With the files of ZIP archives in place of these; those that cannot be read stay, with the reason. Each of several has a
+	 * folder of its own.
+	 * @param {[string, Blob][]} found
+	 */
 	async unpack(found) {
-		const faults = /** @type {string[]} */ ([]), unpacked = await Promise.all(found.map(async ([path, blob]) => {
+		const several = found.filter(([path]) => isZip(path)).length > 1, faults = /** @type {string[]} */ ([]), unpacked = await Promise.all(found.map(async ([path, blob]) => {
 			try {
-				return isZip(path) ? await filesInZip(path, blob) : [/** @type {[string, Blob]} */ ([path, blob])];
+				return isZip(path) ? await filesInZip(several ? path.replace(/\.zip$/i, '/') : path, blob) : [/** @type {[string, Blob]} */ ([path, blob])];
 			} catch (error) {
 				faults.push(`${path} cannot be read: ${/** @type {Error} */ (error).message}.`);
 				return [/** @type {[string, Blob]} */ ([path, blob])];
@@ -264,6 +270,8 @@ class Page {
 	 */
 	async checkJobs(list, files, options) {
 		const whole = new ProgramResult(list.path, false);
+		/** @type {import('./job_list.js').ListedJob[]} */
+		let listed;
 		byId('results').append(copyField('The same on the command line', commandLine(options, [list.path])), whole.card);
 		try {
 			const {err} = await this.client.run(['--depends', '--', list.path], files, PARTS), faults = messagesAt(err, list.path);
@@ -272,7 +280,8 @@ class Page {
 				whole.fail('Incomplete: the job file is at fault, and no job was checked.');
 				return;
 			}
-			if (!jobsIn(list).length)
+			listed = jobsIn(list);
+			if (!listed.length)
 				throw new Error('no job can be read');
 			whole.card.remove();
 		} catch (error) {
@@ -280,7 +289,7 @@ class Page {
 			return;
 		}
 		let shown = 0;
-		await Promise.all(jobsIn(list).map(({programs, ...job}) => {
+		await Promise.all(listed.map(({programs, ...job}) => {
 			const result = new JobResult(job.name, programs.length);
 			byId('results').append(result.part);
 			return Promise.all(programs.map(async (program) => result.tell(await this.checkOne({...job, program}, files, options, result.part, shown++ < FIRST_REPORTS, job.name))));

@@ -3,6 +3,7 @@
  * zip_files.js - the files in a ZIP archive (APPNOTE.TXT of PKWARE: 4.3.7 local header, 4.3.12 central directory, 4.3.16 its
  * end): stored or deflated, without ZIP64 and encryption.
  */
+import {Files} from './files.js';
 
 /** More than this comes out of no archive: bytes and files. */
 export const LIMITS = {bytes: 1e9, files: 20000};
@@ -12,20 +13,23 @@ const END = 0x06054b50, ENTRY = 0x02014b50, LOCAL = 0x04034b50;
 const END_BYTES = 22, ENTRY_BYTES = 46, LOCAL_BYTES = 30, COMMENT = 65535;
 const ENCRYPTED = 1, STORED = 0, DEFLATED = 8, ZIP64 = 0xffffffff;
 
-/** An entry of the central directory. @typedef {{name: string, flags: number, method: number, packed: number, size: number, offset: number}} Entry */
+/** An entry of the central directory. @typedef {{name: string, flags: number, method: number, crc: number, packed: number, size: number, offset: number}} Entry */
 
 /** @param {Blob} blob @param {number} from @param {number} to */
 async function viewOf(blob, from, to) {
 	return new DataView(await blob.slice(from, to).arrayBuffer());
 }
 
-/** Names are UTF-8, or of an old system. @param {DataView} view @param {number} at @param {number} length */
+/** The letters from 128 on where names are not UTF-8 (appendix D.1): code page 437. */
+const OLD_LETTERS = 'ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0';
+
+/** @param {DataView} view @param {number} at @param {number} length */
 function nameAt(view, at, length) {
 	const bytes = new Uint8Array(view.buffer, view.byteOffset + at, length);
 	try {
 		return new TextDecoder('utf-8', {fatal: true}).decode(bytes);
 	} catch {
-		return new TextDecoder('windows-1252').decode(bytes);
+		return Array.from(bytes, (byte) => byte < 128 ? String.fromCharCode(byte) : OLD_LETTERS[byte - 128]).join('');
 	}
 }
 
@@ -47,31 +51,46 @@ async function directoryOf(archive) {
 		const [name, extra, comment] = [28, 30, 32].map((field) => view.getUint16(here + field, true));
 		if (here + ENTRY_BYTES + name > view.byteLength)
 			throw new Error('its directory is broken');
-		entries.push({name: nameAt(view, here + ENTRY_BYTES, name), flags: view.getUint16(here + 8, true), method: view.getUint16(here + 10, true),
+		entries.push({name: nameAt(view, here + ENTRY_BYTES, name), flags: view.getUint16(here + 8, true), method: view.getUint16(here + 10, true), crc: view.getUint32(here + 16, true),
 			packed: view.getUint32(here + 20, true), size: view.getUint32(here + 24, true), offset: view.getUint32(here + 42, true)});
 		here += ENTRY_BYTES + name + extra + comment;
 	}
 	return entries;
 }
 
-/** @param {ReadableStream<Uint8Array>} stream @param {number} size that it is to have */
-async function collected(stream, size) {
+/** What each byte does to the check sum (4.4.7: CRC-32). */
+const SUMS = Uint32Array.from({length: 256}, (_, sum) => {
+	for (let bit = 0; bit < 8; bit++)
+		sum = sum & 1 ? 0xedb88320 ^ sum >>> 1 : sum >>> 1;
+	return sum;
+});
+
+/** The check sum of bytes that follow others. @param {number} sum of those, inverted @param {Uint8Array} bytes */
+function summed(sum, bytes) {
+	for (let i = 0; i < bytes.length; i++)
+		sum = SUMS[(sum ^ bytes[i]) & 255] ^ sum >>> 8;
+	return sum;
+}
+
+/** @param {ReadableStream<Uint8Array>} stream @param {number} size that it is to have @param {number} crc its check sum */
+async function collected(stream, size, crc) {
 	const reader = stream.getReader(), parts = /** @type {BlobPart[]} */ ([]);
-	let count = 0;
+	let count = 0, sum = -1;
 	for (let step = await reader.read(); !step.done; step = await reader.read()) {
 		count += step.value.length;
 		if (count > size)
 			break;
+		sum = summed(sum, step.value);
 		parts.push(/** @type {any} */ (step.value));
 	}
-	if (count === size)
+	if (count === size && ~sum >>> 0 === crc)
 		return new Blob(parts);
 	await reader.cancel();
-	throw new Error('has another length than its archive says');
+	throw new Error(count === size ? 'was damaged' : 'has another length than its archive says');
 }
 
 /** @param {Blob} archive @param {Entry} entry */
-async function contentsOf(archive, {name, flags, method, packed, size, offset}) {
+async function contentsOf(archive, {name, flags, method, crc, packed, size, offset}) {
 	const local = await viewOf(archive, offset, offset + LOCAL_BYTES);
 	if (flags & ENCRYPTED)
 		throw new Error(`${name} is encrypted`);
@@ -79,10 +98,20 @@ async function contentsOf(archive, {name, flags, method, packed, size, offset}) 
 		throw new Error(`${name} is broken, or packed in another way`);
 	const start = offset + LOCAL_BYTES + local.getUint16(26, true) + local.getUint16(28, true), data = archive.slice(start, start + packed);
 	try {
-		return await collected(method === STORED ? data.stream() : data.stream().pipeThrough(new DecompressionStream('deflate-raw')), size);
+		return await collected(method === STORED ? data.stream() : data.stream().pipeThrough(new DecompressionStream('deflate-raw')), size, crc);
 	} catch (error) {
 		throw new Error(`${name} cannot be unpacked: ${error instanceof Error ? error.message : error}`);
 	}
+}
+
+/** Where a file lies in the folder of its archive; some systems write \ for /. @param {string} name */
+function placeOf(name) {
+	const path = name.replaceAll('\\', '/'), parts = Files.parts(path);
+	if (/^\/|^[a-z]:|(^|\/)\.\.(\/|$)/i.test(path))
+		throw new Error(`${name} leads out of it`);
+	if (!parts.length || [...path].some((letter) => letter < ' '))
+		throw new Error('a file in it has no name, or one with control characters');
+	return parts.join('/');
 }
 
 /**
@@ -91,15 +120,15 @@ async function contentsOf(archive, {name, flags, method, packed, size, offset}) 
  * @returns {Promise<[string, Blob][]>} what is in it, in the folder where it is; fails with a sentence
  */
 export async function filesInZip(path, archive) {
-	const entries = (await directoryOf(archive)).filter(({name}) => !name.endsWith('/')), folder = path.slice(0, path.lastIndexOf('/') + 1);
+	const entries = (await directoryOf(archive)).filter(({name}) => !/[\\/]$/.test(name)), folder = path.slice(0, path.lastIndexOf('/') + 1);
 	if (entries.reduce((sum, {size}) => sum + size, 0) > LIMITS.bytes)
 		throw new Error(`more than ${LIMITS.bytes / 1e6} MB would come out of it`);
-	const outside = entries.find(({name}) => /^\/|\\|(^|\/)\.\.(\/|$)/.test(name));
-	if (outside)
-		throw new Error(`${outside.name} leads out of it`);
+	const places = entries.map(({name}) => placeOf(name)), seen = new Set(), twice = places.find((place) => seen.size === seen.add(place).size);
+	if (twice)
+		throw new Error(`${twice} is in it twice`);
 	/** @type {[string, Blob][]} */
 	const files = [];
-	for (const entry of entries)
-		files.push([folder + entry.name, await contentsOf(archive, entry)]);
+	for (const [i, entry] of entries.entries())
+		files.push([folder + places[i], await contentsOf(archive, entry)]);
 	return files;
 }
