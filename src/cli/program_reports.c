@@ -293,12 +293,6 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 	return stage;
 }
 
-/* mm, as it is shown: never more than was proved. */
-static double shown(double clearance)
-{
-	return floor(clearance * 1e3) / 1e3;
-}
-
 /* One line below the picture. The clearances are bounds: which block is the nearest is known within their accuracy. */
 static void add_title(struct strbuf *out, const struct program_reports *reports, const struct recorder *recorder,
 		      const struct report_program *program)
@@ -312,14 +306,17 @@ static void add_title(struct strbuf *out, const struct program_reports *reports,
 	strbuf_addf(out, "%s: %s", program->name, verdict_word(program->verdict));
 	if (recorder->least < recorder->cap) {
 		const struct scene_pair *pair = &reports->scene->pairs[recorder->least_pair];
+		const char *file = recorder->files[recorder->least_file].name;
 
-		strbuf_addf(out, "; smallest clearance %s, in line %ld: %s and %s, at least %.3f mm apart",
-			    recorder->sampled ? "measured" : "proved", recorder->least_at.line,
-			    reports->scene->bodies[pair->a].body->name, reports->scene->bodies[pair->b].body->name,
-			    shown(recorder->least));
+		strbuf_addf(out, "; smallest clearance %s, in line %ld", recorder->sampled ? "measured" : "proved",
+			    recorder->least_at.line);
+		if (strcmp(file, program->name) != 0)
+			strbuf_addf(out, " of %s", file);
+		strbuf_addf(out, ": %s and %s, at least %.3f mm apart", reports->scene->bodies[pair->a].body->name,
+			    reports->scene->bodies[pair->b].body->name, recorder_shown(recorder->least));
 		if (recorder->sampled)
 			strbuf_addf(out, "; all blocks: at least %.3f mm",
-				    shown(fmin(recorder->bound, recorder->least)));
+				    recorder_shown(fmin(recorder->bound, recorder->least)));
 	}
 }
 
@@ -360,6 +357,7 @@ static bool write_html(const struct program_reports *reports, const struct html_
 	bool good;
 
 	picture_add_svg(&picture, stage, title, false);
+	picture_add_caption(&picture, stage, title);
 	report.picture = &picture;
 	report.files = files;
 	stock_pack_init(&stock, known->recorder, reports->stock_bytes);

@@ -12,6 +12,8 @@ const KINDS = {
 	collision: 'Collision', clearance: 'Too little clearance', limit: 'Axis limit', 'start-overlap': 'Overlap at the start',
 	'rapid-contact': 'Contact while not cutting', gouge: 'Gouge',
 };
+/** s: times are rounded, and this much before the end of a block it is still that block which is carried out. */
+const BEFORE_END = 2e-5;
 /** Cards that are made at once; the rest when asked for. */
 const FIRST_CARDS = 50;
 
@@ -124,7 +126,24 @@ export class FindingsView {
 	nothing() {
 		const {verdict, sentence} = this.model;
 		const good = verdict === 'clear' || verdict === 'passed' || verdict === 'accepted';
-		return h(`div.card.${good ? 'good' : 'doubt'}`, {}, h('b', {}, good ? 'Nothing was found' : 'No finding, but no proof either'), h('p', {}, sentence));
+		return h(`div.card.${good ? 'good' : 'doubt'}`, {}, h('b', {}, good ? 'Nothing was found' : 'No finding, but no proof either'),
+			...(good ? this.smallest() : [h('p', {}, sentence)]));
+	}
+
+	/** How near bodies came to each other, which the proof knows. */
+	smallest() {
+		const {clearance, pairs, bodies, program, sentence} = this.model, smallest = clearance?.smallest;
+		if (!clearance) return [h('p', {}, sentence)];
+		const all = `No two bodies that must be kept apart come nearer to each other than ${fixed(clearance.bound, 3)} mm.`;
+		if (!smallest) return [h('p', {}, all)];
+		const {least, pair, file, line, time} = smallest, [a, b] = [pairs[pair].a, pairs[pair].b].map((body) => bodies[body].name);
+		const measured = least > clearance.bound, where = `line ${grouped(line)}${file === program ? '' : ` of ${file}`}`;
+		return [h('p', {}, `Smallest clearance ${measured ? 'that was measured' : 'that is proved'}: at least ${fixed(least, 3)} mm between ${a} and ${b}, in ${where}.`),
+			measured ? h('p', {}, all) : null,
+			h('div.actions', {}, h('button', {onclick: () => {
+				this.state.pause();
+				this.state.seek(time - BEFORE_END);
+			}}, 'Show'))];
 	}
 
 	/** @param {number} from @param {number} to */

@@ -99,6 +99,8 @@
  *
  * @typedef {Object} Clearance	"at least" of all pairs, over time
  * @property {number} cap	mm: more is not measured
+ * @property {number} bound	mm: of all blocks, as far as the cap
+ * @property {{least: number, pair: number, file: string, line: number, time: number}|null} smallest	that was measured, at the end of its block
  * @property {Float64Array} times	starts of the intervals, and the end of the last
  * @property {Float64Array} least	mm, one for each interval
  * @property {Float64Array} most	the greatest of the bounds that were merged to this interval

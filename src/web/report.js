@@ -78,7 +78,7 @@ async function readClearance(head) {
 	const columns = whole ? joinColumns(await Promise.all(head.chunks.map((/** @type {any} */ _, /** @type {number} */ i) => levels.load(i)))) : levels.coarse;
 	const column = (/** @type {string} */ name) => columns[levels.column(name)];
 	return {
-		cap: head.cap, times: Float64Array.of(head.start, ...column('time')), least: column('least'), most: column('most'), pair: column('pair'),
+		cap: head.cap, bound: head.bound, smallest: head.smallest, times: Float64Array.of(head.start, ...column('time')), least: column('least'), most: column('most'), pair: column('pair'),
 	};
 }
 

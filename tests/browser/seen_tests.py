@@ -57,7 +57,7 @@ def collision(bench):
 
 @test
 def clear(bench):
-    """Nothing was found: nothing is red."""
+    """Nothing was found: nothing is red, and where bodies are nearest is named, once, with a way to go there."""
     for name in ("ac-trunnion", "b-head-c-table", "cb-head"):
         path, findings = bench.example(name, "clear")
         same("findings", findings, [])
@@ -68,6 +68,14 @@ def clear(bench):
         page.run("fivecheck.state.seek(fivecheck.state.model.path.duration * 0.6)")
         page.frames()
         same("red pixels in the middle", page.run(RED), 0)
+        said = page.run("document.querySelector('.findings .card').textContent")
+        smallest = page.run("fivecheck.state.model.clearance.smallest")
+        for words in (f"at least {smallest['least']:.3f} mm between ", f", in line {smallest['line']}."):
+            true(f"{words}: {said}", said.count(words) == 1)
+        true("the sentence stands once", page.run("document.querySelector('.app').textContent.split(fivecheck.state.model.sentence).length") == 2)
+        page.run("document.querySelector('.findings .card button').click()")
+        page.frames()
+        same("shown", page.run(HERE), smallest["line"])
         bench.done(page, f"clear-{name}")
 
 

@@ -69,6 +69,15 @@ caption long.html
 sed -n 1,9p long.nc >short.nc
 fivecheck -q --report=short.html -o /dev/null m.xml short.nc
 caption short.html
+grep -c '^short.nc: clear; smallest.*</figcaption>' short.html
+fivecheck -q --report=nearest.html --clearance-report=nearest.csv -o /dev/null m.xml short.nc
+check nearest.html smallest=nearest.csv
+# It may stand in a subprogram, of which the same is said.
+{ echo 'o<down> sub'; sed -n 4,5p short.nc; echo 'o<down> endsub'; echo 'M2'; } >down.ngc
+printf 'G0 Z0\no<down> call\nG0 Z0\nM2\n' >calls.nc
+fivecheck -q --report=calls.html --clearance-report=calls.csv -o /dev/null m.xml calls.nc
+check calls.html smallest=calls.csv
+caption calls.html
 
 # Straight moves have one row each in --dump-path and here, whatever the tolerance.
 program b.nc <<'NC'

@@ -272,6 +272,20 @@ def check_sharp(report, table):
     check_clearance(report, table, sharp=True)
 
 
+def check_smallest(report, table):
+    """The block that is named as the nearest one has the least clearance of --clearance-report, between the same bodies."""
+    clearance, bodies = report.head["clearance"], report.head["bodies"]
+    named, pair = clearance["smallest"], report.head["pairs"][clearance["smallest"]["pair"]]
+    with open(table, encoding="utf-8") as file:
+        rows = [line.rstrip("\n").split(",") for line in file][1:]
+    least = min(float(row[6]) for row in rows)
+    place = [named["file"], str(named["line"]), *(bodies[body]["name"] for body in (pair["a"], pair["b"]))]
+    assert any(row[1:3] + row[4:6] == place and float(row[6]) < least + 0.001 for row in rows), (place, least)
+    assert least - 0.002 < named["least"] <= least + 1e-4 and clearance["bound"] == named["least"], (named, least)
+    assert any(abs(time - named["time"]) < 1e-5 for time in report.chunks("clearance")["time"])
+    print(f"the nearest block is in {named['file']}")
+
+
 def check_code(report, name):
     with open(name, encoding="utf-8", errors="replace") as file:
         lines = file.read().split("\n")
@@ -305,7 +319,7 @@ def check_planes(report):
 
 CHECKS = {"policy": check_policy, "findings": check_findings, "path": check_path, "pose": check_pose, "contact": check_contact,
           "clearance": check_clearance, "long-clearance": check_long_clearance, "sharp": check_sharp, "code": check_code,
-          "planes": check_planes, "curve": check_curve}
+          "planes": check_planes, "curve": check_curve, "smallest": check_smallest}
 
 
 def main():

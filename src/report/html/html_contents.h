@@ -22,7 +22,7 @@ struct html_contents {
 	size_t file_count;
 	size_t budget;	/* bytes that the file may have, unless what it must have needs more */
 	bool no_code;	/* leave the program's text out */
-	const struct strbuf *picture;	/* an SVG element; or NULL */
+	const struct strbuf *picture;	/* an SVG element and a <figcaption>; or NULL */
 };
 
 #endif

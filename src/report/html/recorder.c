@@ -128,8 +128,8 @@ static void on_block(struct recorder *recorder, const struct motion_block *block
 	const long number = ++recorder->blocks;
 
 	recorder->ends[number % BLOCK_ENDS] = (struct block_end){
-		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool,
-		INFINITY, -1,
+		number, block->file, block->line, recorder->block_from, recorder->now, recorder->position,
+		recorder->tool, INFINITY, -1,
 	};
 	recorder->block_from = recorder->now;
 }
@@ -366,6 +366,16 @@ static void make_planes(struct recorder *recorder)
 		make_plane(recorder, &recorder->wishes[i]);
 }
 
+static double thousandths(double clearance)
+{
+	return floor(clearance / RECORD_CLEARANCE);
+}
+
+double recorder_shown(double clearance)
+{
+	return thousandths(clearance) * RECORD_CLEARANCE;
+}
+
 void recorder_block(struct recorder *recorder, const struct check_block *block)
 {
 	const struct block_end *end = &recorder->ends[block->number % BLOCK_ENDS];
@@ -388,7 +398,7 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 		so_far = block->clearances[i].so_far;
 	}
 	row[CLEARANCE_TIME] = whole(end->to, RECORD_TIME);
-	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)floor(fmin(least, end->found) / RECORD_CLEARANCE);
+	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)thousandths(fmin(least, end->found));
 	row[CLEARANCE_PAIR] = end->found < least ? end->found_pair
 			      : pair < recorder->scene->pair_count ? (int64_t)pair : -1;
 	recorded_table_add(&recorder->clearance, row);
@@ -400,6 +410,7 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 		recorder->least = least;
 		recorder->least_pair = pair;
 		recorder->least_at = *end;
+		recorder->least_file = file_index(recorder, end->file);
 	}
 	beside = recorder->wishes_forced < PLANES_MAX && is_beside_finding(recorder, block->number);
 	if (beside || block->number % recorder->plane_stride == 0)

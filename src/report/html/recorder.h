@@ -61,6 +61,7 @@ struct recorded_finding {
 /* Where a block ended. */
 struct block_end {
 	long number;	/* from 1; 0: none */
+	const char *file;	/* its name, as long as the check goes on */
 	long line;
 	double from, to;	/* s */
 	axis_values axes;
@@ -114,6 +115,7 @@ struct recorder {
 	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
+	size_t least_file;	/* in which it stands: of `files` */
 	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
 	double bound;
 	bool sampled;	/* some blocks were not measured */
@@ -132,6 +134,9 @@ void recorder_release(struct recorder *recorder);
 /* To be called for each finding and for each block that was checked (check_sink). */
 void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style);
 void recorder_block(struct recorder *recorder, const struct check_block *block);
+
+/* mm, in thousandths, as a clearance is shown: never more than was proved. */
+double recorder_shown(double clearance);
 
 /* Completes the tables. False: a temporary file failed; *error is its errno. */
 bool recorder_close(struct recorder *recorder, int *error);

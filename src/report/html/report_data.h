@@ -122,6 +122,10 @@
  * and the part, which are not kept apart, no clearance is measured otherwise. Besides the table's keys:
  *   cap         mm
  *   start       s: where the first interval begins
+ *   bound       mm: of all blocks, the cap or less
+ *   smallest    {least, pair, file, line, time}: the block with the smallest clearance that was measured, and its end;
+ *               with least > bound there are blocks whose clearance was not measured, but proved to be `bound` or
+ *               more. null: none is smaller than the cap
  *
  * PLANES. {columns, scale, blob, rows}: a table of one level. Columns: time (1e-5 s), pair, x, y, z (0.01 mm), nx, ny,
  * nz (1e-6), distance (0.001 mm). From this row's time to the next row's, or to a finding: of this pair two triangles

@@ -197,6 +197,22 @@ static json_t *path_json(const struct html_contents *report)
 	return object;
 }
 
+/* The smallest clearance that was measured, and where. */
+static json_t *smallest_json(const struct recorder *recorder)
+{
+	json_t *object;
+
+	if (!(recorder->least < recorder->cap))
+		return json_null();
+	object = json_object();
+	json_put(object, "least", json_real(recorder_shown(recorder->least)));
+	json_put(object, "pair", json_integer((json_int_t)recorder->least_pair));
+	json_put(object, "file", json_text(recorder->files[recorder->least_file].name));
+	json_put(object, "line", json_integer(recorder->least_at.line));
+	json_put(object, "time", json_real(recorder->least_at.to));
+	return object;
+}
+
 static json_t *clearance_json(const struct recorder *recorder)
 {
 	json_t *object = new_table();
@@ -208,6 +224,8 @@ static json_t *clearance_json(const struct recorder *recorder)
 	json_put(object, "rows", json_integer(recorder->clearance.rows));
 	json_put(object, "cap", json_real(recorder->cap));
 	json_put(object, "start", json_real(recorder->start));
+	json_put(object, "bound", json_real(recorder_shown(fmin(recorder->bound, recorder->least))));
+	json_put(object, "smallest", smallest_json(recorder));
 	return object;
 }
 

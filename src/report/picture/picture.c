@@ -33,6 +33,11 @@ static void add_ring(struct strbuf *out, double x, double y)
 		    x, y, RING, x, y, RING);
 }
 
+static unsigned label_colour(enum paint_class class)
+{
+	return (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3));
+}
+
 /* A small square of the body's colour and its name, on a ground that keeps them readable whatever is behind. */
 static void add_label(struct strbuf *out, const struct stage *stage, int body, enum paint_class class, int row)
 {
@@ -44,7 +49,7 @@ static void add_label(struct strbuf *out, const struct stage *stage, int body, e
 		    width);
 	strbuf_addf(out, "<rect x=\"14\" y=\"%d\" width=\"16\" height=\"16\" fill=\"#%06x\" stroke=\"none\"/>"
 			 "<text x=\"38\" y=\"%d\">",
-		    y - 13, (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3)), y + 1);
+		    y - 13, label_colour(class), y + 1);
 	html_text_add(out, name);
 	strbuf_addf(out, "</text>\n");
 }
@@ -55,6 +60,28 @@ static double title_size(const char *title)
 	const double size = (WIDTH - 28) / (LETTER_WIDTH * (double)(strlen(title) + 1));
 
 	return fmin(FONT_SIZE, fmax(size, FONT_SIZE_MIN));
+}
+
+static bool has_pair(const struct stage *stage)
+{
+	return stage->a >= 0 && stage->b >= 0;
+}
+
+/* What is written in the picture. */
+static void add_words(struct strbuf *out, const struct stage *stage, const char *title)
+{
+	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"%d\" fill=\"#16202b\">\n", FONT_SIZE);
+	if (has_pair(stage)) {
+		add_label(out, stage, stage->a, stage_class_a(stage), 0);
+		add_label(out, stage, stage->b, stage_class_b(stage), 1);
+	}
+	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
+			 "<text x=\"14\" y=\"%d\"", HEIGHT - TITLE, WIDTH, TITLE, HEIGHT - 14);
+	if (title_size(title) < FONT_SIZE)
+		strbuf_addf(out, " font-size=\"%.3g\"", title_size(title));
+	strbuf_addf(out, ">");
+	html_text_add(out, title);
+	strbuf_addf(out, "</text></g>\n");
 }
 
 void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine)
@@ -90,19 +117,29 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 		add_ring(out, at.x, at.y);
 	if (inset.width)
 		add_ring(out, inset.x + 0.5 * inset.width, inset.y + 0.5 * inset.height);
-	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"%d\" fill=\"#16202b\">\n", FONT_SIZE);
-	if (stage->a >= 0 && stage->b >= 0) {
-		add_label(out, stage, stage->a, stage_class_a(stage), 0);
-		add_label(out, stage, stage->b, stage_class_b(stage), 1);
-	}
-	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
-			 "<text x=\"14\" y=\"%d\"", HEIGHT - TITLE, WIDTH, TITLE, HEIGHT - 14);
-	if (title_size(title) < FONT_SIZE)
-		strbuf_addf(out, " font-size=\"%.3g\"", title_size(title));
-	strbuf_addf(out, ">");
-	html_text_add(out, title);
-	strbuf_addf(out, "</text></g>\n</svg>\n");
+	if (fine)
+		add_words(out, stage, title);
+	strbuf_addf(out, "</svg>\n");
 	raster_release(&raster);
+}
+
+static void add_key(struct strbuf *out, const struct stage *stage, int body, enum paint_class class)
+{
+	strbuf_addf(out, "<svg viewBox=\"0 0 12 12\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect width=\"12\" height=\"12\" "
+			 "fill=\"#%06x\"/></svg> ", label_colour(class));
+	html_text_add(out, stage->scene->bodies[body].body->name);
+	strbuf_addf(out, "<br>\n");
+}
+
+void picture_add_caption(struct strbuf *out, const struct stage *stage, const char *title)
+{
+	strbuf_addf(out, "<figcaption>");
+	if (has_pair(stage)) {
+		add_key(out, stage, stage->a, stage_class_a(stage));
+		add_key(out, stage, stage->b, stage_class_b(stage));
+	}
+	html_text_add(out, title);
+	strbuf_addf(out, "</figcaption>\n");
 }
 
 /* ------------------------------------------------------------------- PNG */

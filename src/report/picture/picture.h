@@ -5,8 +5,14 @@
 #include "base/strbuf.h"
 #include "report/picture/stage.h"
 
-/* Appends an element <svg> of a few tens of kB, with `title` for people and screen readers. `fine`: more detail. */
+/*
+ * Appends an element <svg> of a few tens of kB, with `title` for screen readers. `fine`: with more detail, the title and
+ * the names of both bodies below and above the picture; else they are for the caption.
+ */
 void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine);
+
+/* Appends an element <figcaption>: both bodies with their colours, and the title. */
+void picture_add_caption(struct strbuf *out, const struct stage *stage, const char *title);
 
 /* Appends a PNG file. */
 void picture_add_png(struct strbuf *out, const struct stage *stage);
