@@ -259,10 +259,12 @@ static bool add_number(struct strbuf *out, const struct doubt *doubt, const char
 {
 	for (size_t i = 0; i < sizeof(number_fields) / sizeof(*number_fields); i++) {
 		const struct number_field *field = &number_fields[i];
+		double number;
 
 		if (!has_name(field->name, name, length))
 			continue;
-		strbuf_addf(out, "%.*g", field->digits, *(const double *)((const char *)doubt + field->offset));
+		memcpy(&number, (const char *)doubt + field->offset, sizeof(number));
+		strbuf_addf(out, "%.*g", field->digits, number);
 		return true;
 	}
 	return false;

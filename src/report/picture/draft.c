@@ -44,12 +44,12 @@ static void add_triangle(struct draft *draft, const vec3 p[3], uint8_t paint)
 	draft->triangles[draft->count++] = triangle;
 }
 
-/* Around the points. */
+/* Around the points, of which there is at least one. */
 static struct ball ball_around(const vec3 *points, size_t count)
 {
-	vec3 least = points[0], greatest = least;
+	vec3 least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
 
-	for (size_t i = 1; i < count; i++) {
+	for (size_t i = 0; i < count; i++) {
 		const vec3 p = points[i];
 
 		least = (vec3){smaller(least.x, p.x), smaller(least.y, p.y), smaller(least.z, p.z)};
