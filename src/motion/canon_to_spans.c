@@ -8,18 +8,12 @@
 #include "motion/dogleg.h"
 #include "motion/limits.h"
 #include "motion/motion_modes.h"
+#include "motion/move_bounds.h"
 #include "motion/move_path.h"
 #include "motion/timing.h"
 
-/* mm, radians: no machine goes there, and rounding would become visible beyond. */
-#define FARTHEST 1e7
-
-/* The most pieces of a move; more would seem to hang. A move that deviates by less than CURVED mm has far fewer. */
-#define MOST_PIECES 1e8
+/* mm: a move that deviates by less needs few pieces. */
 #define CURVED 1.0
-
-/* Seconds: the longest move. Moves of decades would take the decimals from the clock. */
-#define LONGEST 1e9
 
 static void take_tool(struct canon_to_spans *converter, int number)
 {
@@ -54,51 +48,6 @@ static bool tell(struct canon_to_spans *converter, enum motion_event_kind kind)
 	return converter->sink->event(converter->sink->context, &converter->event);
 }
 
-static struct srcloc place(const struct canon_to_spans *converter, const struct canon_move *move)
-{
-	return (struct srcloc){move->file ? move->file : converter->name, move->line, 0};
-}
-
-/* False: it is farther, or no number. */
-static bool is_near(double position)
-{
-	return fabs(position) <= FARTHEST;
-}
-
-static APART bool fault_of_reach(struct canon_to_spans *converter, const struct canon_move *move)
-{
-	int slot = 0;
-
-	while (is_near(move->end.v[slot]))
-		slot++;
-	diag_error(converter->diag, place(converter, move), "axis %c is sent to %g, farther than can be computed",
-		   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
-	return false;
-}
-
-static bool is_in_reach(struct canon_to_spans *converter, const struct canon_move *move)
-{
-	bool near = true;
-
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		near &= is_near(move->end.v[slot]);
-	if (!near)
-		return fault_of_reach(converter, move);
-	if (move->kind != CANON_ARC ||
-	    (vec3_norm(move->arc.centre) <= FARTHEST && fabs(move->arc.sweep) <= FARTHEST))
-		return true;
-	diag_error(converter->diag, place(converter, move), "the arc is larger than can be computed");
-	return false;
-}
-
-static bool is_bearable(const struct canon_to_spans *converter, const struct canon_move *move, double seconds)
-{
-	if (seconds <= LONGEST)
-		return true;
-	diag_error(converter->diag, place(converter, move), "this takes %g s: check the feed or the dwell", seconds);
-	return false;
-}
-
 /* -------------------------------------------------------------- one move */
 
 /* The values that are the same for all steps of a move. */
@@ -118,19 +67,11 @@ struct run {
 	struct leg legs[SLOT_COUNT];
 };
 
-/* False, reported: the move is so long and so curved that it would need too many pieces. */
-static bool is_countable(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
+static bool is_countable(const struct run *run, const struct path *path)
 {
-	axis_values second_derivative = path_second_derivative(path, 0, 1);
-	double most = 0;
+	const struct canon_to_spans *converter = run->converter;
 
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		most = fmax(most, second_derivative.v[slot]);
-	if (sqrt(most / (8 * converter->flatness)) <= MOST_PIECES)
-		return true;
-	diag_error(converter->diag, place(converter, move),
-		   "this move would take more than %g straight pieces; give it fewer turns", MOST_PIECES);
-	return false;
+	return move_is_countable(run->move, path, converter->flatness, converter->diag, converter->name);
 }
 
 /*
@@ -149,7 +90,7 @@ static APART bool swing_out(struct run *run, const struct path *box)
 	guided->kind = PATH_TCP;
 	guided->tcp = &converter->tcp;
 	span_init(&run->guided.span, guided);
-	if (!span_is_flat(&run->guided.span, CURVED) && !is_countable(converter, run->move, guided))
+	if (!span_is_flat(&run->guided.span, CURVED) && !is_countable(run, guided))
 		return false;
 	span_walk_init(&walk, &run->guided.span, converter->flatness);
 	while (span_walk_next(&walk, &piece)) {
@@ -262,13 +203,13 @@ static bool set_legs(struct run *run)
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, path))
 		return false;
 	span_init_from(&leg->span, &leg->path, &converter->position);
-	if (!span_is_flat(&leg->span, CURVED) && !is_countable(converter, move, path))
+	if (!span_is_flat(&leg->span, CURVED) && !is_countable(run, path))
 		return false;
 	if (move->kind != CANON_RAPID)
 		seconds = timing_programmed(path, &move->feed);
 	leg->path.seconds = timing_held(&converter->axes, &leg->span, converter->flatness, seconds);
 	run->count = 1;
-	return is_bearable(converter, move, leg->path.seconds);
+	return move_is_bearable(move, leg->path.seconds, converter->diag, converter->name);
 }
 
 static bool report_crossing(struct run *run, const struct path *path, double before,
@@ -432,9 +373,9 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		add_spread(&run);
 		add_turn_spread(&run);
 	}
-	if (!is_in_reach(converter, move) ||
+	if (!move_is_in_reach(move, converter->diag, converter->name) ||
 	    (cutter_hand_is_asked(move) &&
-	     !cutter_hand_ask(&converter->hand, converter->diag, place(converter, move))) ||
+	     !cutter_hand_ask(&converter->hand, converter->diag, move_place(move, converter->name))) ||
 	    !set_legs(&run))
 		return false;
 	if (!run.count)
@@ -442,7 +383,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	add_following(&run);
 	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
 		run.tolerance.v[slot] += run.swing.v[slot];
-	length_check_move(&converter->length, converter->diag, place(converter, move), move);
+	length_check_move(&converter->length, converter->diag, move_place(move, converter->name), move);
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;
@@ -482,7 +423,7 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 		ok = carry_out(converter, move);
 		break;
 	case CANON_DWELL:
-		ok = is_bearable(converter, move, move->seconds);
+		ok = move_is_bearable(move, move->seconds, converter->diag, converter->name);
 		converter->time += ok ? move->seconds : 0;
 		break;
 	case CANON_TOOL_CHANGE:
