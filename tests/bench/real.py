@@ -5,7 +5,8 @@ import judge
 from measure import median, rounds, say
 from scene import Scene
 
-COLUMNS = ['program', 'blocks', 'certified', 'conventional', 'interpolated', 'parse_only', 'checked_by_read', 'fcl', 'verdict']
+COLUMNS = ['program', 'blocks', 'certified', 'conventional', 'interpolated', 'parse_only', 'checked_by_read',
+           'checked_a_second', 'fcl', 'verdict']
 
 
 def scenes(tools, out):
@@ -49,7 +50,9 @@ def rows(tools, out):
         times = ['%.6g' % (median([s.checking() for s in run]) / blocks) for run in runs]
         whole = [s.cpu for s in runs[0]]
         read_by = '%.3g' % (median(whole) / max(median(read), 1e-9))
+        a_second = '%.3g blocks/s' % (blocks / max(median(whole), 1e-9))
         verdict = ('clear', 'contact')[runs[0][0].status]
         result.append(dict(zip(COLUMNS, [scene.name, blocks] + times +
-                               ['%.6g' % (median(read) / blocks), read_by, fcl(tools, scene, verdict), verdict])))
+                               ['%.6g' % (median(read) / blocks), read_by, a_second,
+                                fcl(tools, scene, verdict), verdict])))
     return result
