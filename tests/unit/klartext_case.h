@@ -9,6 +9,7 @@ static const struct tool klartext_tools[] = {
 	{.number = 2, .name = "DRILL 5", .length = 40, .length_offset = 40, .diameter = 5, .point_angle = 1.5707963267948966},
 	{.number = 3, .name = "TWIN", .length = 10, .length_offset = 10},
 	{.number = 4, .name = "TWIN", .length = 20, .length_offset = 20},
+	{.number = 6, .name = "1.2", .length = 30, .length_offset = 30},
 };
 static const struct work_offset klartext_presets[] = {
 	{.name = "G54.1 P1", .value = {{0}}},
@@ -26,7 +27,7 @@ static inline void klartext_case(struct gcode_case *c)
 	c->config.controller.cycle_19_angles = CYCLE_19_ANGLES_SPATIAL;
 	c->config.has_setup = true;
 	c->config.tools = klartext_tools;
-	c->config.tool_count = 4;
+	c->config.tool_count = 5;
 	c->config.work_offsets = klartext_presets;
 	c->config.work_offset_count = 1;
 }

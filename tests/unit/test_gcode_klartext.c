@@ -25,6 +25,8 @@ static const struct klartext_program lexis[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"/L X+1 FMAX\nL X+2 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"7 /L X+1 FMAX\n8 / L X+2 FMAX\n/ 9 L X+3 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
 	{"BLK FORM 0.1 Z X+0 Y+0 Z-20\nBLK FORM 0.2 X+100 Y+100 Z+0\nL X+1 FMAX\n",
 	 "rapid 1 0 0 0 0\n"},
 	{"STOP M57\nL X+1 FMAX\n",
@@ -53,6 +55,9 @@ static const struct klartext_program lexis[] = {
 	 "tool 1\nrapid 0 0 100.5 0 0\n"},
 	{"TOOL CALL 1 Z\nL Z+0 FMAX\nTOOL CALL 2 Z\nL Z+0 FMAX\nTOOL CALL 0 Z\nL Z+0 FMAX\n",
 	 "tool 1\nrapid 0 0 100 0 0\ntool 2\nrapid 0 0 40 0 0\ntool 0\nrapid 0 0 0 0 0\n"},
+	/* The second set of data of tool 1. */
+	{"TOOL CALL 1.2 Z S100\nL Z+0 FMAX\nTOOL CALL 1 Z\nTOOL CALL 1,2 Z\nL Z+1 FMAX\n",
+	 "tool 6\nrapid 0 0 30 0 0\ntool 1\ntool 6\nrapid 0 0 31 0 0\n"},
 	{"TOOL DEF 2\nTOOL CALL 1 Z S100\nM6\nL X+1 FMAX\n",
 	 "tool 1\nrapid 1 0 0 0 0\n"},
 	{"TOOL DEF 1 L100 R5\nTOOL CALL 1 Z\n",
@@ -145,10 +150,13 @@ START_TEST(datum_row)
 	c.config.work_offset_count = 3;
 	ck_assert_msg(klartext_run(&c, "SEL TABLE \"TNC:\\NUL.D\"\nQ1=12\nCYCL DEF 7.0 DATUM\nCYCL DEF 7.1 #Q1\n"
 				       "L X+0 Y+0 Z+0 C+10 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\nL X+0 Y+0 FMAX\n"
-				       "CYCL DEF 7.0\nCYCL DEF 7.1 #0\nL X+0 Y+0 Z+0 C+10 FMAX\n"),
+				       "CYCL DEF 7.0\nCYCL DEF 7.1 #0\nL X+0 Y+0 Z+0 C+10 FMAX\n"
+				       "TRANS DATUM TABLE TABLINE12 \"TNC:\\NUL.D\"\nL X+2 Y+2 Z+2 C+0 FMAX\n"
+				       "TRANS DATUM RESET\nTRANS DATUM TABLE TABLINE Q1\nL X+3 FMAX\n"),
 		      "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.moves),
-			 "rapid 101 2 3 0 100\nrapid 105 2 3 0 100\nrapid 100 0 0 0 10\n");
+			 "rapid 101 2 3 0 100\nrapid 105 2 3 0 100\nrapid 100 0 0 0 10\n"
+			 "rapid 103 4 5 0 90\nrapid 104 4 5 0 90\n");
 	case_release(&c);
 }
 END_TEST

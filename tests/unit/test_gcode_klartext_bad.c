@@ -302,7 +302,7 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:11: error: the setup has two tools named \"TWIN\", T3 and T4"},
 	{"TOOL CALL 1 Y\n",
 	 "p.nc:2:13: error: another tool axis than Z is not supported yet"},
-	{"TOOL CALL 1.2 Z\n",
+	{"TOOL CALL 1.25 Z\n",
 	 "p.nc:2:11: error: a tool's number is a whole number from 0 to 32767"},
 	{"TOOL CALL 1 Z Q\n",
 	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, DL, DR and DR2"},

@@ -3,7 +3,8 @@
 
 static const struct klartext_fault faults[] = {
 	{"FUNCTION MODE MILL \"HEAD2\"\n",
-	 "p.nc:2:20: error: FUNCTION MODE MILL with another kinematics is not supported"},
+	 "p.nc:2:20: error: FUNCTION MODE MILL with another kinematics is not supported: leave its name out, and "
+	 "check the program with the machine file of these kinematics"},
 	{"L M128\nTOOL CALL 1 Z\n",
 	 "p.nc:3:11: error: TOOL CALL while M128 is in force: the manual wants M129 first"},
 	{"CYCL DEF 7.1 X+5\n",
@@ -53,6 +54,14 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45\nL X+1 FMAX\n",
 	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
 	 "plane (Q120 to Q122) is not supported"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\nCYCL DEF 19.0\nCYCL DEF 19.1 B+0 C+0\n",
+	 "p.nc:7:10: error: CYCL DEF 19 without A behind PLANE or an empty CYCL DEF 19: which angle it keeps is not known "
+	 "here; name A, B and C"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nCYCL DEF 19.0\nCYCL DEF 19.1 A-45 C+0\n",
+	 "p.nc:4:10: error: CYCL DEF 19 without B behind PLANE or an empty CYCL DEF 19: which angle it keeps is not known "
+	 "here; name A, B and C"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 B+0 C+0\nCYCL DEF 19.2 F1000 ABST50\n",
+	 "p.nc:4:10: error: CYCL DEF 19 without angles has neither F nor a set-up clearance"},
 	{"CYCL DEF 247 Q339=5\n",
 	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 "
 	 "P5\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
@@ -207,7 +216,14 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 7 DATUM SHIFT\n",
 	 "p.nc:2:10: error: CYCL DEF 7 is written in lines 7.0, 7.1 and on"},
 	{"TRANS DATUM TABLE\n",
-	 "p.nc:2:13: error: TRANS DATUM TABLE is not supported yet: write AXIS with values"},
+	 "p.nc:2:18: error: TRANS DATUM TABLE needs TABLINE and a row"},
+	{"TRANS DATUM TABLE TABLINE7\n",
+	 "p.nc:2:26: error: the setup has no row 7 of the datum table: add <work_offset name=\"#7\" X=\"\" Y=\"\" Z=\"\"/> "
+	 "with its values"},
+	{"TRANS DATUM X+5\n", "p.nc:2:13: error: TRANS DATUM needs AXIS, TABLE or RESET"},
+	{"TOOL CALL 7.1 Z S100\n",
+	 "p.nc:2:11: error: the setup defines no tool named \"7.1\": add <tool number=\"\" name=\"7.1\" length=\"\"/> with what "
+	 "it is made of"},
 	{"TRANS SCALE SCL2\n",
 	 "p.nc:2:13: error: a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" or \"all\" of the "
 	 "machine's <controller> says it, or give the factors of X, Y and Z by CYCL DEF 26"},

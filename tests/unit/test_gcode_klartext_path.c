@@ -149,6 +149,11 @@ static const struct klartext_program planes[] = {
 	 "L Z+9 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"
 	 "tcp off length 0 zero A0 C0\nrapid 1 3 9 90 0\n"},
+	/* An angle of cycle 19 that is left out keeps its value. */
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-90 B+0 C+0\nL A+Q120 C+Q122 FMAX\nCYCL DEF 19.0\nCYCL DEF 19.1 B+0 C+0\n"
+	 "L X+1 Y+2 Z+3 FMAX\n",
+	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\norient 0 1 0\n"
+	 "tcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 8.66025404 -5 30 0 tcp\n"},

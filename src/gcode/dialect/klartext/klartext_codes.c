@@ -180,7 +180,7 @@ static const struct code_word words[] = {
     {"SEL TABLE", CODE_READ, "datum table: its rows are those of the setup"},
     {"SEL PATTERN", CODE_READ, "point table, a file beside the program"},
     {"SEL CONTOUR, SEL CYCLE", CODE_REFUSED, "selection of contours and cycles"},
-    {"TRANS DATUM", CODE_READ, "datum shift by AXIS and values, or RESET"},
+    {"TRANS DATUM", CODE_READ, "datum shift by AXIS and values, by TABLE and a row, or RESET"},
     {"TRANS MIRROR", CODE_READ, "mirror image by AXIS and letters, or RESET"},
     {"TRANS ROTATION", CODE_READ, "rotation by ROT, or RESET"},
     {"TRANS SCALE", CODE_READ, "scaling by SCL, of the axes that cycle_11_axes says, or RESET"},

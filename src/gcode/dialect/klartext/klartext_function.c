@@ -189,6 +189,8 @@ bool klartext_function_mode(struct lexer *lexer)
 		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return klartext_ends(lexer) || fault(lexer->at, klartext_column(lexer),
-						     "FUNCTION MODE MILL with another kinematics is not supported");
+						     "FUNCTION MODE MILL with another kinematics is not supported: leave its "
+						     "name out, and check the program with the machine file of these "
+						     "kinematics");
 	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");
 }

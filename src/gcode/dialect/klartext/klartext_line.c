@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "gcode/dialect/klartext/klartext_approach.h"
+#include "gcode/dialect/klartext/klartext_call.h"
 #include "gcode/dialect/klartext/klartext_circle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
-#include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_define.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
@@ -17,8 +17,6 @@
 #include "gcode/dialect/klartext/klartext_join.h"
 #include "gcode/dialect/klartext/klartext_kept.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
-#include "gcode/dialect/klartext/klartext_m.h"
-#include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_straight.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
@@ -102,52 +100,12 @@ static bool tool(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "TOOL needs CALL or DEF");
 }
 
-static bool call_pattern(struct lexer *lexer, int column)
-{
-	struct interp *interp = lexer->context;
-	struct klartext_words words;
-	struct canon_feed feed;
-	bool rapid;
-
-	if (!klartext_words_read(lexer, &words))
-		return false;
-	if (words.axes)
-		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates");
-	/* "If you do not enter a feed rate, the control uses the last programmed feed rate"; a rapid where there is none. */
-	rapid = !words.feed && !(interp->state.feed_linear > 0);
-	if (!rapid && !klartext_move_feed(interp, &words, &rapid, &feed))
-		return false;
-	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column, rapid ? NULL : &feed) &&
-	       klartext_m_end(interp, &words);
-}
-
-/* CYCL CALL: like a block of M-functions, behind which the cycle is called. */
-static bool call_cycle(struct lexer *lexer)
-{
-	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
-	struct klartext_words words;
-	double shift;
-
-	if (klartext_take(lexer, "PAT"))
-		return call_pattern(lexer, column);
-	if (klartext_take(lexer, "POS"))
-		return klartext_straight_cycle_position(lexer, &shift) &&
-		       klartext_cycle_call_shifted(interp, column, shift);
-	if (!klartext_words_read(lexer, &words))
-		return false;
-	if (words.axes)
-		return fault(lexer->at, words.first_column, "CYCL CALL with coordinates is written as CYCL CALL POS");
-	return klartext_m_start(interp, &words) && klartext_cycle_call(interp, column) &&
-	       klartext_m_end(interp, &words);
-}
-
 static bool cycle(struct lexer *lexer)
 {
 	if (klartext_take(lexer, "DEF"))
 		return klartext_define_read(lexer);
 	if (klartext_take(lexer, "CALL"))
-		return call_cycle(lexer);
+		return klartext_call_run(lexer);
 	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
 }
 
@@ -432,6 +390,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	if (!count_block(interp) || !check_begun(lexer))
 		return false;
 	lexer->position = start;
+	lexer_peek(lexer);
 	if (byte == '/' && interp->config->read.block_delete)
 		return true;
 	if (byte == '/') {

@@ -116,6 +116,7 @@ bool klartext_plane_run(struct lexer *lexer)
 	if (!klartext_tilt_read(lexer, &klartext->frame.tilt, &tilt) || !read_options(lexer, &request) ||
 	    !check(interp, request.column) || !klartext_preset_check(interp, request.column))
 		return false;
+	klartext->cycle_19_counts = false;
 	if (tilt.reset)
 		return klartext_swivel_reset(interp, &request);
 	return tilt.axes ? klartext_swivel_axial(interp, &request, tilt.axes, tilt.angle)
@@ -155,6 +156,35 @@ static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle
 	       fault(&interp->at, cycle->column, "a set-up clearance of CYCL DEF 19 needs F beside it");
 }
 
+/*
+ * TNC 640 cycle user's manual, "WORKING PLANE (Cycle 19)": an angle that is left out keeps its value, which is why the
+ * manual wants all three. False: reported.
+ */
+static bool complete(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const bool counts = klartext->cycle_19_counts;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		double *kept = &klartext->cycle_19[slot - SLOT_A];
+
+		if (tilt->axes & 1U << slot) {
+			*kept = tilt->angle[slot];
+			continue;
+		}
+		if (!counts && (klartext->frame.tilted || !same_double(*kept, 0)))
+			return fault(&interp->at, cycle->column,
+				     "CYCL DEF 19 without %c behind PLANE or an empty CYCL DEF 19: which angle it keeps "
+				     "is not known here; name A, B and C",
+				     AXIS_LETTERS[slot]);
+		tilt->angle[slot] = *kept;
+	}
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		tilt->axes |= same_double(tilt->angle[slot], 0) ? 0 : 1U << slot;
+	klartext->cycle_19_counts = true;
+	return true;
+}
+
 static bool is_level(const struct klartext_tilt *tilt)
 {
 	return same_double(tilt->angle[SLOT_A], 0) && same_double(tilt->angle[SLOT_B], 0) &&
@@ -190,8 +220,16 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 
 	if (!read_cycle(interp, cycle, &tilt, &request) || !check(interp, cycle->column))
 		return false;
+	if (!tilt.axes && cycle->count)
+		return fault(&interp->at, cycle->column, "CYCL DEF 19 without angles has neither F nor a set-up clearance");
+	if (!tilt.axes) {
+		klartext_of(interp)->cycle_19_counts = false;
+		return klartext_swivel_reset(interp, &request);
+	}
+	if (!complete(interp, cycle, &tilt))
+		return false;
 	if (is_level(&tilt))
-		return tilt.axes ? klartext_swivel_level(interp, &request) : klartext_swivel_reset(interp, &request);
+		return klartext_swivel_level(interp, &request);
 	if (angles == CYCLE_19_ANGLES_UNKNOWN)
 		return fault(&interp->at, cycle->column,
 			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "

@@ -263,6 +263,8 @@ struct klartext {
 	bool waits;
 	bool rotary_needed[SLOT_COUNT];
 	axis_values rotary; /* radians */
+	double cycle_19[3]; /* A, B and C as CYCL DEF 19 has given them, degrees */
+	bool cycle_19_counts; /* neither PLANE nor an empty CYCL DEF 19 has come since */
 	struct klartext_cycle definition; /* under way */
 	struct klartext_cycle cycle; /* that M99 and CYCL CALL carry out */
 	bool modal_call; /* M89 */

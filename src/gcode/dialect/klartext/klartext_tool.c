@@ -54,7 +54,23 @@ static bool find_by_name(struct lexer *lexer, const char *name, int column, int 
 	return true;
 }
 
-/* 5, "NAME"; an indexed tool, 5.2, is one that a setup cannot name. */
+/* "5.2": the second set of data of a tool with several cutters. The setup has it as a tool of this name. */
+static bool read_index(struct lexer *lexer, char name[KLARTEXT_NAME])
+{
+	const char *text = lexer->at->text + lexer->position;
+	const size_t digits = strspn(text, "0123456789"), length = digits + 2;
+
+	if (digits == 0 || length >= KLARTEXT_NAME || (text[digits] != '.' && text[digits] != ',') ||
+	    strspn(text + digits + 1, "0123456789") != 1 || text[digits + 1] == '0')
+		return false;
+	memcpy(name, text, length);
+	name[digits] = '.';
+	name[length] = '\0';
+	lexer->position += length;
+	return true;
+}
+
+/* 5, 5.2, "NAME". */
 static bool read_tool(struct lexer *lexer, int *number, int *column)
 {
 	char byte = lexer_peek(lexer), name[KLARTEXT_NAME];
@@ -63,6 +79,8 @@ static bool read_tool(struct lexer *lexer, int *number, int *column)
 	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer))
 		return klartext_string_name(lexer, "a tool's name", name) &&
 		       find_by_name(lexer, name, *column, number);
+	if (read_index(lexer, name))
+		return find_by_name(lexer, name, *column, number);
 	return klartext_integer(lexer, "a tool's number", 0, 32767, number);
 }
 

@@ -32,6 +32,19 @@ static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
 	return true;
 }
 
+/* "TRANS DATUM TABLE TABLINE5": a row, and the name of its table if it is not the one that SEL TABLE has named. */
+static bool read_row(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	struct klartext_cycle_word *row = &cycle->words[0];
+
+	if (!klartext_take(lexer, "TABLINE"))
+		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM TABLE needs TABLINE and a row");
+	*row = (struct klartext_cycle_word){
+	    .name = "#", .given = true, .column = klartext_column(lexer), .line = lexer->at->line};
+	cycle->count = 1;
+	return klartext_value(lexer, &row->value) && (klartext_ends(lexer) || klartext_transform_table(lexer));
+}
+
 /* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET takes it back. */
 static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 {
@@ -44,9 +57,10 @@ static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 		}
 		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, cycle);
 	}
+	if (klartext_take(lexer, "TABLE"))
+		return read_row(lexer, cycle) && klartext_frame_shift(lexer->context, cycle);
 	if (!klartext_take(lexer, "AXIS"))
-		return fault(lexer->at, klartext_column(lexer),
-			     "TRANS DATUM TABLE is not supported yet: write AXIS with values");
+		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM needs AXIS, TABLE or RESET");
 	return klartext_define_read_axes(lexer, cycle) && check_datum(lexer, cycle) &&
 	       klartext_frame_shift(lexer->context, cycle);
 }
