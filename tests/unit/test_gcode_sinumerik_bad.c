@@ -43,6 +43,8 @@ static const struct refused_program programs[] = {
 	 "A3=, B3= and C3= need TRAORI, which turns the tool into their direction"},
 	{"G500 SCALE X2\nG0 X1\nF6 G2 X10 I5\n", 3, 4,
 	 "the radius of the circle is 5 mm at its start and 4 mm at its end"},
+	{"G500 SCALE X2 Y2\nG0 X1\nF6 G18 G2 X1 Z10 K5\n", 3, 8,
+	 "a circle where the frame scales the axes of its plane differently is none any more; SCALE both alike"},
 	{"G500 SCALE X0\n", 1, 6,
 	 "a scale must be greater than 0"},
 	{"G500 SCALE X=-1\n", 1, 6,

@@ -100,6 +100,11 @@ static const struct program programs[] = {
 	{"G500 SCALE X2 Y2 Z2\nG0 X10 Y5\nG3 F6 X10 Y15 CR=5\nATRANS X1\nG0 X0 Y0 Z0\n",
 	 "rapid 20 10 0 0 0\narc 20 30 0 0 0 centre 20 20 0 normal 0 0 1 sweep 180\n"
 	 "rapid 2 0 0 0 0\n"},
+	/* In a plane whose axes are scaled alike a circle stays one; its height is scaled by itself, and X and Y alone. */
+	{"G500 SCALE X2 Y2\nG0 X10 Y5\nG3 F6 X10 Y15 Z4 CR=5\n",
+	 "rapid 20 10 0 0 0\narc 20 30 4 0 0 centre 20 20 0 normal 0 0 1 sweep 180\n"},
+	{"G500 G18 ROT RPL=90\nASCALE X2 Z2\nG0 X10 Z5\nG3 F6 X10 Z15 I0 K5 Y1\n",
+	 "rapid 10 0 -20 0 0\narc 30 1 -20 0 0 centre 20 0 -20 normal 0 1 0 sweep 180\n"},
 	{"G500 SCALE X2\nG0 X10 Y5\n",
 	 "rapid 20 5 0 0 0\n"},
 	{"G500 MIRROR X0\nG0 X10 Y0\nG2 F6 X20 Y0 I5\nAMIRROR Y0\nG0 X1 Y1\n",

@@ -1,5 +1,5 @@
 /* test_gcode_sinumerik_flow.c - small programs of the sinumerik dialect: variables, conditions, loops, jumps, repeated parts. */
-#include "sinumerik_case.h"
+#include "sinumerik_refused.h"
 
 struct program {
 	const char *text, *moves;
@@ -17,6 +17,20 @@ static const struct program programs[] = {
 	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nfeed 2 1 0 0 0\n"},
 	{"F6 G500\nREPEAT FROM UPTO P=2\nSUB\nM30\nFROM:\nX=IC(1)\nUPTO: SUB\n%_N_SUB_SPF\nZ=IC(1)\nM17\n",
 	 "feed 1 0 0 0 0\nfeed 1 0 1 0 0\nfeed 2 0 1 0 0\nfeed 2 0 2 0 0\nfeed 2 0 3 0 0\n"},
+	/* Posts end all of their parts with one label, behind M30. */
+	{"F6 G500\nREPEAT PART2 PART0\nREPEAT PART1 PART0\nM30\nPART1:\nX=IC(1)\nPART0:\nPART2:\nY=IC(1)\nPART0:\n",
+	 "feed 0 1 0 0 0\nfeed 1 1 0 0 0\n"},
+	{"F6 G500\nCALL BLOCK PART2 TO PART0\nCALL BLOCK PART1 TO PART0\nCALL BLOCK PART2 TO PART0\nM30\nPART1: ; one\n"
+	 "X=IC(1)\nPART0:\nPART2:\nY=IC(1)\nPART0:\n",
+	 "feed 0 1 0 0 0\nfeed 1 1 0 0 0\nfeed 1 2 0 0 0\n"},
+	/* Labels by texts, a part before the call, and MCALL in it. */
+	{"DEF STRING[9] S_=\"to\"\nF6 G500 R1=0\nFROM:\nR1=R1+1\nX=R1\nTO1:\nCALL BLOCK \"FROM\" TO S_<<1\nY1\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\n"},
+	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,2,-8)\nCALL BLOCK FROM TO UPTO\nMCALL\nM30\nFROM:\nX10\nUPTO:\n",
+	 "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\nrapid 10 0 10 0 0\n"},
+	/* A jump within the part, and REPEAT in it. */
+	{"F6 G500\nCALL BLOCK FROM TO UPTO\nM30\nFROM:\nGOTOF THERE\nX9\nTHERE: X=IC(1)\nREPEATB THERE\nUPTO:\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\n"},
 	{"F6 G500\nAA: X=IC(1)\nREPEATB AA\nAA: Y=IC(1)\nM30\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\n"},
 	/* Names of 32 bytes that differ in the last one only. */
@@ -86,6 +100,25 @@ static const struct program programs[] = {
 	 "feed 123 0 0 0 0\nfeed 133 0 0 0 0\nfeed 1133 0 0 0 0\n"},
 };
 
+/* The control's alarm would come, or what it does is not certain. */
+static const struct refused_words bad[] = {
+	{"CALL BLOCK AA TO BB\nM30\nAA:\nBB: G500 F6 X1\n",
+	 "words behind the label that ends the part of CALL BLOCK: whether they are carried out is not certain; write the "
+	 "label in a line of its own"},
+	{"CALL BLOCK AA TO BB\nM30\nAA:\nM17\nBB:\n",
+	 "the program ends in the part that CALL BLOCK of line 1 calls: whether it goes back from here is not certain"},
+	{"CALL BLOCK AA TO BB\nM30\nAA:\nRET\nBB:\n",
+	 "the program ends in the part that CALL BLOCK of line 1 calls: whether it goes back from here is not certain"},
+	{"CALL BLOCK AA TO BB\nCC: M30\nAA:\nGOTOB CC\nBB:\n",
+	 "this leaves the part that CALL BLOCK of line 1 calls: where it then goes back from is not certain"},
+};
+
+START_TEST(refused)
+{
+	sinumerik_refuses_words(&bad[_i]);
+}
+END_TEST
+
 START_TEST(moves)
 {
 	struct gcode_case c;
@@ -102,5 +135,6 @@ int main(void)
 	TCase *tcase = tcase_create("programs");
 
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
 	return run_suite("gcode_sinumerik_flow", tcase);
 }

@@ -13,6 +13,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_macro.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_part.h"
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
 #include "gcode/dialect/sinumerik/sinumerik_proc.h"
 #include "gcode/dialect/sinumerik/sinumerik_program.h"
@@ -63,16 +64,19 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	const bool brackets = sinumerik_name_take_byte(lexer, '(');
 	const int column = expr_column(lexer);
 	struct sinumerik_text path;
-	const size_t start = lexer->position;
 	char name[SINUMERIK_NAME + 1];
 
-	if (sinumerik_name_take(lexer, "BLOCK"))
-		return fault(lexer->at, column,
-			     "CALL BLOCK is not supported yet; REPEAT repeats a part of the program in hand");
-	lexer->position = start;
+	if (!brackets && sinumerik_name_take(lexer, "BLOCK"))
+		return sinumerik_part_call(interp, lexer);
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
 	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
-	    !sinumerik_program_name(interp, path.bytes, column, name) || !ends_block(lexer))
+	    !sinumerik_program_name(interp, path.bytes, column, name))
+		return false;
+	if (sinumerik_name_take(lexer, "BLOCK"))
+		return fault(lexer->at, column,
+			     "CALL BLOCK of a part of another program is not supported; CALL BLOCK of a part of this "
+			     "one is, and so is a call of the whole other one");
+	if (!ends_block(lexer))
 		return false;
 	sinumerik_of(interp)->argument_count = 0;
 	return sinumerik_call_run(interp, name, 1, column);
@@ -120,6 +124,8 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
 			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
+		if (!sinumerik_call_check_end(interp, column))
+			return false;
 		/* A subprogram that is started by itself ends with it. */
 		if (!sinumerik_call_is_inside(interp)) {
 			if (sinumerik_contour_is_read(interp))
@@ -207,6 +213,8 @@ static bool read_line(struct interp *interp, bool *done)
 	if (at.text[head.rest] == ';' || at.text[head.rest] == '\0') {
 		if (!head.number[0] && !head.label[0])
 			return true;
+	} else if (!sinumerik_call_check_last(interp, (int)head.rest + 1)) {
+		return false;
 	}
 	sinumerik_of(interp)->headed = true;
 	if (head.skipped && interp->config->read.block_delete)

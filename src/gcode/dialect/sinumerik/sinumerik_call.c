@@ -192,6 +192,14 @@ bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, 
 	return enter(interp, entry, last_line, rounds, "the repeated part", column);
 }
 
+bool sinumerik_call_part(struct interp *interp, const struct position *entry, long last_line, int column)
+{
+	if (!enter(interp, entry, last_line, 1, "the part that is called", column))
+		return false;
+	sinumerik_top_call(sinumerik_of(interp))->called = true;
+	return true;
+}
+
 /* Behind the last line of the part that is repeated. */
 static bool next_round(struct interp *interp)
 {
@@ -218,7 +226,7 @@ bool sinumerik_call_round(struct interp *interp, bool *left)
 	return next_round(interp);
 }
 
-void sinumerik_call_jumped(struct interp *interp, long line)
+bool sinumerik_call_jumped(struct interp *interp, long line, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
@@ -226,9 +234,40 @@ void sinumerik_call_jumped(struct interp *interp, long line)
 		const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 
 		if (!call->last_line || (line >= call->entry.line && line <= call->last_line))
-			return;
+			return true;
+		if (call->called)
+			return fault(&interp->at, column,
+				     "this leaves the part that CALL BLOCK of line %ld calls: where it then goes back "
+				     "from is not certain",
+				     call->line);
 		sinumerik->depth--;
 	}
+	return true;
+}
+
+bool sinumerik_call_check_last(struct interp *interp, int column)
+{
+	const struct sinumerik_call *call = sinumerik_top_call(sinumerik_of(interp));
+
+	return !call || !call->called || call->last_line != interp->at.line ||
+	       call->entry.source != interp->program.source || call->entry.line == call->last_line ||
+	       fault(&interp->at, column,
+		     "words behind the label that ends the part of CALL BLOCK: whether they are carried out is not "
+		     "certain; write the label in a line of its own");
+}
+
+bool sinumerik_call_check_end(struct interp *interp, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	for (int i = sinumerik->depth; i-- > 0 && sinumerik->calls[i].last_line;) {
+		if (sinumerik->calls[i].called)
+			return fault(&interp->at, column,
+				     "the program ends in the part that CALL BLOCK of line %ld calls: whether it goes "
+				     "back from here is not certain",
+				     sinumerik->calls[i].line);
+	}
+	return true;
 }
 
 /* ------------------------------------------------------------------- hooks */

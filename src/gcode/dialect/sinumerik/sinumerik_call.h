@@ -28,8 +28,17 @@ bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, 
  */
 bool sinumerik_call_round(struct interp *interp, bool *left);
 
-/* A jump to this line leaves the parts that do not hold it. */
-void sinumerik_call_jumped(struct interp *interp, long line);
+/* Calls this part of the program as a subprogram, once (CALL BLOCK). False: reported. */
+bool sinumerik_call_part(struct interp *interp, const struct position *entry, long last_line, int column);
+
+/* A jump to this line leaves the parts that do not hold it. False: CALL BLOCK calls such a part, reported. */
+bool sinumerik_call_jumped(struct interp *interp, long line, int column);
+
+/* The line that ends a part of CALL BLOCK has a label only, and no words at this column. False: reported. */
+bool sinumerik_call_check_last(struct interp *interp, int column);
+
+/* What ends a program or subprogram stands in no part that CALL BLOCK calls. False: reported. */
+bool sinumerik_call_check_end(struct interp *interp, int column);
 
 bool sinumerik_call_end_of_file(struct interp *interp);
 

@@ -22,16 +22,16 @@
 #define LEAST_TURN 1e-8
 
 struct circle_plane {
-	enum axis_slot a, b;
+	enum axis_slot a, b, across;
 	char centre_a, centre_b, not_used;
 	vec3 normal;
 };
 
 static const struct circle_plane *plane_of(int code)
 {
-	static const struct circle_plane planes[] = {{SLOT_X, SLOT_Y, 'I', 'J', 'K', {0, 0, 1}},
-						     {SLOT_Z, SLOT_X, 'K', 'I', 'J', {0, 1, 0}},
-						     {SLOT_Y, SLOT_Z, 'J', 'K', 'I', {1, 0, 0}}};
+	static const struct circle_plane planes[] = {{SLOT_X, SLOT_Y, SLOT_Z, 'I', 'J', 'K', {0, 0, 1}},
+						     {SLOT_Z, SLOT_X, SLOT_Y, 'K', 'I', 'J', {0, 1, 0}},
+						     {SLOT_Y, SLOT_Z, SLOT_X, 'J', 'K', 'I', {1, 0, 0}}};
 
 	return &planes[code == G17 ? 0 : code == G18 ? 1 : 2];
 }
@@ -52,9 +52,9 @@ static int circle_column(const struct sinumerik_block *block)
 							  : sinumerik_block_axis_column(block);
 }
 
-/* An arc in program coordinates becomes one of positions: frames may turn, mirror and scale it. */
-static bool place_arc(struct interp *interp, const struct sinumerik_block *block, vec3 centre, vec3 normal,
-		      double sweep, struct canon_arc *arc)
+/* An arc in program coordinates becomes one of positions: frames may turn, mirror and scale it. NULL: in no plane. */
+static bool place_arc(struct interp *interp, const struct sinumerik_block *block, const struct circle_plane *plane,
+		      vec3 centre, vec3 normal, double sweep, struct canon_arc *arc)
 {
 	const struct state *state = &interp->state;
 	const vec3 offset = linear(&state->offset);
@@ -65,13 +65,13 @@ static bool place_arc(struct interp *interp, const struct sinumerik_block *block
 	*arc = (struct canon_arc){.centre = vec3_add(offset, centre), .normal = normal, .sweep = sweep};
 	if (!state->frame.on)
 		return true;
-	if (!sinumerik_frame_scale(turn, &scale))
+	if (plane ? !sinumerik_frame_scale_plane(turn, plane->across, &scale) : !sinumerik_frame_scale(turn, &scale))
 		return fault(
 		    &interp->at, circle_column(block),
-		    "a circle where the frame scales its axes differently is none any more; SCALE all axes alike");
+		    "a circle where the frame scales the axes of its plane differently is none any more; SCALE both alike");
 	mirrored = vec3_dot(turn->x, vec3_cross(turn->y, turn->z)) < 0;
 	arc->centre = vec3_add(vec3_add(offset, state->frame.origin), mat3_apply(turn, centre));
-	arc->normal = vec3_scale(1 / scale, mat3_apply(turn, normal));
+	arc->normal = vec3_unit(mat3_apply(turn, normal));
 	arc->sweep = mirrored ? -sweep : sweep;
 	return true;
 }
@@ -109,7 +109,7 @@ static bool through_point(struct interp *interp, const struct sinumerik_block *b
 		      vec3_dot(vec3_scale(-1, centre), vec3_sub(v, centre)));
 	if (sweep < 0)
 		sweep += 2 * PI;
-	return place_arc(interp, block, vec3_add(from, centre), normal, sweep, arc);
+	return place_arc(interp, block, NULL, vec3_add(from, centre), normal, sweep, arc);
 }
 
 /* --------------------------------------------------------- circles in the plane */
@@ -300,7 +300,7 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 	*found = (struct sinumerik_circle){.in_plane = true, .clockwise = c.clockwise, .turns = c.turns,
 					   .centre = {c.centre.a + interp->state.offset.v[plane->a],
 						      c.centre.b + interp->state.offset.v[plane->b]}};
-	return place_arc(interp, block, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, &found->arc);
+	return place_arc(interp, block, plane, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, &found->arc);
 }
 
 bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,

@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_gud.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_part.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
@@ -272,8 +273,7 @@ static bool start_again(const struct flow *flow, const struct jump *jump)
 	if (flow->interp->faulty)
 		return true;
 	flow->sinumerik->loop_count = 0;
-	sinumerik_call_jumped(flow->interp, top.line);
-	return go(flow, &top);
+	return sinumerik_call_jumped(flow->interp, top.line, jump->column) && go(flow, &top);
 }
 
 static bool make_jump(const struct flow *flow, const struct jump *jump)
@@ -294,10 +294,7 @@ static bool make_jump(const struct flow *flow, const struct jump *jump)
 			     jump->direction == SINUMERIK_FORWARD    ? "from here on"
 			     : jump->direction == SINUMERIK_BACKWARD ? "before this line"
 								     : "in this program");
-	if (!leave_loops(flow, to.line))
-		return false;
-	sinumerik_call_jumped(flow->interp, to.line);
-	return go(flow, &to);
+	return leave_loops(flow, to.line) && sinumerik_call_jumped(flow->interp, to.line, jump->column) && go(flow, &to);
 }
 
 static bool run_goto(struct flow *flow, size_t word)
@@ -372,76 +369,12 @@ static bool run_case(struct flow *flow)
 	return !taken.given || make_jump(flow, &taken);
 }
 
-/* ----------------------------------------------------------------- repeats */
-
-/* "Program section repetition": the label is looked for towards the start of the program first. */
-static bool find_mark(const struct flow *flow, const char *name, int column, struct position *to)
-{
-	bool found;
-
-	if (!sinumerik_seek_label(flow->interp, name, SINUMERIK_BACKWARD, column, to, &found) ||
-	    (!found && !sinumerik_seek_label(flow->interp, name, SINUMERIK_FORWARD, column, to, &found)))
-		return false;
-	return found || fault(flow->lexer->at, column, "there is no label %s in this program", name);
-}
-
-/* Where a part ends that has a start label only: at the first ENDLABEL behind it, or before this REPEAT. */
-static bool find_last(const struct flow *flow, const struct position *first, int column, long *last)
-{
-	struct position end;
-	bool found;
-
-	if (first->line >= flow->interp->at.line)
-		return fault(flow->lexer->at, column,
-			     "a part behind its REPEAT is not supported yet without a second label");
-	if (!sinumerik_seek_label_behind(flow->interp, "ENDLABEL", first, column, &end, &found))
-		return false;
-	*last = found ? end.line : flow->interp->at.line - 1;
-	return true;
-}
-
-/* REPEATB LABEL P=n; REPEAT LABEL P=n; REPEAT LABEL LABEL P=n */
-static bool run_repeat(struct flow *flow, bool block)
-{
-	char first_name[SINUMERIK_NAME + 1], last_name[SINUMERIK_NAME + 1] = "";
-	const int column = expr_column(flow->lexer);
-	struct position first, end;
-	int rounds = 1;
-	long last;
-
-	if (!sinumerik_name_read(flow->lexer, first_name))
-		return fault(flow->lexer->at, column, "the label of the repeated part is needed here");
-	if (!sinumerik_name_take(flow->lexer, "P") && !block) {
-		if (sinumerik_name_read(flow->lexer, last_name) && !strcmp(last_name, "P"))
-			last_name[0] = '\0';
-		else if (last_name[0])
-			sinumerik_name_take(flow->lexer, "P");
-	}
-	if (sinumerik_name_take_byte(flow->lexer, '=') &&
-	    !sinumerik_expr_whole(flow->interp, flow->lexer, "P", 1, 9999, &rounds))
-		return false;
-	if (!at_end(flow) || !find_mark(flow, first_name, column, &first))
-		return false;
-	last = first.line;
-	if (last_name[0]) {
-		if (!find_mark(flow, last_name, column, &end))
-			return false;
-		last = end.line;
-	} else if (!block && !find_last(flow, &first, column, &last)) {
-		return false;
-	}
-	if (last < first.line)
-		return fault(flow->lexer->at, column, "the repeated part ends before it begins");
-	return program_count(&flow->interp->program, flow->interp->config->read.max_blocks, &flow->interp->at) &&
-	       sinumerik_call_repeat(flow->interp, &first, last, rounds, column);
-}
-
 static bool run_repeat_word(struct flow *flow)
 {
 	const char byte = lexer_peek(flow->lexer);
 
 	if (byte != '\0' && byte != ';')
-		return run_repeat(flow, false);
+		return sinumerik_part_repeat(flow->interp, flow->lexer, false);
 	return begin(flow, SINUMERIK_REPEAT) != NULL;
 }
 
@@ -472,7 +405,7 @@ bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done)
 	if (!strncmp(name, "GOTO", 4) && (name[4] == '\0' || (strchr("FBCS", name[4]) && name[5] == '\0')))
 		return run_goto(&flow, start);
 	if (!strcmp(name, "REPEATB"))
-		return run_repeat(&flow, true);
+		return sinumerik_part_repeat(interp, lexer, true);
 	*done = false;
 	lexer->position = start;
 	return true;

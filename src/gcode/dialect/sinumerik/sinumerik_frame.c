@@ -85,6 +85,19 @@ bool sinumerik_frame_scale(const mat3 *matrix, double *factor)
 	       fabs(vec3_dot(matrix->z, matrix->x)) <= SAME_SCALE * x * x;
 }
 
+bool sinumerik_frame_scale_plane(const mat3 *matrix, enum axis_slot across, double *factor)
+{
+	const vec3 columns[3] = {matrix->x, matrix->y, matrix->z};
+	const vec3 a = columns[(across + 1) % 3], b = columns[(across + 2) % 3], c = columns[across];
+	const double length = vec3_norm(a), height = vec3_norm(c);
+
+	*factor = length;
+	return fabs(length - vec3_norm(b)) <= SAME_SCALE * length &&
+	       fabs(vec3_dot(a, b)) <= SAME_SCALE * length * length &&
+	       fabs(vec3_dot(a, c)) <= SAME_SCALE * length * height &&
+	       fabs(vec3_dot(b, c)) <= SAME_SCALE * length * height;
+}
+
 static bool is_identity(const mat3 *m)
 {
 	const mat3 one = mat3_identity();

@@ -34,6 +34,12 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 /* How a frame changes lengths: its factor. False: it differs from direction to direction. */
 bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
+/*
+ * The same for the plane across one of X, Y and Z, which it keeps at right angles to that axis: a circle in it stays
+ * one, whatever becomes of its height.
+ */
+bool sinumerik_frame_scale_plane(const mat3 *matrix, enum axis_slot across, double *factor);
+
 /* Does what is in force change lengths in any direction (SCALE)? Turning and mirroring do not. */
 bool sinumerik_frame_resizes(const struct interp *interp);
 

@@ -397,6 +397,8 @@ static bool finish(struct interp *interp, const struct ending *ending)
 		return false;
 	if (!ending->ends)
 		return true;
+	if (!sinumerik_call_check_end(interp, ending->column))
+		return false;
 	if (sinumerik_call_is_inside(interp))
 		return sinumerik_call_return(interp, ending->column);
 	if (!ending->returns_only || motion_commands_spindle_stops(interp))

@@ -252,16 +252,15 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	return good;
 }
 
-bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, int column,
-				 struct position *to, bool *found)
+bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, long last,
+				 int column, struct position *to, bool *found)
 {
 	const struct position next = source_next(interp->program.source);
-	const long here = interp->at.line;
 
 	keep_line(interp);
 	*found = false;
 	return program_jump(&interp->program, start, &interp->at, column) &&
-	       scan(interp, name, here, true, to, found) && come_back(interp, &next, column);
+	       scan(interp, name, last, true, to, found) && come_back(interp, &next, column);
 }
 
 bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found)

@@ -23,9 +23,9 @@ enum sinumerik_direction { SINUMERIK_FORWARD, SINUMERIK_BACKWARD, SINUMERIK_ANYW
 bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
 			  struct position *to, bool *found);
 
-/* The first one from the line `start` on, which lies before the line in hand, up to that. */
-bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, int column,
-				 struct position *to, bool *found);
+/* The first one from the line `start` on, up to the line `last`, or to the end of the program if that is 0. */
+bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, long last,
+				 int column, struct position *to, bool *found);
 
 /* What closes a structure. */
 enum sinumerik_close {

@@ -100,6 +100,7 @@ struct sinumerik_call {
 	struct position back;	/* the line after the call */
 	struct position entry;	/* the first line of the subprogram, or of the repeated part */
 	long last_line;	/* of a repeated part: behind it, the next round starts or the call ends; 0: a subprogram */
+	bool called;	/* the part, by CALL BLOCK, as a subprogram */
 	int left;	/* rounds to come */
 	const char *file;	/* where the call stands */
 	long line;

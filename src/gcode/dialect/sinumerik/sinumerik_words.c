@@ -466,7 +466,7 @@
 	STATEMENT_ROW(ROW, "DEFINE", "a text that stands for a name") \
 	STATEMENT_ROW(ROW, "PROC", "head of a subprogram") \
 	STATEMENT_ROW(ROW, "RET", "end of a subprogram") \
-	STATEMENT_ROW(ROW, "CALL", "call of a subprogram by a text") \
+	STATEMENT_ROW(ROW, "CALL", "call of a subprogram by a text, or with BLOCK of a part of the program") \
 	STATEMENT_ROW(ROW, "PCALL", "call of a subprogram by its path") \
 	STATEMENT_ROW(ROW, "EXTCALL", "call of a subprogram by a text")
 
