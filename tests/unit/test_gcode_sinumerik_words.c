@@ -92,6 +92,11 @@ static const struct program {
 	/* "Constant cutting rate": G97 has feeds per revolution, G971 per minute. */
 	{"G500 S60\nG97 F1 X1\nG971 F60 X2\nG972 X3\n", "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
 	/* The programmable frame as a variable: parts are chained as the forms with A are. */
+	/* What is in force is changed by its next selection; D, TRANS and SUPA may stand in between. */
+	{"F6 G54 X0\n$P_UIFR[1,X,TR]=$P_UIFR[1,X,TR]+5 TRANS Y1\nD0 SUPA G0 X1\nG54 G1 X2 Y2\n$P_UIFR[1]=CTRANS(Y,7)\n"
+	 "G500 X0\nG54 Y0\n",
+	 "feed 10 0 0 0 0\nrapid 1 0 0 0 0\nfeed 17 23 0 0 0\nfeed 0 23 0 0 0\nfeed 0 8 0 0 0\n"},
+	{"F6 G500\nTRANS X1\n$P_PFRAME=$P_PFRAME:CTRANS(X,10,Y,20):CROT(Z,90)\nX1 Y0\n", "feed 11 21 0 0 0\n"},
 	{"F6 G500\nTRANS X1\n$P_PFRAME=CTRANS(X,10,Y,20):CROT(Z,90)\nX1 Y0\n$P_PFRAME=CMIRROR(X):CTRANS(X,5)\nX1 Y1\n"
 	 "$P_PFRAME=CSCALE(X,2,Y,2)\nX1 Y1\n$P_PFRAME=CTRANS()\nX1 Y1\n",
 	 "feed 10 21 0 0 0\nfeed -6 1 0 0 0\nfeed 2 2 0 0 0\nfeed 1 1 0 0 0\n"},
@@ -163,8 +168,18 @@ static const struct refused_words bad[] = {
 	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
 	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported yet, only RNDM=0"},
 	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
-	{"G54\n$P_UIFR[1,X,TR]=5\n",
-	 "$P_UIFR[1] is the work offset in force, and takes effect at its next selection; select G500 before it"},
+	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nX1\n",
+	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
+	 "before the next move"},
+	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nR1=$P_EP[X]\n",
+	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
+	 "before the next move"},
+	{"T1 M6 D1 G54\n$P_UIFR[1,X,TR]=5\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n",
+	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
+	 "before the next move"},
+	{"T1 M6 D1 G54\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n$P_UIFR[1,X,TR]=5\nG54\nG0 X0\n",
+	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not certain: "
+	 "write CYCLE800 behind it"},
 	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},
 	{"$P_UIFR[1]=CROT(X,5)\n",
 	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},

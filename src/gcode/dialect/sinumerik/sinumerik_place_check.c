@@ -1,6 +1,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 
 #include "base/same_double.h"
+#include "gcode/execute/work_offset_use.h"
 
 #define LINEAR_BITS (letter_bit('X') | letter_bit('Y') | letter_bit('Z'))
 
@@ -48,6 +49,8 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
+	if (interp->state.work_assigned)
+		return work_offset_use_fault(interp, column);
 	if (sinumerik->frames_unsure)
 		return fault(
 		    &interp->at, column,

@@ -199,7 +199,8 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 	if (block->code[SINUMERIK_SYSTEM] == CODE_NONE)
 		return true;
 	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
-	if (sinumerik->swivelled && system == interp->state.system && sinumerik->work_selected)
+	if (sinumerik->swivelled && system == interp->state.system && sinumerik->work_selected &&
+	    !interp->state.work_assigned)
 		return true;
 	/* Posts select it and then swivel anew: only a move in between would ask what becomes of the plane. */
 	sinumerik->plane_unsure = sinumerik->swivelled;
@@ -207,6 +208,7 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 		return false;
 	sinumerik_frame_place(interp);
 	interp->state.system = system;
+	interp->state.work_assigned = false;
 	sinumerik->work_selected = true;
 	sinumerik->frames_unsure = false;
 	return sinumerik_frame_changed(interp, column);

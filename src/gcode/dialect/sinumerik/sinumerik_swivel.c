@@ -10,6 +10,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
+#include "gcode/execute/work_offset_use.h"
 #include "geom/tolerance.h"
 
 /* Degrees: a program that turns the axes itself gives three decimals. */
@@ -414,6 +415,8 @@ static bool check(const struct swivel *s, long status, long direction)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
 	if (sinumerik->edge_unsure)
 		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
+	if (state->work_assigned)
+		return work_offset_use_fault(s->interp, s->column);
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status % 10 && sinumerik->plane_unsure)

@@ -54,11 +54,11 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n))
 		return false;
 	system = sinumerik_system_of_offset(n);
-	if (system == interp->state.system)
-		return fault(&interp->at, column,
-			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select "
-			     "G500 before it",
-			     n);
+	/* No move comes before then (sinumerik_place_check.h). */
+	if (system == interp->state.system) {
+		sinumerik_frame_place(interp);
+		interp->state.work_assigned = true;
+	}
 	if (sinumerik_name_take_byte(lexer, ']'))
 		return sinumerik_name_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);
 	if (!sinumerik_name_need(lexer, ',', "the number of $P_UIFR") || !sinumerik_expr_axis(interp, lexer, &slot) ||
@@ -76,7 +76,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		     component[0] ? component : "no component");
 }
 
-/* One part of $P_PFRAME: CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X). */
+/* One part of $P_PFRAME: the frame itself, where it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X). */
 static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 {
 	static const struct {
@@ -89,6 +89,8 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 	size_t i = 0;
 	int slot;
 
+	if (first && sinumerik_name_take(lexer, "$P_PFRAME"))
+		return true;
 	while (i < sizeof(parts) / sizeof(parts[0]) && !sinumerik_name_take(lexer, parts[i].name))
 		i++;
 	if (i == sizeof(parts) / sizeof(parts[0]))
