@@ -165,7 +165,8 @@ static int cut(const char *text, size_t columns)
 
 static void show(struct stderr_ui *ui, const char *file, long lines, double share)
 {
-	bool plain = ui->kind == PROGRESS_PLAIN;
+	/* A line is renewed on a terminal alone; a host that has none (src/wasi) needs nothing of that. */
+	bool plain = ui->kind == PROGRESS_PLAIN || !isatty(STDERR_FILENO);
 	double done = (double)ui->done + fmax(share, 0);
 	struct progress now = {file, lines, done / (double)ui->programs, stderr_ui_seconds() - ui->started};
 	struct strbuf text = {0};

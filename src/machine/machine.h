@@ -92,6 +92,13 @@ struct machine *machine_load(const char *path, struct diag *diag);
 
 /* The same; tool libraries outside of the folder `root` (NULL: none is) are an error and not opened. */
 struct machine *machine_load_within(const char *path, const char *root, struct diag *diag);
+
+/*
+ * Does the <controller> of a machine file say what the control of its dialect can be told? The text is that of a whole
+ * file, of which the rest is not judged. False: reported, at no file.
+ */
+bool machine_check_controller(const char *text, struct diag *diag);
+
 void machine_free(struct machine *machine);
 
 /*

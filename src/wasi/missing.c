@@ -10,6 +10,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* No file of this host is a terminal: nobody is asked, and nothing is drawn again. */
+int isatty(int fd)
+{
+	(void)fd;
+	errno = ENOTTY;
+	return 0;
+}
+
 /* Appends the next part of a path to what is resolved so far, which has no slash at its end. */
 static void append(char *resolved, const char *part, size_t length)
 {

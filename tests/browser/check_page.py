@@ -22,6 +22,7 @@ import fixtures  # noqa: E402
 import forms_page  # noqa: E402, F401
 import hostile_page  # noqa: E402, F401
 import jobs_page  # noqa: E402, F401
+import runs_page  # noqa: E402, F401
 import setup_page  # noqa: E402, F401
 
 
@@ -61,7 +62,7 @@ def report(bench):
     page = bench.open()
     bench.example(page, "cb-head")
     bench.check(page)
-    saved = page.run("""await window.fivecheckPage.reports.get('examples/cb-head/collision.nc').text()""")
+    saved = page.run("""await window.fivecheckPage.checks.reports.get('examples/cb-head/collision.nc').text()""")
     path = os.path.join(bench.keep, "page-report.html")
     bench.native("cb-head", "collision", f"--report={path}")
     with open(path, encoding="utf-8") as file:

@@ -69,7 +69,7 @@ def million_blocks(bench):
         took, cost = (page.run("performance.now()") - start) / 1000, bench.browser.processor_time() - before
         same("verdict", page.run(VERDICTS), [["million.nc", "clear"]])
         true("all blocks", re.search(r"^1,?000,?00[0-9] blocks", page.run("document.querySelector('.words').textContent"), re.M))
-        memory = page.run("fivecheckPage.memory.get('million.nc')")
+        memory = page.run("fivecheckPage.checks.memory.get('million.nc')")
         wall, cpu = native_times(bench.fivecheck, "-j1", f"--report={work}/report.html", f"--setup={setup}", machine, program)
         print(f"     1,000,000 blocks with their report: {took:.1f} s, {cost:.1f} s of the browser's processor time, {memory / 2**20:.0f} MB; "
               f"command line: {wall:.1f} s, {cpu:.1f} s; {cost / cpu:.1f} times")

@@ -1,6 +1,7 @@
 """The forms of the page, filled in as a person would: what they write is what the command line writes, and is checked by it."""
 import json
 import os
+import re
 import subprocess
 import tempfile
 
@@ -123,7 +124,7 @@ def own_machine(bench):
         for folder, words in (("other", True), (".", True), (".", False)):
             after(page, "files-shown", lambda: page.choose("#choose", [os.path.join(work, folder, "table.stl")]))
             same("another mesh of the same name is told", "Another table.stl took the place" in page.run(job), words)
-        page.choose("[data-kind=fixture] .mesh input[type=file]", [os.path.join(work, "vise.stl")])
+        after(page, "files-shown", lambda: page.choose("[data-kind=fixture] .mesh input[type=file]", [os.path.join(work, "vise.stl")]))
         write(page, "setup")
         same("nothing is guessed", [fault.count("a number is missing") for fault in faults(page, "setup")], [3, 5])
         row = page.run("document.querySelector('#tools [data-row]').dataset.row")
@@ -206,6 +207,51 @@ def families(bench):
     write(page, "machine")
     true("one of a mesh, too", "x/slide.stl another name" in page.run("document.querySelector('[data-axis=B] .fault').textContent"))
     bench.done(page, "page-families")
+
+
+def attributes_of_schema():
+    """What the schema has of <controller>: each attribute with its choices, none for a number."""
+    with open("src/machine/xml/machine.rng", encoding="utf-8") as file:
+        part = file.read().split('<define name="controller-attributes">')[1].split("</define>")[0]
+    told = {name: set(re.findall("<value>(.*?)</value>", body)) for name, body in re.findall(r'<attribute name="(\w+)">(.*?)</attribute>', part, re.S)}
+    return {name: choices for name, choices in told.items() if name not in ("dialect", "rapid")}
+
+
+@test
+def control(bench):
+    """Each attribute of <controller> with each of its choices can be told in the form, of the controls that know it; the file is that of `fivecheck init`."""
+    page = bench.open()
+    page.run("document.querySelector('#form-details').open = true")
+    page.run("document.querySelector('#fill-example').click()")
+    rest = ["--rotary=A,C", "--limits=X=-300:300", "--limits=Y=-250:250", "--limits=Z=-400:0", "--limits=A=-120:30", "--location=A=0,0,120", "--limits=C=none",
+            "--location=C=0,0,120", "--spindle=0,0,520", "--workholding=0,0,80"]
+    offered = {}
+    for dialect in ("linuxcnc", "fanuc", "haas", "sinumerik", "klartext"):
+        enter(page, "machine", dialect=dialect)
+        fields = page.run("[...document.querySelectorAll('#control [name]')].map((field) => [field.name.slice(11), [...field.options ?? []].map(({value}) => value).filter(Boolean)])")
+        for name, choices in fields:
+            offered.setdefault(name, set()).update(choices)
+        told = {name: choices[-1] if choices else "0.25" for name, choices in fields}
+        enter(page, "machine", **{f"controller__{name}": value.replace(".", ",") if value == "0.25" else value for name, value in told.items()}, change__Z="-10", change__A="20,5")
+        write(page, "machine")
+        same(f"faults of {dialect}", faults(page, "machine"), [])
+        native = subprocess.run([bench.fivecheck, "init", "table-table", *rest, f"--dialect={dialect}", "--tool-change=Z=-10,A=20.5",
+                                 *(f"--controller={name}={value}" for name, value in told.items())], capture_output=True, text=True, check=False)
+        same(f"XML for {dialect}: {native.stderr}", page.run("document.querySelector('#machine-xml').value"), native.stdout)
+    same("all attributes with all their choices", offered, attributes_of_schema())
+    enter(page, "machine", dialect="linuxcnc", controller__path_tolerance="0", change__Z="1")
+    page.run("document.querySelector('[name=\"change.none\"]').click()")
+    write(page, "machine")
+    same("the fault", faults(page, "machine"), ["path_tolerance of <controller> must be more than 0\n"])
+    same("its field has the focus", page.run("[document.activeElement.name, document.activeElement.getAttribute('aria-invalid')]"), ["controller.path_tolerance", "true"])
+    enter(page, "machine", controller__path_tolerance="0.1")
+    write(page, "machine")
+    true("the tool is changed where the spindle stands", "<tool_change/>" in page.run("document.querySelector('#machine-xml').value"))
+    page.run("document.querySelector('[name=\"change.none\"]').click()")
+    write(page, "machine")
+    same("a place out of reach", faults(page, "machine"), ["the tool-change of Z, 1, is outside of its travel: --tool-change=Z=VALUE\n"])
+    page.run("document.querySelector('[data-axis=control]').scrollIntoView()")
+    bench.done(page, "page-control")
 
 
 @test

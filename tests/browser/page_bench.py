@@ -17,6 +17,7 @@ class Site:
         self.folder = folder
         self.asked = []
         self.missing = set()  # paths that are not there for now
+        self.held = {}  # paths whose answer waits for an event
         site = self
 
         class Handler(http.server.SimpleHTTPRequestHandler):
@@ -24,6 +25,8 @@ class Site:
                               ".js": "text/javascript"}
 
             def send_head(self):
+                if self.path in site.held:
+                    site.held[self.path].wait()
                 if self.path not in site.missing:
                     return super().send_head()
                 return self.send_error(404)
@@ -43,6 +46,8 @@ class Site:
         self.thread.start()
 
     def close(self):
+        for event in self.held.values():
+            event.set()
         self.server.shutdown()
         self.server.server_close()
         self.thread.join()
@@ -70,9 +75,10 @@ class Bench:
         self.site = site
         self.browser = browser
 
-    def open(self, path="", **options):
+    def open(self, path="", before="", **options):
+        """A page of the site; what is to run before its scripts is given by `before`."""
         page = self.browser.page(**options)
-        page.before(WATCH)
+        page.before(WATCH + before)
         page.navigate(self.site.address + path)
         page.run("await until('fivecheck-ready', 1)")
         return page

@@ -11,6 +11,7 @@
 #include "cli/init/machine_plan_set.h"
 #include "cli/init/machine_plan_xml.h"
 #include "cli/subcommand.h"
+#include "machine/machine.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -136,8 +137,16 @@ static bool ask(struct request *request)
 	return true;
 }
 
+/* What the reader of machine files says of an answer is said of the option: the file is not written. */
+static void pass_fault(void *context, const struct diag_entry *entry)
+{
+	if (entry->severity == DIAG_ERROR)
+		diag_error(context, nowhere, "--controller: %s", entry->text);
+}
+
 static enum run_status make_file(struct request *request)
 {
+	struct diag faults = {.handle = pass_fault, .context = request->diag};
 	struct strbuf text = {0};
 
 	/* Check the output file before the user answers questions. */
@@ -145,6 +154,10 @@ static enum run_status make_file(struct request *request)
 	    !machine_plan_finish(&request->plan, request->diag))
 		return RUN_INCOMPLETE;
 	machine_plan_xml_write(&text, &request->plan);
+	if (request->plan.answer_count && !machine_check_controller(strbuf_text(&text), &faults)) {
+		strbuf_release(&text);
+		return RUN_INCOMPLETE;
+	}
 	if (!write_file(request->words.output, &text, request->diag))
 		return RUN_INCOMPLETE;
 	tell(&request->plan, request->words.output, request->diag);

@@ -6,7 +6,7 @@
 #include "cli/option_row.h"
 #include "cli/options.h"
 
-enum { INIT_OPTION_COUNT = 20 };
+enum { INIT_OPTION_COUNT = 22 };
 
 /* What the options set: the arguments of each key but PLAN_HELP and PLAN_OUTPUT, in their order. */
 struct init_request {

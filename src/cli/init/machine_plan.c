@@ -24,6 +24,7 @@ void machine_plan_release(struct machine_plan *plan)
 {
 	arena_release(&plan->arena);
 	free(plan->bodies);
+	free(plan->answers);
 	*plan = (struct machine_plan){0};
 }
 

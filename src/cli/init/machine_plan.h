@@ -33,7 +33,8 @@ enum machine_plan_key {
 	PLAN_FAMILY = 256,
 	PLAN_ROTARY, PLAN_HEAD, PLAN_TABLE, PLAN_LIMITS, PLAN_LOCATION, PLAN_SPINDLE,
 	PLAN_SPINDLE_DIRECTION, PLAN_WORKHOLDING, PLAN_DIRECTION, PLAN_INCLINATION, PLAN_RATES, PLAN_HOME, PLAN_TITLE,
-	PLAN_BODY, PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID,
+	PLAN_BODY, PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID, PLAN_TOOL_CHANGE,
+	PLAN_CONTROLLER,
 	PLAN_KEY_END
 };
 
@@ -41,10 +42,11 @@ enum machine_plan_key {
 struct machine_plan_axis {
 	bool has_limits, has_min, has_max;	/* has_limits alone: the user said that there is no limit */
 	double min, max;
-	bool has_location, has_direction, has_inclination, has_rate, has_home;
+	bool has_location, has_direction, has_inclination, has_rate, has_home, has_change;
 	vec3 location, direction;
 	double inclination;	/* of A and B: from Z towards X and Y, as the head turns; 90: the usual A and B */
 	double rate, home;
+	double change;	/* where M6 sends the axis */
 	const char *title;	/* or NULL */
 };
 
@@ -59,6 +61,11 @@ struct machine_plan_body {
 	const char *path, *name;
 };
 
+/* An attribute of <controller>, besides dialect and rapid. */
+struct machine_plan_answer {
+	const char *name, *value;
+};
+
 struct machine_plan {
 	struct arena arena;	/* owns the texts */
 	int family;	/* enum family; -1: unknown */
@@ -66,10 +73,12 @@ struct machine_plan {
 	struct machine_plan_chain head, table;	/* linear axes; after machine_plan_finish all axes */
 	bool has_table, has_head;
 	struct machine_plan_axis axes[SLOT_COUNT];
-	bool has_spindle, has_workholding;
+	bool has_spindle, has_workholding, has_tool_change;
 	vec3 spindle, spindle_direction, workholding;
 	struct machine_plan_body *bodies;	/* owned */
 	size_t body_count, body_capacity;
+	struct machine_plan_answer *answers;	/* owned */
+	size_t answer_count, answer_capacity;
 	const char *name;	/* or NULL */
 	int inch, dialect, rapid;	/* index of the choice; -1: unknown */
 };

@@ -53,7 +53,18 @@ static void join_rotary(struct machine_plan *plan)
 static bool is_told(const struct machine_plan_axis *axis)
 {
 	return axis->has_limits || axis->has_location || axis->has_direction || axis->has_inclination ||
-	       axis->has_rate || axis->has_home || axis->title;
+	       axis->has_rate || axis->has_home || axis->has_change || axis->title;
+}
+
+/* Is the value of an option within the travel? False: reported. */
+static bool is_within(const struct machine_plan_axis *axis, char letter, double value, const char *option,
+		      struct diag *diag)
+{
+	if (!(axis->has_min && value < axis->min) && !(axis->has_max && value > axis->max))
+		return true;
+	diag_error(diag, nowhere, "the %s of %c, %g, is outside of its travel: --%s=%c=VALUE", option, letter, value,
+		   option, letter);
+	return false;
 }
 
 static bool check_axis(const struct machine_plan *plan, int slot, struct diag *diag)
@@ -67,12 +78,8 @@ static bool check_axis(const struct machine_plan *plan, int slot, struct diag *d
 				   letter, AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
 		return !is_told(axis);
 	}
-	if ((axis->has_min && axis->home < axis->min) || (axis->has_max && axis->home > axis->max)) {
-		diag_error(diag, nowhere, "the home of %c, %g, is outside of its travel: --home=%c=VALUE", letter,
-			   axis->home, letter);
-		return false;
-	}
-	return true;
+	return is_within(axis, letter, axis->home, "home", diag) &&
+	       (!axis->has_change || is_within(axis, letter, axis->change, "tool-change", diag));
 }
 
 static bool check_bodies(const struct machine_plan *plan, struct diag *diag)

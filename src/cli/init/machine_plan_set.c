@@ -17,6 +17,8 @@ static bool set_axis_value(struct machine_plan_axis *axis, int key, const char *
 		return machine_plan_read_limits(axis, text, length);
 	case PLAN_HOME:
 		return axis->has_home = machine_plan_read_number(&axis->home, text, length);
+	case PLAN_TOOL_CHANGE:
+		return axis->has_change = machine_plan_read_number(&axis->change, text, length);
 	case PLAN_INCLINATION:
 		return axis->has_inclination = machine_plan_read_number(&axis->inclination, text, length) &&
 					       axis->inclination > 0 && axis->inclination < 180;
@@ -89,6 +91,22 @@ static bool set_body(struct machine_plan *plan, const char *text)
 	return dot > file;
 }
 
+/* NAME=VALUE */
+static bool set_answer(struct machine_plan *plan, const char *text)
+{
+	const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_");
+	char *name;
+
+	if (!length || (*text >= '0' && *text <= '9') || text[length] != '=' || !machine_plan_is_text(text + length + 1))
+		return false;
+	name = arena_strdup(&plan->arena, text);
+	name[length] = '\0';
+	plan->answers =
+	    mem_grow(plan->answers, &plan->answer_capacity, plan->answer_count + 1, sizeof(*plan->answers));
+	plan->answers[plan->answer_count++] = (struct machine_plan_answer){name, name + length + 1};
+	return true;
+}
+
 static bool set_choice(int *out, const char *const *choices, const char *text)
 {
 	for (int i = 0; choices[i]; i++) {
@@ -140,6 +158,10 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 		return set_title(plan, text);
 	case PLAN_BODY:
 		return set_body(plan, text);
+	case PLAN_TOOL_CHANGE:
+		return plan->has_tool_change = !strcmp(text, "none") || set_list(plan, key, text);
+	case PLAN_CONTROLLER:
+		return set_answer(plan, text);
 	case PLAN_NAME:
 		plan->name = arena_strdup(&plan->arena, text);
 		return machine_plan_is_text(text);

@@ -162,6 +162,18 @@ static bool has_rates(const struct machine_plan *plan)
 	return true;
 }
 
+static void add_tool_change(struct strbuf *out, const struct machine_plan *plan)
+{
+	strbuf_addf(out, ">\n    <tool_change");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const char name[] = {AXIS_LETTERS[slot], '\0'};
+
+		if (plan->axes[slot].has_change)
+			add_number(out, name, plan->axes[slot].change);
+	}
+	strbuf_addf(out, "/>\n");
+}
+
 static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 {
 	strbuf_addf(out,
@@ -176,7 +188,11 @@ static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 	strbuf_addf(out, " -->\n  <controller");
 	add_text(out, "dialect", dialect_names[plan->dialect]);
 	add_text(out, "rapid", machine_plan_rapids[plan->rapid]);
-	strbuf_addf(out, "/>\n");
+	for (size_t i = 0; i < plan->answer_count; i++)
+		add_text(out, plan->answers[i].name, plan->answers[i].value);
+	if (plan->has_tool_change)
+		add_tool_change(out, plan);
+	strbuf_addf(out, plan->has_tool_change ? "  </controller>\n" : "/>\n");
 }
 
 static void add_head(struct strbuf *out, const struct machine_plan *plan)

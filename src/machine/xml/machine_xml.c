@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "machine/controller_build.h"
 #include "machine/machine_build.h"
 #include "machine/xml/body_xml.h"
 #include "machine/xml/controller_xml.h"
@@ -179,6 +180,13 @@ static void read_machine(struct xml_reader *xml, struct machine_description *des
 	xml_read_children(xml, root, children, described);
 }
 
+static void drop(struct machine_description *described)
+{
+	if (described->setup)
+		arena_release(&described->setup->arena);
+	arena_release(&described->arena);
+}
+
 struct machine *machine_load(const char *path, struct diag *diag)
 {
 	return machine_load_within(path, NULL, diag);
@@ -197,10 +205,27 @@ struct machine *machine_load_within(const char *path, const char *root, struct d
 	if (!xml.errors) {
 		machine = machine_build(&described, diag);
 	} else {
-		if (described.setup)
-			arena_release(&described.setup->arena);
-		arena_release(&described.arena);
+		drop(&described);
 	}
 	xml_close(&xml);
 	return machine;
+}
+
+bool machine_check_controller(const char *text, struct diag *diag)
+{
+	struct machine_description described = {.unit = 1};
+	struct machine machine = {.path = NULL};
+	struct xml_reader xml;
+	bool good;
+
+	if (!xml_open_text(&xml, text, elements, diag))
+		return false;
+	read_machine(&xml, &described);
+	if (!xml.errors)
+		controller_build(&described, &machine);
+	good = !xml.errors && !described.file.faults;
+	arena_release(&machine.arena);
+	drop(&described);
+	xml_close(&xml);
+	return good;
 }

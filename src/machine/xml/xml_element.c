@@ -206,15 +206,14 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 	return true;
 }
 
-static bool open_file(struct xml_reader *xml, const char *path, const char *const *elements, bool own,
-		      struct diag *diag)
+/* The reader is set up, but for what it has to read from the file or text. */
+static bool open_reader(struct xml_reader *xml)
 {
-	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .foreign = !own, .elements = elements};
 	if (xml_file_parse(xml)) {
 		/* The numbers of tags and elements must be equal; otherwise the places are not reliable. */
 		if (number_elements(xmlDocGetRootElement(xml->doc), 0) != xml->tag_count)
 			xml->tag_count = 0;
-		if (check_shape(xml, xml_root(xml), 1) && check_root(xml, elements[0], own))
+		if (check_shape(xml, xml_root(xml), 1) && check_root(xml, xml->elements[0], !xml->foreign))
 			return true;
 	}
 	xml_close(xml);
@@ -228,10 +227,18 @@ void xml_close(struct xml_reader *xml)
 
 bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag)
 {
-	return open_file(xml, path, elements, true, diag);
+	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .elements = elements};
+	return open_reader(xml);
+}
+
+bool xml_open_text(struct xml_reader *xml, const char *text, const char *const *elements, struct diag *diag)
+{
+	*xml = (struct xml_reader){.path = "", .text = text, .diag = diag, .unit = 1, .elements = elements};
+	return open_reader(xml);
 }
 
 bool xml_open_foreign(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag)
 {
-	return open_file(xml, path, elements, false, diag);
+	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .foreign = true, .elements = elements};
+	return open_reader(xml);
 }

@@ -22,6 +22,9 @@ struct xml_child {
  */
 bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
 
+/* The same for a text in memory, whose path is "". */
+bool xml_open_text(struct xml_reader *xml, const char *text, const char *const *elements, struct diag *diag);
+
 /*
  * The same for a file of another program: its version is its own affair, and it may name a document type that is
  * defined elsewhere, which is not read.

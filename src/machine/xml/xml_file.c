@@ -183,8 +183,8 @@ bool xml_file_parse(struct xml_reader *xml)
 	const int options = XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES;
 	struct capture capture;
 	xmlParserCtxt *parser;
-	size_t length = 0;
-	char *bytes = read_file(xml, &length);
+	size_t length = xml->text ? strlen(xml->text) : 0;
+	char *bytes = xml->text ? mem_strndup(xml->text, length) : read_file(xml, &length);
 
 	if (!bytes)
 		return false;

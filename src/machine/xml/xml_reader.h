@@ -22,6 +22,7 @@ struct xml_tag {
 
 struct xml_reader {
 	const char *path;	/* borrowed */
+	const char *text;	/* what is read in place of the file; NULL: the file is read; borrowed */
 	struct diag *diag;
 	size_t errors;
 	double unit;	/* mm per unit of length of the file */

@@ -23,7 +23,7 @@ export class Client {
 		this.modules = new Modules(folder);
 		/** @type {Set<(reason: Error) => void>} */
 		this.running = new Set();
-		/** @type {{start: () => void, cancel: (reason: Error) => void}[]} jobs that wait for a processor */
+		/** Jobs that wait for a processor. @type {{files: unknown, start: (worker?: Worker) => void, cancel: (reason: Error) => void}[]} */
 		this.waiting = [];
 		/** The worker of the next job. @type {Worker | undefined} */
 		this.spare = undefined;
@@ -41,38 +41,58 @@ export class Client {
 		this.modules.viewer().catch(() => undefined);
 	}
 
-	/** Waits for a processor. */
-	async begin() {
+	/**
+	 * Waits for a processor.
+	 * @param {unknown} files of the job
+	 * @returns {Promise<Worker | undefined>} that of the job before, if it has the same files
+	 */
+	async begin(files) {
 		if (this.free > 0)
 			this.free--;
 		else
-			await new Promise((/** @type {(value?: unknown) => void} */ start, cancel) => this.waiting.push({start, cancel}));
+			return new Promise((start, cancel) => this.waiting.push({files, start, cancel}));
 	}
 
-	end() {
-		const next = this.waiting.shift();
+	/** A processor is free; a worker goes on with the next job, if it has the same files. @param {unknown} files @param {Worker} [worker] */
+	end(files, worker) {
+		const next = this.waiting.shift(), same = next && next.files === files;
+		if (!same)
+			worker?.terminate();
 		if (next)
-			next.start();
+			next.start(same ? worker : undefined);
 		else
 			this.free++;
 	}
 
 	/**
-	 * @param {Record<string, any>} message
+	 * What is promised, unless the jobs are cancelled before.
+	 * @template T
+	 * @param {Promise<T>} promise
+	 * @returns {Promise<T>}
+	 */
+	async unlessCancelled(promise) {
+		/** @type {(reason: Error) => void} */
+		let cancel = () => undefined;
+		try {
+			return await Promise.race([promise, new Promise((_, reject) => this.running.add(cancel = reject))]);
+		} finally {
+			this.running.delete(cancel);
+		}
+	}
+
+	/**
+	 * @param {Record<string, any> & {files: unknown}} message
 	 * @param {WebAssembly.Module[]} modules
 	 * @param {Listener} listener
 	 * @returns {Promise<any>}
 	 */
 	async post(message, modules, listener = {}) {
-		await this.begin();
-		const worker = this.spare ?? this.newWorker();
-		this.spare = undefined;
-		/** @type {((reason: Error) => void) | undefined} */
-		let cancel;
+		const {files, ...job} = message, known = await this.begin(files), worker = known ?? this.spare ?? this.newWorker();
+		let good = false;
+		if (worker === this.spare)
+			this.spare = undefined;
 		try {
-			return await new Promise((resolve, reject) => {
-				cancel = reject;
-				this.running.add(reject);
+			const done = await this.unlessCancelled(new Promise((resolve, reject) => {
 				worker.onerror = (event) => reject(new Error(event.message || 'the worker has ended'));
 				worker.onmessage = ({data}) => {
 					if (data.event) listener.onEvent?.(data.event);
@@ -81,12 +101,14 @@ export class Client {
 					if (data.done) resolve(data.done);
 					if (data.failed) reject(new Error(data.failed));
 				};
-				worker.postMessage({...message, modules});
-			});
+				worker.postMessage({...job, ...(known ? {} : {files}), modules});
+			}));
+			good = true;
+			return done;
 		} finally {
-			worker.terminate();
-			if (cancel) this.running.delete(cancel);
-			this.end();
+			if (!good)
+				worker.terminate();
+			this.end(files, good ? worker : undefined);
 		}
 	}
 
@@ -98,7 +120,7 @@ export class Client {
 	 */
 	async check({files, ...job}, listener) {
 		const [machine, setup] = [job.machine, job.setup].map((wanted) => files.find(([path]) => path === wanted)?.[1]);
-		const [modules, viewer] = await Promise.all([this.modules.of(machine, setup, job.options), job.report ? this.modules.viewer() : undefined]);
+		const [modules, viewer] = await this.unlessCancelled(Promise.all([this.modules.of(machine, setup, job.options), job.report ? this.modules.viewer() : undefined]));
 		return this.post({files, job, viewer}, modules, listener);
 	}
 
@@ -110,10 +132,10 @@ export class Client {
 	 * @returns {Promise<{status: number, out: string, err: string}>}
 	 */
 	async run(args, files = [], parts = []) {
-		return this.post({files, args}, await Promise.all([FIRST, ...parts].map((name) => this.modules.load(name))));
+		return this.post({files, args}, await this.unlessCancelled(Promise.all([FIRST, ...parts].map((name) => this.modules.load(name)))));
 	}
 
-	/** Ends all jobs that run, and those that wait. */
+	/** Ends all jobs that run, that wait, and that load what they need. */
 	cancel() {
 		for (const reject of [...this.waiting.splice(0).map(({cancel}) => cancel), ...this.running])
 			reject(new Cancelled('cancelled'));

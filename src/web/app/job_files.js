@@ -91,8 +91,9 @@ export async function unreadable(files) {
  * @param {JobFile[]} files that come @param {JobFile[]} here
  */
 export function atHome(files, here) {
+	const byName = grouped(here);
 	return files.map((file) => {
-		const same = here.filter(({path, role}) => role === file.role && nameOf(path) === file.path);
+		const same = (byName.get(file.path) ?? []).filter(({role}) => role === file.role);
 		return ['program', 'mesh', 'library'].includes(file.role) && same.length === 1 ? {...file, path: same[0].path} : file;
 	});
 }
@@ -116,6 +117,17 @@ export function withLibraries(files) {
 	const setups = files.filter(({role}) => role === 'setup');
 	const named = new Set(setups.flatMap(({text}) => [...text.matchAll(/<tools\s[^<>]*?\bhref=(["'])([^"']+)\1/g)].map(([, , path]) => nameOf(path))));
 	return files.map((file) => (file.role === 'program' || file.role === 'other') && named.has(nameOf(file.path)) ? {...file, role: /** @type {Role} */ ('library')} : file);
+}
+
+/** The files of each name. @param {JobFile[]} files @returns {Map<string, JobFile[]>} */
+function grouped(files) {
+	/** @type {Map<string, JobFile[]>} */
+	const byName = new Map();
+	for (const file of files) {
+		const name = nameOf(file.path), same = byName.get(name);
+		same ? same.push(file) : byName.set(name, [file]);
+	}
+	return byName;
 }
 
 /** What a person has to look at first stands first. @type {Role[]} */
@@ -170,9 +182,9 @@ function foldersAgree(a, b) {
 	return one.endsWith(other) || other.endsWith(one);
 }
 
-/** The only file that may be the one that is named. @param {JobFile[]} files @param {string} named */
-function standIn(files, named) {
-	const found = files.filter(({path}) => nameOf(path) === nameOf(named) && foldersAgree(path, named));
+/** The only file that may be the one that is named. @param {Map<string, JobFile[]>} byName @param {string} named */
+function standIn(byName, named) {
+	const found = (byName.get(nameOf(named)) ?? []).filter(({path}) => foldersAgree(path, named));
 	return found.length === 1 ? found[0] : undefined;
 }
 
@@ -183,13 +195,13 @@ function standIn(files, named) {
  * @returns {{path: string, named: string, found?: JobFile}[]} `path` is where the checker looks for it
  */
 function namedFiles(files) {
-	const here = new Map(files.map((file) => [file.path, file])), all = [], asked = new Set(), waiting = [...files];
-	for (let file = waiting.shift(); file; file = waiting.shift()) {
+	const here = new Map(files.map((file) => [file.path, file])), byName = grouped(files), all = [], asked = new Set(), waiting = [...files];
+	for (const file of waiting) {
 		for (const named of namedIn(file)) {
 			const path = folderOf(file.path) + named;
 			if (asked.has(path))
 				continue;
-			const found = here.get(Files.parts(path).join('/')) ?? standIn(files, named);
+			const found = here.get(Files.parts(path).join('/')) ?? standIn(byName, named);
 			asked.add(path);
 			all.push({path, named, found});
 			// No job file is named by another one: what names itself would have no end.

@@ -1,5 +1,6 @@
 // @ts-check
 /** machine_arguments.js - what is entered in the form of a machine, as the arguments of `fivecheck init`. */
+import {controlArguments} from './control_fields.js';
 import {namesIn, readNumber, vectorIn} from './fields.js';
 
 /** In the order in which they usually carry each other. */
@@ -46,5 +47,5 @@ export function initArguments(data) {
 	add('units', value('units') === 'mm' ? '' : value('units'));
 	add('dialect', value('dialect'));
 	add('rapid', value('rapid'));
-	return args;
+	return [...args, ...controlArguments(data, ['X', 'Y', 'Z', ...rotary])];
 }

@@ -3,6 +3,7 @@
  * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML of it and judges what was entered; each
  * of its errors stands at the field that it is about.
  */
+import {attributeIn, offerControl} from './control_fields.js';
 import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
 import {chainsOf, initArguments, LINEAR, orders} from './machine_arguments.js';
 import {EXAMPLES, FAMILIES, ROTARY} from './machine_families.js';
@@ -27,13 +28,15 @@ function axisFields(axis, add) {
 }
 
 /**
- * Which part of the form a message of `fivecheck init` is about: that of an axis, of the spindle, of the work, or none.
+ * Which part of the form a message of `fivecheck init` is about: that of an axis, of the spindle, of the work, of the control, or none.
  * @param {string} message
  */
 export function fieldOf(message) {
 	const missing = message.match(/missing: (?:([XYZABC]): )?.*like --([a-z-]+)/);
 	const wrong = message.match(/--([a-z-]+): '(?:(base|[XYZABC])=)?/);
 	const [, about] = message.match(/(?:the home|--inclination) of ([XYZABC])\b/) ?? [];
+	if (/--controller: |--tool-change[:=]/.test(message))
+		return 'control';
 	const [option, axis] = missing ? [missing[2], missing[1]] : wrong ? [wrong[1], wrong[2]] : ['', about];
 	return axis && axis !== 'base' ? axis : option.startsWith('spindle') ? 'spindle' : option === 'workholding' ? 'work' : '';
 }
@@ -54,6 +57,7 @@ export class MachineForm {
 		this.part('[data-axis=spindle] > .fault').before(...vectorFields('spindle', '', ['0', '0', '520']),
 			moreFields('Direction', ...vectorFields('spindle-direction', 'direction', ['0', '0', '-1'], false)));
 		this.part('[data-axis=work] > .fault').before(...vectorFields('workholding', '', ['0', '0', '0'], false));
+		this.part('#control').before(element('div', {className: 'fields'}, ...['X', 'Y', 'Z', ...ROTARY].map((axis) => numberField(`change.${axis}`, `${axis}, ${ROTARY.includes(axis) ? 'degrees' : 'mm'}`, ''))));
 		watchNumbers(form);
 		form.addEventListener('submit', (event) => {
 			event.preventDefault();
@@ -84,9 +88,12 @@ export class MachineForm {
 	fit(name) {
 		if (name === 'family')
 			this.offerAxes();
+		if (name === 'family' || name === 'dialect')
+			offerControl(this.part('#control'), this.value('dialect'));
 		const rotary = this.value('rotary'), {oblique} = FAMILIES[this.value('family')];
 		for (const axis of ROTARY) {
 			this.part(`[data-axis=${axis}]`).hidden = !rotary.includes(axis);
+			/** @type {HTMLElement} */ (this.field(`change.${axis}`).closest('label')).hidden = !rotary.includes(axis);
 			if (axis !== 'C')
 				this.field(`${axis}.inclination`).placeholder = rotary.split(',')[oblique] === axis ? '45' : '90';
 		}
@@ -94,6 +101,8 @@ export class MachineForm {
 			['min', 'max'].forEach((end) => this.field(`${axis}.${end}`).disabled = this.field(`${axis}.endless`).checked);
 		if (name === '' || /^family$|^[XYZ]\.table$/.test(name))
 			this.offerOrders();
+		for (const axis of [...LINEAR, ...ROTARY])
+			this.field(`change.${axis}`).disabled = this.field('change.none').checked;
 		showUnit(this.form, this.value('units'));
 	}
 
@@ -148,8 +157,10 @@ export class MachineForm {
 		for (const line of err.split('\n').filter((text) => text.includes('error: '))) {
 			const field = fieldOf(line), mesh = line.match(/give the file (.*) another name/)?.[1];
 			const named = [...this.form.querySelectorAll('.mesh input:not([type])')].find((input) => namesIn(/** @type {HTMLInputElement} */ (input).value).includes(mesh ?? ''));
+			const attribute = /** @type {HTMLElement | null} */ (this.form.querySelector(`[name="controller.${attributeIn(line)}"]`));
 			const place = field ? this.part(`[data-axis=${field}]`) : /** @type {HTMLElement | null | undefined} */ (named?.closest('[data-axis]'));
-			tellFault(place ?? this.part('#form-fault'), line.replace(/^.*error: /, ''));
+			tellFault(place ?? this.part('#form-fault'), line.replace(/^.*?error: (--controller: )?/, ''), attribute ?? undefined);
+			attribute?.focus();
 		}
 		this.part('#machine-chains').textContent = chainsOf(err);
 		return status === 0 ? out : '';

@@ -1,25 +1,21 @@
 // @ts-check
 /** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
 import {adviceOn} from './advice.js';
-import {commandLine, copyField, moreOptions, optionsIn} from './check_options.js';
-import {Cancelled, Client} from './client.js';
-import {PARTS} from './fivecheck.js';
+import {moreOptions, optionsIn} from './check_options.js';
+import {Checks} from './checks.js';
+import {Client} from './client.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, inOrder, inTheirFolder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, unreadable, withLibraries, withMeshes} from './job_files.js';
-import {jobsIn, messagesAt} from './job_list.js';
-import {JobResult} from './job_result.js';
+import {atHome, exampleFile, inOrder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {keepOffline} from './offline.js';
-import {byId, element} from './page.js';
-import {ProgramResult} from './program_result.js';
+import {byId, element, reveal} from './page.js';
 import {SetupForm} from './setup_form.js';
 import {filesInZip} from './zip_files.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
-/** One check: of a program, in a job of its own or of a job file. @typedef {{machine: string, setup?: string, waivers?: string, program: string}} Run */
 
-/** So many reports are shown at once, the others when asked for: a browser draws only some pictures at a time. */
-const FIRST_REPORTS = 4;
+/** So many files have a row of their own. */
+const MOST_ROWS = 500;
 /** What each example shows. */
 const EXAMPLES = /** @type {Record<string, string>} */ ({'ac-trunnion': 'an impeller on a table that tilts and turns',
 	'b-head-c-table': 'a turbine blade, head and table turn', 'cb-head': 'a structural part, a head that tilts and turns'});
@@ -29,11 +25,8 @@ class Page {
 		/** @type {JobFile[]} */
 		this.files = [];
 		this.client = new Client(new URL('.', import.meta.url));
+		this.checks = new Checks(this.client, byId('results'));
 		this.running = this.opening = false;
-		/** @type {Map<string, Blob>} by the path of the program */
-		this.reports = new Map();
-		/** @type {Map<string, number>} bytes that the check of a program took */
-		this.memory = new Map();
 		/** @param {[string, Blob][]} found */
 		const add = (found) => void this.add(found);
 		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, add, (xml) => this.useFile('machine.xml', xml));
@@ -42,7 +35,7 @@ class Page {
 		watchNumbers(byId('options'));
 		this.openForms();
 		byId('check').addEventListener('click', () => this.check());
-		byId('cancel').addEventListener('click', () => this.client.cancel());
+		byId('cancel').addEventListener('click', () => this.checks.cancel());
 		byId('empty').addEventListener('click', () => {
 			this.setFiles([]);
 			byId('choose').focus();
@@ -52,7 +45,7 @@ class Page {
 		for (const id of ['choose', 'choose-folder']) {
 			const input = /** @type {HTMLInputElement} */ (byId(id));
 			input.addEventListener('change', () => {
-				this.add([...(input.files ?? [])].map((file) => [file.webkitRelativePath || file.name, file]));
+				this.take([...(input.files ?? [])].map((file) => [file.webkitRelativePath || file.name, file]));
 				input.value = '';
 			});
 		}
@@ -82,7 +75,7 @@ class Page {
 			event.preventDefault();
 			drop.classList.remove('over');
 			const entries = [...(event.dataTransfer?.items ?? [])].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-			this.add((await Promise.all(entries.map((entry) => filesBelow(entry)))).flat());
+			this.take((await Promise.all(entries.map((entry) => filesBelow(entry)))).flat());
 		});
 	}
 
@@ -107,7 +100,15 @@ class Page {
 			byId('job').replaceChildren(element('span', {className: 'lack'}, String(error)));
 		}
 		this.opening = false;
+		byId('check').focus({preventScroll: true});
+		reveal(byId('start'));
 		document.dispatchEvent(new Event('example-open'));
+	}
+
+	/** Takes files that the user dropped or chose, and shows what can be done with them. @param {[string, Blob][]} found */
+	async take(found) {
+		await this.add(found);
+		reveal(byId('start'));
 	}
 
 	/**
@@ -151,7 +152,7 @@ class Page {
 	/** A file that a form wrote. @param {string} name @param {string} xml */
 	async useFile(name, xml) {
 		await this.add([[name, new Blob([xml], {type: 'application/xml'})]]);
-		byId('files').scrollIntoView();
+		reveal(byId('start'));
 	}
 
 	/** @param {JobFile[]} files @param {string[]} replaced meshes that took the place of others of the same name */
@@ -159,8 +160,9 @@ class Page {
 		this.files = inOrder(withLibraries(files));
 		this.outdate();
 		this.setup.propose(this.of('machine')[0]?.text ?? '', this.of('program').map(({text}) => text), this.of('library').map(({path}) => nameOf(path)));
-		byId('file-list').replaceChildren(...this.files.map((file) => element('li', {dataset: {role: file.role}},
-			element('span', {className: 'role'}, file.role), element('span', {}, file.path), ...this.roleButton(file), this.removeButton(file))));
+		const several = this.of('program').length > 1, rows = this.files.slice(0, MOST_ROWS).map((file) => element('li', {dataset: {role: file.role}},
+			element('span', {className: 'role'}, file.role), element('span', {}, file.path), ...this.roleButton(file, several), this.removeButton(file)));
+		byId('file-list').replaceChildren(...rows, ...(files.length > MOST_ROWS ? [element('li', {}, `and ${files.length - MOST_ROWS} others`)] : []));
 		byId('empty').hidden = files.length === 0;
 		this.showLacks(replaced);
 		this.showButtons();
@@ -172,10 +174,10 @@ class Page {
 		byId('outdated').hidden = byId('results').childElementCount === 0;
 	}
 
-	/** Of several programs, some may be there only for others to call. @param {JobFile} file */
-	roleButton(file) {
+	/** Of several programs, some may be there only for others to call. @param {JobFile} file @param {boolean} several */
+	roleButton(file, several) {
 		const {path, role} = file, alone = role === 'program', [label, text] = alone ? [`Use ${path} as a subprogram alone`, 'Subprogram'] : [`Check ${path} by itself`, 'Check it'];
-		if (role !== 'subprogram' && (!alone || this.files.filter((other) => other.role === 'program').length < 2))
+		if (role !== 'subprogram' && !(alone && several))
 			return [];
 		const button = element('button', {type: 'button', title: label, ariaLabel: label}, text);
 		button.addEventListener('click', () => {
@@ -227,9 +229,16 @@ class Page {
 		return this.of('program').length ? '' : 'A program is missing: drop the NC program, too.';
 	}
 
+	/** What a check would be of. */
+	ready() {
+		const programs = this.of('program').map(({path}) => nameOf(path)), first = programs.slice(0, 3).join(', ');
+		return this.of('jobs').length ? 'Ready to check the jobs of the job file.' : `Ready to check ${first}${programs.length > 3 ? ` and ${programs.length - 3} more` : ''}.`;
+	}
+
 	showButtons() {
 		const why = this.whyNot();
 		byId('why-not').textContent = why;
+		byId('ready').textContent = why || this.running ? '' : this.ready();
 		const check = /** @type {HTMLButtonElement} */ (byId('check')), cancel = byId('cancel'), focus = document.activeElement;
 		check.disabled = why !== '' || this.running;
 		cancel.hidden = !this.running;
@@ -246,83 +255,13 @@ class Page {
 
 	/** Checks all programs, or all those of the job file. */
 	async check() {
-		const here = inTheirFolder(this.files), files = withMeshes(here), options = this.optionsOf(), of = (/** @type {string} */ role) => here.filter((file) => file.role === role);
-		const list = of('jobs')[0];
-		byId('results').replaceChildren();
 		byId('outdated').hidden = true;
-		this.reports.clear();
 		this.running = true;
 		this.showButtons();
-		if (list) {
-			await this.checkJobs(list, files, options);
-		} else {
-			const [machine, setup, waivers] = ['machine', 'setup', 'waivers'].map((role) => of(role)[0]?.path);
-			await Promise.all(of('program').map(({path}, i) => this.checkOne({machine, setup, waivers, program: path}, files, options, byId('results'), i < FIRST_REPORTS)));
-		}
+		await this.checks.start(this.files, this.optionsOf());
 		this.running = false;
 		this.showButtons();
 		document.dispatchEvent(new Event('checked'));
-	}
-
-	/**
-	 * The jobs of a job file, as the command line has them: none, where the file has a fault.
-	 * @param {JobFile} list @param {[string, Blob][]} files @param {string[]} options
-	 */
-	async checkJobs(list, files, options) {
-		const whole = new ProgramResult(list.path, false);
-		/** @type {import('./job_list.js').ListedJob[]} */
-		let listed;
-		byId('results').append(copyField('The same on the command line', commandLine(options, [list.path])), whole.card);
-		try {
-			const {err} = await this.client.run(['--depends', '--', list.path], files, PARTS), faults = messagesAt(err, list.path);
-			faults.forEach((line) => whole.onMessage(line));
-			if (faults.length) {
-				whole.fail('Incomplete: the job file is at fault, and no job was checked.');
-				return;
-			}
-			listed = jobsIn(list);
-			if (!listed.length)
-				throw new Error('no job can be read');
-			whole.card.remove();
-		} catch (error) {
-			whole.fail(error instanceof Cancelled ? 'Cancelled: no job was checked.' : String(error));
-			return;
-		}
-		let shown = 0;
-		await Promise.all(listed.map(({programs, ...job}) => {
-			const result = new JobResult(job.name, programs.length);
-			byId('results').append(result.part);
-			return Promise.all(programs.map(async (program) => result.tell(await this.checkOne({...job, program}, files, options, result.part, shown++ < FIRST_REPORTS, job.name))));
-		}));
-	}
-
-	/**
-	 * A program in a worker of its own.
-	 * @param {Run} run @param {[string, Blob][]} files @param {string[]} common @param {HTMLElement} place @param {boolean} open its report
-	 * @param {string} [job] of a job file
-	 * @returns {Promise<string>} the verdict
-	 */
-	async checkOne({machine, setup, waivers, program}, files, common, place, open, job) {
-		const options = [...common, ...(waivers ? [`--waivers=${waivers}`] : [])], result = new ProgramResult(program, open, job);
-		const key = job ? `${job}: ${program}` : program;
-		place.append(result.card);
-		if (result.card === document.querySelector('.program'))
-			result.card.scrollIntoView({block: 'nearest'});
-		try {
-			const checked = await this.client.check({files, machine, setup, programs: [program], options, report: !options.includes('--parse-only')}, result);
-			const report = checked.reports.get(program), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});
-			result.show(checked, commandLine([...options, ...(setup ? [`--setup=${setup}`] : [])], [machine, program]), blob);
-			this.memory.set(key, checked.memory);
-			if (blob)
-				this.reports.set(key, blob);
-		} catch (error) {
-			const gone = error instanceof Cancelled ? [] : await unreadable(files);
-			if (error instanceof Cancelled)
-				result.cancel();
-			else
-				result.fail(gone.length ? `Incomplete: the browser cannot read ${gone.join(', ')} any more, because the file was changed or moved. Drop it again.` : String(error));
-		}
-		return result.card.dataset.verdict ?? 'incomplete';
 	}
 }
 

@@ -23,3 +23,8 @@ export function byId(id) {
 		throw new Error(`no element ${id}`);
 	return found;
 }
+
+/** Brings into view what has changed; at once for who wants no motion. @param {Element} what */
+export function reveal(what) {
+	what.scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'instant' : 'smooth'});
+}

@@ -20,6 +20,8 @@ export class ProgramResult {
 	constructor(path, open, job) {
 		this.path = path;
 		this.open = open;
+		/** Aborted when the card goes: what it has open ends with it. */
+		this.gone = new AbortController();
 		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
 		this.verdict = element('p', {className: 'verdict'}, 'checking …');
 		this.findings = element('ul', {className: 'findings'});
@@ -93,8 +95,8 @@ export class ProgramResult {
 	showReport(report) {
 		const frame = /** @type {HTMLIFrameElement} */ (element('iframe', {title: `Report of ${this.path}`, src: 'report.html', className: 'report'}));
 		frame.setAttribute('sandbox', 'allow-scripts');
-		const save = element('a', {className: 'button save', href: URL.createObjectURL(report), download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'},
-			'Save the report');
+		const url = URL.createObjectURL(report), {signal} = this.gone;
+		const save = element('a', {className: 'button save', href: url, download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'}, 'Save the report');
 		const show = element('button', {type: 'button', className: 'show'}, 'Show the report');
 		show.addEventListener('click', () => {
 			show.remove();
@@ -105,8 +107,14 @@ export class ProgramResult {
 				frame.contentWindow?.postMessage(await report.text(), '*');
 			if (source === frame.contentWindow && data === 'report-shown')
 				document.dispatchEvent(new Event('report-shown'));
-		});
+		}, {signal});
+		signal.addEventListener('abort', () => URL.revokeObjectURL(url));
 		this.more.append(element('p', {className: 'row'}, save, ...(this.open ? [] : [show])), ...(this.open ? [frame] : []));
+	}
+
+	/** The card goes: its report can be saved and shown no more. */
+	release() {
+		this.gone.abort();
 	}
 
 	/** A verdict that was told stands. */

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * worker.js - runs one job of the checker in a worker (client.js). What ends the worker ends the job.
+ * worker.js - runs jobs of the checker in a worker, one after the other (client.js). What ends the worker ends the job.
  */
 import {Fivecheck} from './fivecheck.js';
 import {Files} from './files.js';
@@ -13,9 +13,13 @@ function filesOf(given) {
 	return files;
 }
 
+/** Of the job before: one with the same files does not bring them. @type {[string, string | Blob][]} */
+let given = [];
+
 addEventListener('message', async ({data}) => {
 	try {
-		const fivecheck = await Fivecheck.load(data.modules, data.viewer), files = filesOf(data.files);
+		given = data.files ?? given;
+		const fivecheck = await Fivecheck.load(data.modules, data.viewer), files = filesOf(given);
 		if (data.args) {
 			postMessage({done: fivecheck.run(data.args, files)});
 			return;
