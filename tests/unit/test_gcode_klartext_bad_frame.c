@@ -11,6 +11,32 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:10: error: CYCL DEF 7.1, but no 7.0 has begun the cycle"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X\n",
 	 "p.nc:3:14: error: DATUM SHIFT needs an axis and a value here"},
+	{"CYCL DEF 7.0 DATUM SHIFT X+5\n",
+	 "p.nc:2:27: error: a value behind the name of a cycle: values stand in the lines .1 and on"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 Y+5\nCYCL DEF 7.0\nCYCL DEF 7.1\n",
+	 "p.nc:5:10: error: a line without values while a datum shift is in force: whether it cancels that is not known "
+	 "here; write X+0, Y+0 and Z+0"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+5\nCYCL DEF 7.0\nCYCL DEF 7.1\n",
+	 "p.nc:5:10: error: a line without values while a datum shift is in force: whether it cancels that is not known "
+	 "here; write X+0, Y+0 and Z+0"},
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 10.0\nCYCL DEF 10.1\n",
+	 "p.nc:5:10: error: a line without values while a rotation is in force: whether it cancels that is not known here; "
+	 "write ROT+0"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 26.0\nCYCL DEF 26.1\n",
+	 "p.nc:5:10: error: a line without values while a scaling is in force: whether it cancels that is not known here; "
+	 "write a factor of 1 for each axis"},
+	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 X+10\nLP PR+10 PA+0 FMAX\n",
+	 "p.nc:5:4: error: X of CC was given before a change of coordinates: whether the centre has moved with them is not "
+	 "known here; write CC again, with all its coordinates"},
+	{"CC X+5 Y+0\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nCC Y+5\n",
+	 "p.nc:5:4: error: X of CC was given before a change of coordinates: whether the centre has moved with them is not "
+	 "known here; write CC again, with all its coordinates"},
+	{"CC X+0 Y+0\nLP PR+30 PA+0 FMAX\nCC X+10 Y+0\nLP PA+90 FMAX\n",
+	 "p.nc:5:4: error: the tool has moved, or CC has changed, since the last PR and PA: from where PR counts is not known "
+	 "here; write PR and PA as absolute values"},
+	{"CC X+0 Y+0\nLP PR+30 PA+0 FMAX\nL Y+10 FMAX\nLP PR+30 IPA+90 FMAX\n",
+	 "p.nc:5:4: error: the tool has moved, or CC has changed, since the last PR and PA: from where PA counts is not known "
+	 "here; write PR and PA as absolute values"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 #5\n",
 	 "p.nc:3:14: error: the setup has no row 5 of the datum table: add <work_offset name=\"#5\" X=\"\" Y=\"\" Z=\"\"/> "
 	 "with its values"},
@@ -65,8 +91,11 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 247 Q339=5\n",
 	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 "
 	 "P5\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
+	{"CYCL DEF 247 Q339=100\n",
+	 "p.nc:2:14: error: presets from 0 to 99 are supported, as G54 and G54.1 P1 to P99 of the setup"},
 	{"CYCL DEF 247 Q339=0\n",
-	 "p.nc:2:14: error: presets from 1 to 99 are supported, as G54.1 P1 to P99 of the setup"},
+	 "p.nc:2:14: error: the setup defines no work offset G54: add <work_offset name=\"G54\" X=\"\" Y=\"\" Z=\"\"/> with "
+	 "its values"},
 	{"CYCL DEF 247 Q338=1\n",
 	 "p.nc:2:10: error: DATUM SETTING needs Q339, the number of the preset"},
 	{"CYCL DEF 247\nL X+1 FMAX\n",
@@ -280,7 +309,7 @@ static const struct klartext_fault faults[] = {
 	 "programmed in them: from where the control counts is not known here; give X as an absolute "
 	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
 	 "axis stands"},
-	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nLP IPR+5 PA+0 FMAX\n",
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nCC X+0 Y+0\nLP IPR+5 PA+0 FMAX\n",
 	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
 	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "

@@ -272,6 +272,18 @@ static const struct klartext_program cycles[] = {
 	 "rapid 2 0 9 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -4 0 0\nrapid 2 0 2 0 0\nrapid 2 0 9 0 0\n"
 	 "rapid 3 0 9 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -4 0 0\nrapid 3 0 2 0 0\nrapid 3 0 9 0 0\n"
 	 "rapid 4 0 9 0 0\n"},
+	/* A pole that a change of coordinates leaves where it is: about it, along the tool, and there and back. */
+	{"CC X+0 Y+0\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+0\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\n"
+	 "CYCL DEF 7.0\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Z-5\nLP PR+10 PA+90 FMAX\nL Z+0 FMAX\nLP IPA+90 FMAX\nCC Y+20\n"
+	 "LP PR+20 PA+90 FMAX\n",
+	 "rapid 0 10 0 0 0\nrapid 0 10 -5 0 0\nrapid -10 0 -5 0 0\nrapid 0 40 -5 0 0\n"},
+	/* M89 counts behind polar coordinates and circles, too; a pole moves nothing. */
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nCC X+0 Y+0\nLP PR+10 PA+0 FMAX M89\n"
+	 "LP PA+90 FMAX\nCC X+5 Y+10\nLP PR+5 PA+0 FMAX M99\nLP PR+2 PA+0 FMAX\n",
+	 "rapid 10 0 0 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -4 0 0\nrapid 10 0 2 0 0\nrapid 10 0 9 0 0\n"
+	 "rapid 0 10 9 0 0\nrapid 0 10 2 0 0\nfeed 0 10 -4 0 0\nrapid 0 10 2 0 0\nrapid 0 10 9 0 0\n"
+	 "rapid 10 10 9 0 0\nrapid 10 10 2 0 0\nfeed 10 10 -4 0 0\nrapid 10 10 2 0 0\nrapid 10 10 9 0 0\n"
+	 "rapid 7 10 9 0 0\n"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=0 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\n"},
 	{"CYCL DEF 201 REAMING Q200=2 Q201=-10 Q206=100 Q211=0.5 Q208=250 Q203=+0 Q204=20\n"

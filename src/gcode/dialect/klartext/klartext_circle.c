@@ -49,6 +49,15 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 
 /* --------------------------------------------------------------------- CC */
 
+/* Of CC with one coordinate the others stay: those of the plane in force must lie where they lay. False: reported. */
+static bool check_kept(struct interp *interp, const struct klartext_words *words)
+{
+	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z;
+	const unsigned kept = plane & ~words->axes & ~(1U << klartext_of(interp)->across);
+
+	return (words->axes & (words->axes - 1)) || klartext_pole_check(interp, kept, words->first_column);
+}
+
 /*
  * iTNC 530 user's manual, "Circle center CC": coordinates that are left out stay; without any the present position is
  * the centre; I values count from the present position. Two coordinates name the plane. With all three, it is that of
@@ -76,8 +85,11 @@ bool klartext_circle_pole(struct lexer *lexer)
 		klartext->across = SLOT_Z;
 		klartext->has_pole[SLOT_X] = klartext->has_pole[SLOT_Y] = true;
 		klartext->spatial_pole = false;
+		klartext->pole_place = klartext_frame_place_of(interp, klartext->pole);
 		return true;
 	}
+	if (!check_kept(interp, &words))
+		return false;
 	klartext->spatial_pole = words.axes == plane;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool increment = words.increments & 1U << slot;
@@ -98,6 +110,7 @@ bool klartext_circle_pole(struct lexer *lexer)
 									: klartext->across;
 	else if (klartext_words_has(&words, SLOT_X) && klartext_words_has(&words, SLOT_Y))
 		klartext->across = SLOT_Z;
+	klartext->pole_place = klartext_frame_place_of(interp, klartext->pole);
 	return true;
 }
 

@@ -395,8 +395,7 @@ bool klartext_cycle_start(struct interp *interp, double *height)
 	return true;
 }
 
-/* M89: behind its own block and every further one that moves axes, until M99 or another definition. */
-bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words)
+bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words, bool moves)
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct klartext_m *m = words->m_count ? klartext_words_m(words, 99) : NULL;
@@ -408,5 +407,5 @@ bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_word
 		klartext->modal_call = false;
 		return true;
 	}
-	return !words->axes || klartext_cycle_call(interp, words->first_column);
+	return !moves || klartext_cycle_call(interp, words->first_column);
 }

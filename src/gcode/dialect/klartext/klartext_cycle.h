@@ -28,7 +28,10 @@ bool klartext_cycle_check_values(struct interp *interp, int column, bool heights
 /* The height of the set-up clearance over the workpiece, mm; false: the cycle has none. */
 bool klartext_cycle_start(struct interp *interp, double *height);
 
-/* The same behind a move, if M89 is in force. */
-bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words);
+/*
+ * M89: calls the cycle behind its own block and every further one that `moves` axes, until M99 or another definition.
+ * False: reported.
+ */
+bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words, bool moves);
 
 #endif

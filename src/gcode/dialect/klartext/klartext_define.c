@@ -326,6 +326,20 @@ static void skip_name(struct lexer *lexer)
 		lexer_take(lexer);
 }
 
+/* A name alone: the values of an older cycle stand in the lines behind it. */
+static bool skip_name_of_lines(struct lexer *lexer)
+{
+	while (!klartext_ends(lexer)) {
+		const char *text = lexer->at->text + lexer->position;
+
+		if ((text[0] == '+' || text[0] == '-') && text[1] >= '0' && text[1] <= '9')
+			return fault(lexer->at, lexer_column(lexer),
+				     "a value behind the name of a cycle: values stand in the lines .1 and on");
+		lexer_take(lexer);
+	}
+	return true;
+}
+
 /* The contour cycles with Q parameters have numbers among the older ones. */
 static bool is_by_q(int number)
 {
@@ -376,8 +390,7 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 			klartext_of(interp)->contour_count = 0;
 		if (number == 12)
 			klartext_of(interp)->cycle_program[0] = '\0';
-		skip_name(lexer);
-		return true;
+		return skip_name_of_lines(lexer);
 	}
 	if (!definition->open || definition->number != number || definition->by_q)
 		return fault(lexer->at, column, "CYCL DEF %d.%d, but no %d.0 has begun the cycle", number, part,

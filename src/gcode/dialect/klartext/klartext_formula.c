@@ -224,6 +224,8 @@ static bool asks_definition(const struct lexer *before)
 {
 	struct lexer lexer = *before;
 
+	if (lexer_peek(&lexer) == '+')
+		lexer_take(&lexer);
 	if (klartext_upper(lexer_peek(&lexer)) != 'Q')
 		return false;
 	lexer_take(&lexer);
@@ -243,6 +245,8 @@ static bool read_definition(struct lexer *lexer, bool *holds)
 	double unused;
 	int number;
 
+	if (lexer_peek(lexer) == '+')
+		lexer_take(lexer);
 	q = klartext_q_find(lexer, &number);
 	if (!q || (!q->given && !q->undefined && !klartext_q_read(&value, &unused)))
 		return false;

@@ -77,25 +77,48 @@ static vec3 offset_of(const struct interp *interp)
 	return (vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]};
 }
 
-vec3 klartext_frame_position(const struct interp *interp, vec3 point)
+/* A programmed point, as it lies from the work offset; and back. */
+static vec3 forth(const struct klartext_frame *frame, vec3 point)
 {
-	const struct klartext_frame *frame = &klartext_of(interp)->frame;
-
-	if (frame->any)
-		point = vec3_add(frame->origin, mat3_apply(&frame->turn, times(frame->scale, point)));
-	return vec3_add(offset_of(interp), point);
+	return frame->any ? vec3_add(frame->origin, mat3_apply(&frame->turn, times(frame->scale, point))) : point;
 }
 
-vec3 klartext_frame_point(const struct interp *interp)
+static vec3 back(const struct klartext_frame *frame, vec3 point)
 {
-	const struct klartext_frame *frame = &klartext_of(interp)->frame;
-	const double *v = interp->state.position.v;
-	vec3 point = vec3_sub((vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]}, offset_of(interp));
-
 	if (!frame->any)
 		return point;
 	point = mat3_apply_transposed(&frame->turn, vec3_sub(point, frame->origin));
 	return (vec3){point.x / frame->scale.x, point.y / frame->scale.y, point.z / frame->scale.z};
+}
+
+vec3 klartext_frame_position(const struct interp *interp, vec3 point)
+{
+	return vec3_add(offset_of(interp), forth(&klartext_of(interp)->frame, point));
+}
+
+vec3 klartext_frame_point(const struct interp *interp)
+{
+	const double *v = interp->state.position.v;
+
+	return back(&klartext_of(interp)->frame,
+		    vec3_sub((vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]}, offset_of(interp)));
+}
+
+static vec3 work_of(const struct interp *interp)
+{
+	const double *v = interp->state.work[interp->state.system].v;
+
+	return (vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]};
+}
+
+vec3 klartext_frame_place_of(const struct interp *interp, vec3 point)
+{
+	return vec3_add(work_of(interp), forth(&klartext_of(interp)->frame, point));
+}
+
+vec3 klartext_frame_point_at(const struct interp *interp, vec3 place)
+{
+	return back(&klartext_of(interp)->frame, vec3_sub(place, work_of(interp)));
 }
 
 bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
@@ -188,6 +211,27 @@ static bool has_turned(const struct klartext_frame *frame)
 	return klartext_frame_is_inner(&bare);
 }
 
+/* A line without values, as posts write it: an editor of the control has none. False: reported. */
+static bool check_values(const struct interp *interp, const struct klartext_cycle *cycle, bool in_force, const char *what,
+			 const char *words)
+{
+	const struct line_place at = klartext_frame_place(interp, cycle->line);
+
+	return cycle->count > 0 || !in_force ||
+	       fault(&at, cycle->column,
+		     "a line without values while %s is in force: whether it cancels that is not known here; write %s",
+		     what, words);
+}
+
+static bool is_shifted(const struct interp *interp, vec3 linear)
+{
+	bool shifted = !is_zero(linear);
+
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
+		shifted |= !same_double(interp->state.shift.v[slot], 0);
+	return shifted;
+}
+
 /* Row 5 of the datum table: the setup's <work_offset name="#5">. NULL: it has none. */
 static const struct work_offset *find_row(const struct interp *interp, int number)
 {
@@ -249,6 +293,8 @@ static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 	slot_values shift = interp->state.shift;
 	bool increment;
 
+	if (!check_values(interp, cycle, is_shifted(interp, *linear), "a datum shift", "X+0, Y+0 and Z+0"))
+		return false;
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		int slot = axis_of(word->name, &increment);
@@ -343,6 +389,8 @@ bool klartext_frame_rotate(struct interp *interp, const struct klartext_cycle *c
 {
 	struct klartext_frame frame = klartext_of(interp)->frame;
 
+	if (!check_values(interp, cycle, !same_double(frame.rotation, 0), "a rotation", "ROT+0"))
+		return false;
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		bool increment = !strcmp(word->name, "IROT");
@@ -376,6 +424,8 @@ bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cy
 	const enum cycle_11_axes axes = interp->config->controller.cycle_11_axes;
 	struct klartext_frame frame = klartext_of(interp)->frame;
 
+	if (!check_values(interp, cycle, klartext_frame_is_scaled(interp), "a scaling", "SCL 1"))
+		return false;
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 
@@ -402,6 +452,8 @@ bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycl
 	double factor[3] = {1, 1, 1}, centre[3] = {0, 0, 0};
 	bool named[3] = {false, false, false};
 
+	if (!check_values(interp, cycle, klartext_frame_is_scaled(interp), "a scaling", "a factor of 1 for each axis"))
+		return false;
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		bool is_centre = !strncmp(word->name, "CC", 2) && word->name[2] != '\0';

@@ -13,6 +13,10 @@ void klartext_frame_update(struct interp *interp);
 vec3 klartext_frame_position(const struct interp *interp, vec3 point);
 vec3 klartext_frame_point(const struct interp *interp);
 
+/* The same, of any point and without the tool's length: where it lies on the machine's table, and back. */
+vec3 klartext_frame_place_of(const struct interp *interp, vec3 point);
+vec3 klartext_frame_point_at(const struct interp *interp, vec3 place);
+
 /*
  * Increments count from the position that was programmed last. Where coordinates have changed since, or the control has
  * moved the axis by itself, increments_after_shift="stay" of the machine file says that they count from where the axis

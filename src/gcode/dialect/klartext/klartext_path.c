@@ -102,6 +102,6 @@ bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape)
 		return fault(&interp->at, words.feed_column, "a circle cannot be moved at FMAX; it needs F");
 	if (path.arc && !klartext_move_check_arc(interp, &path, words.first_column))
 		return false;
-	return klartext_path_make(interp, &words, &target, &path) && klartext_cycle_call_modal(interp, &words) &&
+	return klartext_path_make(interp, &words, &target, &path) && klartext_cycle_call_modal(interp, &words, true) &&
 	       klartext_m_end(interp, &words);
 }

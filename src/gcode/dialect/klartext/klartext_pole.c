@@ -5,6 +5,10 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "geom/tolerance.h"
+
+/* mm: what coordinates with three decimals put the tool beside where PR and PA say. */
+#define RADIUS_SAME 0.002
 
 /* ------------------------------------------------------------------ planes */
 
@@ -42,6 +46,28 @@ void klartext_pole_put(vec3 *v, int across, struct plane_point point)
 	klartext_pole_set_coordinate(v, b, point.b);
 }
 
+/* Coordinates may change behind CC: does this one of its pole still lie where it lay then? */
+static bool stands(const struct interp *interp, int slot)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const vec3 now = klartext_frame_point_at(interp, klartext->pole_place);
+
+	return fabs(klartext_pole_coordinate(now, slot) - klartext_pole_coordinate(klartext->pole, slot)) <=
+	       SAME_COORDINATE;
+}
+
+bool klartext_pole_check(struct interp *interp, unsigned axes, int column)
+{
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (axes & 1U << slot && klartext_of(interp)->has_pole[slot] && !stands(interp, slot))
+			return fault(&interp->at, column,
+				     "%c of CC was given before a change of coordinates: whether the centre has moved with "
+				     "them is not known here; write CC again, with all its coordinates",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
 bool klartext_pole_find(struct interp *interp, int column, struct plane_point *pole)
 {
 	const struct klartext *klartext = klartext_of(interp);
@@ -51,13 +77,34 @@ bool klartext_pole_find(struct interp *interp, int column, struct plane_point *p
 	if (!klartext->has_pole[a] || !klartext->has_pole[b])
 		return fault(&interp->at, column, "no CC has given the centre");
 	*pole = klartext_pole_flat(klartext->pole, klartext->across);
-	return true;
+	return klartext_pole_check(
+	    interp, klartext->spatial_pole ? 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z : 1U << a | 1U << b, column);
 }
 
 /* Degrees: where the tool stands as seen from the pole. */
 static double polar_angle(struct plane_point pole, struct plane_point point)
 {
 	return math_atan2_degrees(point.b - pole.b, point.a - pole.a);
+}
+
+/*
+ * What is left out or an increment counts from the last PR and PA, or from where the tool stands as seen from the pole:
+ * which of them is not in the manuals. False: they differ, which was reported.
+ */
+static bool check_last(struct interp *interp, const struct klartext_words *words, double radius, double angle)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const bool by_radius = !words->has_radius || words->radius_increment,
+		   by_angle = !words->has_angle || words->angle_increment;
+
+	if (!klartext->polar.given ||
+	    ((!by_radius || fabs(klartext->polar.radius - radius) <= RADIUS_SAME) &&
+	     (!by_angle || radians(fabs(remainder(klartext->polar.angle - angle, 360))) * radius <= RADIUS_SAME)))
+		return true;
+	return fault(&interp->at, words->first_column,
+		     "the tool has moved, or CC has changed, since the last PR and PA: from where %s counts is not known "
+		     "here; write PR and PA as absolute values",
+		     by_angle ? "PA" : "PR");
 }
 
 bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
@@ -82,12 +129,18 @@ bool klartext_pole_point(struct interp *interp, const struct klartext_words *wor
 	here = klartext_pole_flat(path->start, across);
 	radius = math_hypot(here.a - pole.a, here.b - pole.b);
 	angle = polar_angle(pole, here);
+	/* CP, which alone has a direction of rotation, begins where the tool stands. */
+	if (!words->direction && !check_last(interp, words, radius, angle))
+		return false;
 	if (words->has_radius)
 		radius = words->radius + (words->radius_increment ? radius : 0);
 	if (words->has_angle)
 		angle = words->angle + (words->angle_increment ? angle : 0);
 	if (radius < 0)
 		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
+	klartext_of(interp)->polar.given = true;
+	klartext_of(interp)->polar.radius = radius;
+	klartext_of(interp)->polar.angle = angle;
 	klartext_pole_put(
 	    &target->point, across,
 	    (struct plane_point){pole.a + radius * math_cos_degrees(angle), pole.b + radius * math_sin_degrees(angle)});

@@ -15,7 +15,10 @@ void klartext_pole_set_coordinate(vec3 *v, int slot, double value);
 struct plane_point klartext_pole_flat(vec3 v, int across);
 void klartext_pole_put(vec3 *v, int across, struct plane_point point);
 
-/* The pole. False: CC has not given it, which was reported at the column. */
+/* Do these coordinates of CC, bits 1 << slot, lie where they lay when it was given? False: reported. */
+bool klartext_pole_check(struct interp *interp, unsigned axes, int column);
+
+/* The pole. False: CC has not given it, or coordinates have changed since, which was reported at the column. */
 bool klartext_pole_find(struct interp *interp, int column, struct plane_point *pole);
 
 /* The point that PR and PA name from CC on; left out or increments: from the start of the path. False: reported. */

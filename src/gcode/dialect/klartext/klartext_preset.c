@@ -43,8 +43,9 @@ static bool may_select(struct interp *interp, const struct klartext_cycle_word *
 {
 	const struct klartext_frame *frame = &klartext_of(interp)->frame;
 
-	if (!(word->value >= 1 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
-		return fault(at, word->column, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup",
+	if (!(word->value >= 0 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
+		return fault(at, word->column,
+			     "presets from 0 to %d are supported, as G54 and G54.1 P1 to P%d of the setup",
 			     EXTENDED_COUNT, EXTENDED_COUNT);
 	if (klartext_frame_is_inner(frame) || (frame->tilted && (!is_zero(frame->shift) || shifts_others(interp))))
 		return fault(at, word->column,
@@ -54,7 +55,7 @@ static bool may_select(struct interp *interp, const struct klartext_cycle_word *
 	       fault(at, word->column, "a preset while M128 is in force is not supported; M129 first");
 }
 
-/* Row Q339 of the preset table, which a setup gives as G54.1 P<row>. */
+/* Row Q339 of the preset table, which a setup gives as G54.1 P<row>; row 0, the datum set by hand, as G54. */
 bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	struct klartext *klartext = klartext_of(interp);
@@ -68,7 +69,7 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	if (!may_select(interp, word, &at))
 		return false;
 	cancel_shift(interp);
-	state->system = SYSTEM_COUNT - 1 + (int)word->value;
+	state->system = word->value > 0 ? SYSTEM_COUNT - 1 + (int)word->value : 0;
 	klartext->preset_settled = true;
 	klartext->preset_in_plane = klartext->frame.tilted;
 	return work_offset_use_require(interp, state->system, word->column) &&

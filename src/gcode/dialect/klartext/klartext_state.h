@@ -239,7 +239,12 @@ struct klartext {
 	/* Path. */
 	vec3 programmed; /* where the last move has led, in the coordinates of then, mm: increments count from there */
 	vec3 pole;
+	vec3 pole_place; /* where it lay when CC gave it, without the tool's length */
 	bool has_pole[3];
+	struct {
+		bool given;
+		double radius, angle; /* mm, degrees */
+	} polar; /* of the last block in polar coordinates */
 	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
 	bool spatial_pole; /* CC has named X, Y and Z: the plane is that of the tool axis, if its circle fits */
 	struct klartext_path last; /* the move before, for CT and corners */

@@ -192,7 +192,8 @@ static bool run(struct lexer *lexer, const struct klartext_words *words)
 {
 	struct interp *interp = lexer->context;
 
-	return check_line_words(lexer, words) && run_words(interp, words) && klartext_cycle_call_modal(interp, words) &&
+	return check_line_words(lexer, words) && run_words(interp, words) &&
+	       klartext_cycle_call_modal(interp, words, words->axes || words->has_tool || words->has_spatial) &&
 	       klartext_m_end(interp, words);
 }
 
