@@ -28,6 +28,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -55,7 +56,7 @@ static char folder[512];	/* of the job; empty: none was made */
 #define DISCARDED_MAX (64L << 20)
 
 static long unread;	/* bytes of the body */
-static volatile sig_atomic_t child;
+static volatile sig_atomic_t child, ended;
 
 static int remove_one(const char *path, const struct stat *status, int flag, struct FTW *where)
 {
@@ -78,7 +79,7 @@ static void refuse(const char *status, const char *format, ...)
 	va_list arguments;
 
 	clean_up();
-	while (unread > 0 && getchar() != EOF)
+	while (!ended && unread > 0 && getchar() != EOF)
 		unread--;
 	printf("Status: %s\r\nContent-Type: text/plain; charset=utf-8\r\nCache-Control: no-store\r\n", status);
 	if (!strncmp(status, "503", 3))
@@ -91,10 +92,14 @@ static void refuse(const char *status, const char *format, ...)
 	exit(EXIT_SUCCESS);
 }
 
-/* Time is up: while the upload is read, or while a job runs. */
-static void on_alarm(int number)
+/*
+ * Time is up, or the server has lost whoever waited: while the upload is read, or while a job runs. What waits is
+ * interrupted, and the job ends in its own way, which leaves nothing behind.
+ */
+static void on_end(int number)
 {
 	(void)number;
+	ended = 1;
 	if (child > 0)
 		kill(-child, SIGKILL);
 }
@@ -331,12 +336,12 @@ static void unpack(void)
 			unpack_file(path, size);
 	}
 	/* What follows is of no interest, but the server wants to be rid of it. */
-	while (unread > 0 && getchar() != EOF)
+	while (!ended && unread > 0 && getchar() != EOF)
 		unread--;
 }
 
-/* Takes one of the locks, one for each processor; waits for one if all are taken. */
-static void take_slot(const char *work)
+/* Takes one of the locks, one for each processor; waits for one if all are taken. Who closes it gives it back. */
+static int take_slot(const char *work)
 {
 	long count = sysconf(_SC_NPROCESSORS_ONLN);
 	int last = -1;
@@ -353,10 +358,11 @@ static void take_slot(const char *work)
 		if (last < 0)
 			refuse("500 Internal Server Error", "the folder of the checker cannot be written to");
 		if (flock(last, LOCK_EX | LOCK_NB) == 0)
-			return;
+			return last;
 	}
-	if (flock(last, LOCK_EX))
+	if (ended || flock(last, LOCK_EX))
 		refuse("503 Service Unavailable", "all processors are at work; try again");
+	return last;
 }
 
 static void limit(int what, long most)
@@ -373,6 +379,8 @@ static void limit_child(long seconds)
 	limit(RLIMIT_AS, (long)MEMORY_MB << 20);
 	limit(RLIMIT_FSIZE, (long)OUTPUT_MB << 20);
 	limit(RLIMIT_NOFILE, 256);
+	/* No further process or thread: the user of the server has more already. */
+	limit(RLIMIT_NPROC, 1);
 	limit(RLIMIT_CORE, 0);
 }
 
@@ -423,6 +431,8 @@ static int run(const struct query *query, long seconds, int output)
 		run_child(query, seconds, output);
 	setpgid(pid, pid);
 	child = pid;
+	if (ended)
+		kill(-pid, SIGKILL);
 	/* A job that waits for something it will not get uses no processor time. */
 	alarm((unsigned)(2 * seconds));
 	while (waitpid(pid, &status, 0) < 0) {
@@ -452,20 +462,31 @@ static void answer(const struct query *query, int status, int output)
 	fclose(file);
 }
 
+/* The type of an upload, in any case, with or without parameters. */
+static bool is_tar(const char *type)
+{
+	static const char tar[] = "application/x-tar";
+	const size_t length = sizeof(tar) - 1;
+
+	return !strncasecmp(type, tar, length) && (type[length] == '\0' || strchr("; ", type[length]));
+}
+
 int main(void)
 {
 	const char *method = getenv("REQUEST_METHOD"), *length = getenv("CONTENT_LENGTH"),
 		   *type = getenv("CONTENT_TYPE");
 	const char *work = getenv("FIVECHECK_WORK") ? getenv("FIVECHECK_WORK") : DEFAULT_WORK,
 		   *text = getenv("QUERY_STRING");
-	const struct sigaction ring = {.sa_handler = on_alarm};
+	const struct sigaction end = {.sa_handler = on_end};
 	long most = number_of("FIVECHECK_MB", DEFAULT_MB, 4096) << 20, size = number_of("CONTENT_LENGTH", 0, 1L << 40);
 	long seconds = number_of("FIVECHECK_SECONDS", DEFAULT_SECONDS, 86400);
 	char words[4096];
 	struct query query = {0};
-	int output, status;
+	int slot, output, status;
 
-	sigaction(SIGALRM, &ring, NULL);
+	sigaction(SIGALRM, &end, NULL);
+	sigaction(SIGTERM, &end, NULL);
+	sigaction(SIGHUP, &end, NULL);
 	umask(077);
 	/* Also what is too large is taken, up to a bound: an answer to who is still sending may be lost. */
 	unread = size - most <= DISCARDED_MAX ? size : most + DISCARDED_MAX;
@@ -476,7 +497,7 @@ int main(void)
 		refuse("411 Length Required", "the length of the upload must be known");
 	if (size > most)
 		refuse("413 Content Too Large", "an upload may have %ld MB", most >> 20);
-	if (!type || strncmp(type, "application/x-tar", 17) != 0 || getenv("HTTP_CONTENT_ENCODING"))
+	if (!type || !is_tar(type) || getenv("HTTP_CONTENT_ENCODING"))
 		refuse("415 Unsupported Media Type", "the upload must be a plain tar archive, application/x-tar");
 	if (!text || strlen(text) >= sizeof(words))
 		refuse("400 Bad Request", "the query is missing or too long");
@@ -491,13 +512,15 @@ int main(void)
 		refuse("500 Internal Server Error", "the folder of the job was lost");
 	unpack();
 	alarm(WAIT_SECONDS);
-	take_slot(work);
+	slot = take_slot(work);
 	alarm(0);
 	output = open(".output", O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_APPEND, 0600);
 	if (output < 0)
 		refuse("500 Internal Server Error", "the folder of the job was lost");
 	status = run(&query, seconds, output);
-	answer(&query, status, output);
+	/* Who reads the answer slowly, or not at all, keeps no processor and no room. */
+	close(slot);
 	clean_up();
+	answer(&query, status, output);
 	return EXIT_SUCCESS;
 }

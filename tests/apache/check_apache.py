@@ -238,6 +238,76 @@ def limits(server):
     nothing_left(server)
 
 
+def half_a_request(server, text, length=None):
+    """A socket on which a request for a check has begun: this part of its body is sent, of so many bytes."""
+    client = socket.socket()
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    client.settimeout(300)
+    client.connect(("127.0.0.1", server.port))
+    client.sendall(b"POST /fivecheck/check?machine=m.xml&program=p.nc&format=ndjson&all=1 HTTP/1.1\r\nHost: x\r\nContent-Type: application/x-tar\r\n"
+                   b"Connection: close\r\nContent-Length: %d\r\n\r\n" % (length or len(text)) + text)
+    return client
+
+
+def is_tidied(server):
+    """Nothing is left of jobs, as soon as the server has ended them: until then it has other jobs to do."""
+    for _ in range(300):
+        if all(name.startswith("slot-") for name in os.listdir(f"{server.root}/work")):
+            return
+        server.check(archive(job()))
+    nothing_left(server)
+
+
+@test
+def impolite(server):
+    """Who goes away, sends half a job or does not read the answer leaves nothing behind, and keeps no processor from others."""
+    body, endless = archive(job()), archive(job(b"G21 G90\no1 while [1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n"))
+    for sent in (b"", body[:700], body[:-600]):
+        half_a_request(server, sent, len(body)).close()
+        is_tidied(server)
+    waiting = half_a_request(server, body[:1500], len(body))
+    true("half a job is not waited for", waiting.recv(100).split()[1:2] in ([b"408"], [b"400"], []))
+    waiting.close()
+    half_a_request(server, endless).close()
+    is_tidied(server)
+    # Each has megabytes of findings to send, and more are at it than there are processors.
+    passes = archive(job(b"G21 G90 G61\no1 repeat [10000]\nG0 X500 (%s)\nG0 X501 (%s)\no1 endrepeat\nM2\n" % (b"a" * 200, b"b" * 200)))
+    readers = [half_a_request(server, passes) for _ in range((os.cpu_count() or 1) + 1)]
+    for reader in readers:
+        same("an answer begins", reader.recv(12), b"HTTP/1.1 200")
+    same("others have a processor", server.check(body)[:2], (200, "0"))
+    is_tidied(server)
+    for reader in readers:
+        reader.close()
+    is_tidied(server)
+
+
+@test
+def methods(server):
+    """HEAD, ranges, other methods and types, and lengths that are not true."""
+    status, headers, text = server.ask("HEAD", "/fivecheck/fivecheck.wasm")
+    same("HEAD", (status, headers["Content-Type"], text), (200, "application/wasm", b""))
+    whole = server.ask("GET", "/fivecheck/main.js")[2]
+    status, headers, text = server.ask("GET", "/fivecheck/main.js", headers={"Range": "bytes=10-19"})
+    same("a range", (status, text), (206, whole[10:20]))
+    same("a range beyond the end", server.ask("GET", "/fivecheck/main.js", headers={"Range": f"bytes={len(whole)}-"})[0], 416)
+    many = "bytes=" + ",".join(f"{i}-" for i in range(1500))
+    true("a thousand ranges are no thousand files", len(server.ask("GET", "/fivecheck/main.js", headers={"Range": many})[2]) <= len(whole))
+    for method in ("OPTIONS", "PUT", "DELETE", "PROPFIND", "HEAD", "PATCH"):
+        true(f"{method} of a check", server.ask(method, "/fivecheck/check?machine=m.xml&program=p.nc")[0] in (403, 405, 501))
+        true(f"{method} of a file", method == "HEAD" or server.ask(method, "/fivecheck/main.js")[0] in (403, 405, 501))
+    body = archive(job())
+    for kind in ("text/plain", "application/x-tar-gz", "application/x-tarball", "application/json", "", "application/X"):
+        same(f"the type {kind}", server.check(body, headers={"Content-Type": kind})[0], 415)
+    for kind in ("application/x-tar; charset=binary", "Application/X-Tar"):
+        same(f"the type {kind}", server.check(body, headers={"Content-Type": kind})[:2], (200, "0"))
+    same("a length beyond any", server.ask("POST", "/fivecheck/check?machine=m.xml&program=p.nc", b"", {"Content-Type": "application/x-tar", "Content-Length": str(70 << 20)})[0], 413)
+    same("an empty body", server.check(b"")[0] in (400, 411), True)
+    same("a job in a job's place", server.ask("POST", "/fivecheck/check/../../apache.conf?machine=m.xml&program=p.nc", body)[0] in (400, 403, 404, 405), True)
+    same("a path behind the program", server.ask("GET", "/fivecheck/check/x")[0], 403)
+    is_tidied(server)
+
+
 @test
 def nothing_is_sent(server):
     """A browser checks a user's files in the page: the access log has GETs of the page's own files alone."""
@@ -275,7 +345,7 @@ def main():
     arguments = parser.parse_args()
     failed = 0
     # Smaller limits than the example's, so that the test is quick.
-    server = Server(arguments, "<Location /fivecheck/check>\nSetEnv FIVECHECK_MB 1\nSetEnv FIVECHECK_SECONDS 2\n</Location>\n")
+    server = Server(arguments, "RequestReadTimeout body=2\n<Location /fivecheck/check>\nSetEnv FIVECHECK_MB 1\nSetEnv FIVECHECK_SECONDS 2\n</Location>\n")
     try:
         for function in TESTS:
             if arguments.tests and function.__name__ not in arguments.tests:
