@@ -25,6 +25,9 @@ static const struct klartext_program lexis[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"/L X+1 FMAX\nL X+2 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	/* M118 without limits ends handwheel moves. */
+	{"L X+1 FMAX M118\nM118 X0 Y0\n", "rapid 1 0 0 0 0\n"},
+	{"FUNCTION COUNT RESET\nFUNCTION COUNT TARGET10\nL X+1 FMAX\nFUNCTION COUNT INC\n", "rapid 1 0 0 0 0\n"},
 	{"7 /L X+1 FMAX\n8 / L X+2 FMAX\n/ 9 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
 	{"BLK FORM 0.1 Z X+0 Y+0 Z-20\nBLK FORM 0.2 X+100 Y+100 Z+0\nL X+1 FMAX\n",
@@ -157,6 +160,48 @@ START_TEST(datum_row)
 	ck_assert_str_eq(strbuf_text(&c.moves),
 			 "rapid 101 2 3 0 100\nrapid 105 2 3 0 100\nrapid 100 0 0 0 10\n"
 			 "rapid 103 4 5 0 90\nrapid 104 4 5 0 90\n");
+	case_release(&c);
+}
+END_TEST
+
+/* Does the position of C at the preset count for M128? The machine file says it, or there is no answer. */
+static bool turn_about(struct gcode_case *c, enum answer given, bool offset, const char *blocks)
+{
+	static const struct work_offset preset = {.name = "G54.1 P1", .value = {{0, 0, 0, 0, 0, PI / 6}}};
+
+	klartext_case(c);
+	c->config.work_offsets = &preset;
+	c->config.controller.tcp_zero_given = given;
+	c->config.controller.tcp_zero_offset = offset;
+	return klartext_run(c, blocks);
+}
+
+START_TEST(rotary_zero)
+{
+	static const char m128[] = "L C+10 FMAX\nM128\nL X+10 FMAX\n";
+	static const char *const asked[] = {m128, "PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\n",
+					    "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n",
+					    "CYCL DEF 19.0\nCYCL DEF 19.1 A-30 B+0 C+0\n"};
+	struct gcode_case c;
+
+	for (size_t i = 0; i < sizeof(asked) / sizeof(asked[0]); i++) {
+		ck_assert(!turn_about(&c, ANSWER_UNKNOWN, false, asked[i]));
+		ck_assert(strstr(strbuf_text(&c.messages), "tcp_zero=\"machine\" or \"offset\""));
+		case_release(&c);
+	}
+	ck_assert(turn_about(&c, ANSWER_YES, false, m128));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 40\ntcp on length 0 zero A0 C0\nrapid 10 0 0 0 40 tcp\n");
+	case_release(&c);
+	ck_assert(turn_about(&c, ANSWER_YES, true, m128));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 40\ntcp on length 0 zero A0 C30\nrapid 10 0 0 0 40 tcp\n");
+	case_release(&c);
+	ck_assert(turn_about(&c, ANSWER_UNKNOWN, false, "L C+10 FMAX\nPLANE RESET STAY\nM129\nL X+10 FMAX\n"));
+	case_release(&c);
+	/* A datum shift counts where the preset does. */
+	ck_assert(!turn_about(&c, ANSWER_YES, false, "M128\nCYCL DEF 7.0\nCYCL DEF 7.1 C+5\n"));
+	ck_assert(strstr(strbuf_text(&c.messages), "a datum shift of C with M128"));
+	case_release(&c);
+	ck_assert(turn_about(&c, ANSWER_YES, true, "M128\nCYCL DEF 7.0\nCYCL DEF 7.1 C+5\nL C+0 FMAX\n"));
 	case_release(&c);
 }
 END_TEST
@@ -397,6 +442,7 @@ int main(void)
 	tcase_add_test(tcase, presets);
 	tcase_add_test(tcase, only_preset);
 	tcase_add_test(tcase, datum_row);
+	tcase_add_test(tcase, rotary_zero);
 	tcase_add_test(tcase, builder_point);
 	tcase_add_test(tcase, feed_per_tooth);
 	tcase_add_test(tcase, cycle_in_full);

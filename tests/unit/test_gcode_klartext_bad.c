@@ -77,8 +77,8 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 F100 FZ0.1\n",
 	 "p.nc:2:12: error: F stands twice in the block"},
 	{"L X+1 FMAX M118 X1 Y1\n",
-	 "p.nc:2:12: error: M118: handwheel moves during the program is not supported yet; if it may be left out, "
-	 "<mcode number=\"118\" action=\"ignore\"/> in the machine's <controller> says so"},
+	 "p.nc:2:12: error: M118: handwheel moves during the program are not supported; if they may be left out, <mcode "
+	 "number=\"118\" action=\"ignore\"/> in the machine's <controller> says so"},
 	{"M124 T0.01\n",
 	 "p.nc:2:1: error: M124: contour filter is not supported yet; if it may be left out, "
 	 "<mcode number=\"124\" action=\"ignore\"/> in the machine's <controller> says so"},

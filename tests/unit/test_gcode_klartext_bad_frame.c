@@ -5,6 +5,9 @@ static const struct klartext_fault faults[] = {
 	{"FUNCTION MODE MILL \"HEAD2\"\n",
 	 "p.nc:2:20: error: FUNCTION MODE MILL with another kinematics is not supported: leave its name out, and "
 	 "check the program with the machine file of these kinematics"},
+	{"LBL 1\nFUNCTION COUNT REPEAT LBL 1\n",
+	 "p.nc:3:10: error: FUNCTION COUNT REPEAT: how often it jumps the counter of the control says; to check the program, "
+	 "write CALL LBL ... REP 1 in its place"},
 	{"L M128\nTOOL CALL 1 Z\n",
 	 "p.nc:3:11: error: TOOL CALL while M128 is in force: the manual wants M129 first"},
 	{"CYCL DEF 7.1 X+5\n",

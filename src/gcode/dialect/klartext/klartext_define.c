@@ -7,7 +7,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
-#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_frame_cycle.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
@@ -72,11 +72,11 @@ static const struct cycle_row rows[] = {
     {3, USE_CALLED, NULL},
     {4, USE_CALLED, NULL},
     {5, USE_CALLED, NULL},
-    {7, USE_DEFINED, klartext_frame_shift},
-    {8, USE_DEFINED, klartext_frame_mirror},
+    {7, USE_DEFINED, klartext_frame_cycle_shift},
+    {8, USE_DEFINED, klartext_frame_cycle_mirror},
     {9, USE_DEFINED, dwell},
-    {10, USE_DEFINED, klartext_frame_rotate},
-    {11, USE_DEFINED, klartext_frame_scale},
+    {10, USE_DEFINED, klartext_frame_cycle_rotate},
+    {11, USE_DEFINED, klartext_frame_cycle_scale},
     {12, USE_CALLED, NULL},
     {13, USE_IGNORED, NULL}, /* orients the spindle */
     {14, USE_DEFINED, NULL},
@@ -87,7 +87,7 @@ static const struct cycle_row rows[] = {
     {22, USE_CALLED, NULL},
     {23, USE_CALLED, NULL},
     {24, USE_CALLED, NULL},
-    {26, USE_DEFINED, klartext_frame_scale_axes},
+    {26, USE_DEFINED, klartext_frame_cycle_scale_axes},
     {32, USE_DEFINED, tolerate},
     {200, USE_CALLED, NULL},
     {201, USE_CALLED, NULL},

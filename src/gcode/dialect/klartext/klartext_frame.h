@@ -34,21 +34,17 @@ vec3 klartext_frame_direction(const struct interp *interp, vec3 direction);
 struct parallel_box klartext_frame_turned_box(const struct interp *interp, const double half[3]);
 vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
 
+/*
+ * TNC 640 user's manual, preset table: by a machine parameter (presetToAlignAxis) the offset of a rotary axis counts in
+ * the kinematics or not. Is it known from where M128, TCPM and PLANE count rotary axes? False: reported.
+ */
+bool klartext_frame_check_zero(struct interp *interp, int column);
+
 /* Has SCALING (CYCL DEF 11, 26) factors other than 1? */
 bool klartext_frame_is_scaled(const struct interp *interp);
 
 /* The last line of a definition, or an earlier one, whose text is no longer there. */
 struct line_place klartext_frame_place(const struct interp *interp, long line);
-
-/*
- * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling): takes effect where its definition
- * ends. False: reported.
- */
-bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle);
-bool klartext_frame_mirror(struct interp *interp, const struct klartext_cycle *cycle);
-bool klartext_frame_rotate(struct interp *interp, const struct klartext_cycle *cycle);
-bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle);
-bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycle *cycle);
 
 /* Is anything of the inner coordinates in force: mirror, rotation, scaling, a shift behind the tilting? */
 bool klartext_frame_is_inner(const struct klartext_frame *frame);

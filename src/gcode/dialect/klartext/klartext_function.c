@@ -79,7 +79,8 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 		return true;
 	if (!on)
 		return klartext_move_end_tcp(interp, column);
-	return klartext_preset_check(interp, column) && tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
+	return klartext_preset_check(interp, column) && klartext_frame_check_zero(interp, column) &&
+	       tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
 }
 
 /* Behind F: TCP or CONT; MAX or a value limits the feed of compensating moves alone. */
@@ -173,6 +174,10 @@ bool klartext_function_mode(struct lexer *lexer)
 	char word[KLARTEXT_WORD];
 
 	klartext_word(&ahead, word);
+	if (!strcmp(word, "COUNT") && klartext_take(&ahead, "REPEAT"))
+		return fault(lexer->at, column,
+			     "FUNCTION COUNT REPEAT: how often it jumps the counter of the control says; to check the "
+			     "program, write CALL LBL ... REP 1 in its place");
 	if (is_harmless(word))
 		return true;
 	if (klartext_take(lexer, "TCPM"))
@@ -188,9 +193,10 @@ bool klartext_function_mode(struct lexer *lexer)
 	if (ends_nothing(lexer))
 		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
-		return klartext_ends(lexer) || fault(lexer->at, klartext_column(lexer),
-						     "FUNCTION MODE MILL with another kinematics is not supported: leave its "
-						     "name out, and check the program with the machine file of these "
-						     "kinematics");
+		return klartext_ends(lexer) ||
+		       fault(lexer->at, klartext_column(lexer),
+			     "FUNCTION MODE MILL with another kinematics is not supported: leave its "
+			     "name out, and check the program with the machine file of these "
+			     "kinematics");
 	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");
 }

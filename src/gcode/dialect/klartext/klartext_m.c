@@ -107,6 +107,12 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			     "M%d: %s is not supported yet; if it may be left out, <mcode number=\"%d\" "
 			     "action=\"ignore\"/> in the machine's <controller> says so",
 			     m->number, found->what, m->number);
+	/* "M118" without limits ends what one with limits has allowed. */
+	if (m->number == 118 && m->way > 0)
+		return fault(
+		    &interp->at, m->column,
+		    "M118: handwheel moves during the program are not supported; if they may be left out, <mcode "
+		    "number=\"118\" action=\"ignore\"/> in the machine's <controller> says so");
 	*action = action_of(m->number);
 	return true;
 }
@@ -173,7 +179,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 	if (klartext->waits)
 		return fault(&interp->at, m->column,
 			     "M128 before the rotary axes stand where PLANE ... STAY needs them");
-	return klartext_preset_check(interp, m->column) &&
+	return klartext_preset_check(interp, m->column) && klartext_frame_check_zero(interp, m->column) &&
 	       tool_length_switch_tcp(interp, m->column, TCP_BY_MCODE);
 }
 

@@ -119,6 +119,8 @@ bool klartext_plane_run(struct lexer *lexer)
 	klartext->cycle_19_counts = false;
 	if (tilt.reset)
 		return klartext_swivel_reset(interp, &request);
+	if (!klartext_frame_check_zero(interp, request.column))
+		return false;
 	return tilt.axes ? klartext_swivel_axial(interp, &request, tilt.axes, tilt.angle)
 			 : klartext_swivel_tilt(interp, &request, &tilt.turn);
 }
@@ -173,10 +175,11 @@ static bool complete(struct interp *interp, const struct klartext_cycle *cycle, 
 			continue;
 		}
 		if (!counts && (klartext->frame.tilted || !same_double(*kept, 0)))
-			return fault(&interp->at, cycle->column,
-				     "CYCL DEF 19 without %c behind PLANE or an empty CYCL DEF 19: which angle it keeps "
-				     "is not known here; name A, B and C",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, cycle->column,
+			    "CYCL DEF 19 without %c behind PLANE or an empty CYCL DEF 19: which angle it keeps "
+			    "is not known here; name A, B and C",
+			    AXIS_LETTERS[slot]);
 		tilt->angle[slot] = *kept;
 	}
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
@@ -221,7 +224,8 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 	if (!read_cycle(interp, cycle, &tilt, &request) || !check(interp, cycle->column))
 		return false;
 	if (!tilt.axes && cycle->count)
-		return fault(&interp->at, cycle->column, "CYCL DEF 19 without angles has neither F nor a set-up clearance");
+		return fault(&interp->at, cycle->column,
+			     "CYCL DEF 19 without angles has neither F nor a set-up clearance");
 	if (!tilt.axes) {
 		klartext_of(interp)->cycle_19_counts = false;
 		return klartext_swivel_reset(interp, &request);
@@ -235,7 +239,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "
 			     "or \"axes\" of "
 			     "the machine's <controller> says it, or write PLANE SPATIAL");
-	if (!klartext_preset_check(interp, cycle->column))
+	if (!klartext_preset_check(interp, cycle->column) || !klartext_frame_check_zero(interp, cycle->column))
 		return false;
 	if (angles == CYCLE_19_ANGLES_AXES)
 		return tilt_by_axes(interp, &request, &tilt);

@@ -60,10 +60,11 @@ bool klartext_pole_check(struct interp *interp, unsigned axes, int column)
 {
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (axes & 1U << slot && klartext_of(interp)->has_pole[slot] && !stands(interp, slot))
-			return fault(&interp->at, column,
-				     "%c of CC was given before a change of coordinates: whether the centre has moved with "
-				     "them is not known here; write CC again, with all its coordinates",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, column,
+			    "%c of CC was given before a change of coordinates: whether the centre has moved with "
+			    "them is not known here; write CC again, with all its coordinates",
+			    AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -101,10 +102,11 @@ static bool check_last(struct interp *interp, const struct klartext_words *words
 	    ((!by_radius || fabs(klartext->polar.radius - radius) <= RADIUS_SAME) &&
 	     (!by_angle || radians(fabs(remainder(klartext->polar.angle - angle, 360))) * radius <= RADIUS_SAME)))
 		return true;
-	return fault(&interp->at, words->first_column,
-		     "the tool has moved, or CC has changed, since the last PR and PA: from where %s counts is not known "
-		     "here; write PR and PA as absolute values",
-		     by_angle ? "PA" : "PR");
+	return fault(
+	    &interp->at, words->first_column,
+	    "the tool has moved, or CC has changed, since the last PR and PA: from where %s counts is not known "
+	    "here; write PR and PA as absolute values",
+	    by_angle ? "PA" : "PR");
 }
 
 bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,

@@ -77,8 +77,7 @@ static bool read_tool(struct lexer *lexer, int *number, int *column)
 
 	*column = klartext_column(lexer);
 	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer))
-		return klartext_string_name(lexer, "a tool's name", name) &&
-		       find_by_name(lexer, name, *column, number);
+		return klartext_string_name(lexer, "a tool's name", name) && find_by_name(lexer, name, *column, number);
 	if (read_index(lexer, name))
 		return find_by_name(lexer, name, *column, number);
 	return klartext_integer(lexer, "a tool's number", 0, 32767, number);

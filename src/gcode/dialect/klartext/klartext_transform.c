@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "gcode/dialect/klartext/klartext_define.h"
-#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_frame_cycle.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -55,14 +55,14 @@ static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 			if (interp->config->has_axis[slot] && !klartext_define_add_axis(cycle, AXIS_LETTERS[slot], 0))
 				return false;
 		}
-		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, cycle);
+		return klartext_expect_end(lexer) && klartext_frame_cycle_shift(lexer->context, cycle);
 	}
 	if (klartext_take(lexer, "TABLE"))
-		return read_row(lexer, cycle) && klartext_frame_shift(lexer->context, cycle);
+		return read_row(lexer, cycle) && klartext_frame_cycle_shift(lexer->context, cycle);
 	if (!klartext_take(lexer, "AXIS"))
 		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM needs AXIS, TABLE or RESET");
 	return klartext_define_read_axes(lexer, cycle) && check_datum(lexer, cycle) &&
-	       klartext_frame_shift(lexer->context, cycle);
+	       klartext_frame_cycle_shift(lexer->context, cycle);
 }
 
 /* "TRANS MIRROR": AXIS with the letters of axes, as CYCL DEF 8. */
@@ -72,7 +72,7 @@ static bool mirror(struct lexer *lexer, struct klartext_cycle *cycle)
 	const bool *mirrored = klartext_of(interp)->frame.mirror;
 
 	if (klartext_take(lexer, "RESET"))
-		return klartext_expect_end(lexer) && klartext_frame_mirror(interp, cycle);
+		return klartext_expect_end(lexer) && klartext_frame_cycle_mirror(interp, cycle);
 	if (!klartext_take(lexer, "AXIS") || !klartext_define_read_axes(lexer, cycle))
 		return fault(lexer->at, klartext_column(lexer), "TRANS MIRROR needs AXIS and the letters of axes");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
@@ -86,7 +86,7 @@ static bool mirror(struct lexer *lexer, struct klartext_cycle *cycle)
 				     "here; write TRANS MIRROR RESET first",
 				     AXIS_LETTERS[slot]);
 	}
-	return klartext_frame_mirror(interp, cycle);
+	return klartext_frame_cycle_mirror(interp, cycle);
 }
 
 /* "TRANS ROTATION": ROT with an angle, as CYCL DEF 10. */
@@ -94,9 +94,9 @@ static bool rotate(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	if (klartext_take(lexer, "RESET")) {
 		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "ROT", .given = true};
-		return klartext_expect_end(lexer) && klartext_frame_rotate(lexer->context, cycle);
+		return klartext_expect_end(lexer) && klartext_frame_cycle_rotate(lexer->context, cycle);
 	}
-	return klartext_define_read_axes(lexer, cycle) && klartext_frame_rotate(lexer->context, cycle);
+	return klartext_define_read_axes(lexer, cycle) && klartext_frame_cycle_rotate(lexer->context, cycle);
 }
 
 /* "TRANS SCALE": SCL with a factor, as CYCL DEF 11. */
@@ -104,9 +104,9 @@ static bool scale(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	if (klartext_take(lexer, "RESET")) {
 		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "SCL", .value = 1, .given = true};
-		return klartext_expect_end(lexer) && klartext_frame_scale(lexer->context, cycle);
+		return klartext_expect_end(lexer) && klartext_frame_cycle_scale(lexer->context, cycle);
 	}
-	return klartext_define_read_axes(lexer, cycle) && klartext_frame_scale(lexer->context, cycle);
+	return klartext_define_read_axes(lexer, cycle) && klartext_frame_cycle_scale(lexer->context, cycle);
 }
 
 bool klartext_transform_run(struct lexer *lexer)
@@ -122,15 +122,6 @@ bool klartext_transform_run(struct lexer *lexer)
 	if (klartext_take(lexer, "SCALE"))
 		return scale(lexer, &cycle);
 	return fault(lexer->at, cycle.column, "TRANS needs DATUM, MIRROR, ROTATION or SCALE");
-}
-
-static bool is_shifted(const struct interp *interp)
-{
-	bool shifted = vec3_norm(klartext_of(interp)->frame.shift) > 0;
-
-	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
-		shifted = shifted || fabs(interp->state.shift.v[slot]) > 0;
-	return shifted;
 }
 
 /* "PRESET SELECT": the number of a preset, as CYCL DEF 247. With KEEP TRANS transformations stay. */
@@ -154,7 +145,7 @@ bool klartext_transform_preset(struct lexer *lexer)
 	if (klartext_take(lexer, "KEEP")) {
 		if (!klartext_take(lexer, "TRANS"))
 			return fault(lexer->at, klartext_column(lexer), "KEEP needs TRANS");
-		if (is_shifted(lexer->context))
+		if (klartext_frame_cycle_is_shifted(lexer->context, klartext_of(lexer->context)->frame.shift))
 			return fault(lexer->at, cycle.column,
 				     "KEEP TRANS while a datum shift is in force is not supported: write TRANS DATUM "
 				     "RESET first, and the shift again behind the preset");

@@ -334,7 +334,7 @@ static bool is_handwheel(struct lexer *lexer, const struct klartext_words *words
 static bool read_handwheel(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	const int slot = slot_of_letter(next_byte(lexer));
-	double unused;
+	double limit;
 
 	if (slot >= 0)
 		lexer_take(lexer);
@@ -343,7 +343,10 @@ static bool read_handwheel(struct lexer *lexer, struct klartext_words *words, in
 			     "behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 "
 			     "X1 Y1: coordinates of the block belong before M118");
 	words->handwheel |= 1U << slot;
-	return klartext_value(lexer, &unused);
+	if (!klartext_value(lexer, &limit))
+		return false;
+	words->m[words->m_count - 1].way += fabs(limit);
+	return true;
 }
 
 /* T behind M112 and M124, which are refused or left out: it belongs to them. */
