@@ -122,7 +122,8 @@ bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool ra
 
 /*
  * 840D sl, "Suppression of frames": SUPA, G53 and G153 leave the tool's offsets in force. While TRAORI is on, what
- * they count from is not certain. A swivelled head turns the tool's length, so that only D0 makes it plain.
+ * they count from is not certain. A swivelled head turns the tool's length, so that only D0 makes it plain; over a
+ * swivelled table the tool stands along Z as before.
  */
 static bool go_in_machine(struct interp *interp, const struct sinumerik_block *block, struct canon_move *move)
 {
@@ -136,7 +137,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 	if (state->tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column,
 			     "positions of the machine's axes (SUPA, G53, G153) while TRAORI is on; TRAFOOF first");
-	if (state->tcp == TCP_BY_PLANE && !same_double(state->length, 0))
+	if (state->tcp == TCP_BY_PLANE && !same_double(state->length, 0) && !sinumerik_of(interp)->tool_upright)
 		return fault(
 		    &interp->at, column,
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
