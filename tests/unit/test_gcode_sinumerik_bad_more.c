@@ -397,13 +397,15 @@ static const struct refused_program programs[] = {
 	{"S-1\n", 1, 1,
 	 "a spindle speed cannot be negative"},
 	{"S2=5\n", 1, 1,
-	 "S2: other spindles than the first are not supported yet"},
+	 "S2: only the master spindle is supported, which is the first one; SETMS(2) before it makes this one the master, "
+	 "if it turns the tool"},
 	{"R1 5\n", 1, 1,
 	 "a blank inside the number of R; what a control makes of it differs"},
 	{"DEF REAL AB=1 2x\n", 1, 13,
 	 "a blank inside a number"},
 	{"M2=3\n", 1, 1,
-	 "M2: other spindles than the first are not supported yet"},
+	 "M2: only the master spindle is supported, which is the first one; SETMS(2) before it makes this one the master, "
+	 "if it turns the tool"},
 	{"T-1\n", 1, 1,
 	 "T must be a whole number that is not negative, not -1"},
 	{"T1.5\n", 1, 1,

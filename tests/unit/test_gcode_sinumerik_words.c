@@ -69,6 +69,9 @@ static const struct program {
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	/* S and M with the number of the master spindle are as those without. */
+	{"SETMS(3) S3=600 M3=3\nG500 G4 S10\nSETMS()\nS1=60 M1=5\nG4 S1\nSETMS(2)\nS2=30\nSETMS\nS1=15\nG4 S1\n",
+	 "dwell 1\ndwell 1\ndwell 4\n"},
 	/* System variables: a settable work offset by its shift; timers and markers have no geometry. */
 	{"F6 R1=0 $AC_TIMER[1]=0 $AC_MARKER[2]=R1\n$P_UIFR[1,X,TR]=5 $P_UIFR[1,Y,FI]=0\n$P_UIFR[2]=CTRANS(X,1,Z,R1+3)\nG54\nX1\n"
 	 "G55 X1 Z0\n",
@@ -184,6 +187,11 @@ static const struct refused_words bad[] = {
 	{"$P_UIFR[1]=CROT(X,5)\n",
 	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},
 	{"$TC_DP3[1,1]=5\n", "$TC_DP3: a program that writes data of the control is not supported yet"},
+	{"SETMS(3) S1=5\n",
+	 "S1: only the master spindle is supported, which is the one of SETMS; SETMS(1) before it makes this one the "
+	 "master, if it turns the tool"},
+	{"SETMS(0)\n", "the number of a spindle must be a whole number from 1 to 20, not 0"},
+	{"SETMS(2\n", "')' is needed behind the number of a spindle"},
 	{"CUTCONON\n", "CUTCONON: suspended cutter compensation is not supported yet"},
 	{"F6 G500\nAP=30\n", "AP= without any RP= before"},
 	{"F6 G500\nRP=30\n", "RP= without any AP= before"},

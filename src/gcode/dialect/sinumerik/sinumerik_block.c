@@ -9,6 +9,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_spindle.h"
+#include "gcode/dialect/sinumerik/sinumerik_traori.h"
 #include "gcode/eval/expr.h"
 #include "gcode/text/number.h"
 
@@ -266,9 +268,8 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 		lexer_take(r->lexer);
 		if (name[0] == 'H')
 			return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, 'H', column, value, way);
-		if (strcmp(name + 1, "1") != 0)
-			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet",
-				     name);
+		if (!sinumerik_spindle_check(r->interp, name, column))
+			return false;
 		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
 	}
 	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {
@@ -278,27 +279,6 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 	}
 	*done = false;
 	return true;
-}
-
-/* Steps over "(...)", strings included, and nothing else. */
-static bool step_over_call(struct reading *r)
-{
-	const char *text = r->lexer->at->text;
-	const int column = expr_column(r->lexer);
-	bool quoted = false;
-	int depth = 0;
-
-	if (lexer_peek(r->lexer) != '(')
-		return true;
-	for (size_t at = r->lexer->position; text[at]; at++) {
-		quoted = quoted != (text[at] == '"');
-		depth += quoted ? 0 : text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
-		if (depth == 0 && !quoted) {
-			r->lexer->position = at + 1;
-			return true;
-		}
-	}
-	return fault(r->lexer->at, column, "this '(' is not closed");
 }
 
 static bool step_over_value(struct reading *r, const char *name, double *value)
@@ -313,35 +293,6 @@ static bool step_over_value(struct reading *r, const char *name, double *value)
 		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
 	}
 	return sinumerik_name_need(r->lexer, '=', name) && sinumerik_way_read(r->interp, r->lexer, value, &way);
-}
-
-/* TRAORI and TRAORI(1) are the first transformation that the machine's maker has set up; its tool lies along Z. */
-static bool read_traori(struct reading *r)
-{
-	const int column = expr_column(r->lexer);
-	double arguments[4] = {1, 0, 0, 1};
-	size_t count = 0;
-
-	if (!sinumerik_name_take_byte(r->lexer, '(') || sinumerik_name_take_byte(r->lexer, ')'))
-		return true;
-	do {
-		const char byte = lexer_peek(r->lexer);
-
-		if (count == sizeof(arguments) / sizeof(arguments[0]))
-			return fault(r->lexer->at, column, "TRAORI with so many arguments is not supported");
-		if (byte != ',' && byte != ')' && !sinumerik_expr_number(r->interp, r->lexer, &arguments[count]))
-			return false;
-		count++;
-	} while (sinumerik_name_take_byte(r->lexer, ','));
-	if (!sinumerik_name_need(r->lexer, ')', "TRAORI"))
-		return false;
-	if (fabs(arguments[0] - 1) > 0)
-		return fault(r->lexer->at, column,
-			     "TRAORI(%.15g): the axes of any transformation but the first are not known; only "
-			     "TRAORI(1) is supported",
-			     arguments[0]);
-	return (!(fabs(arguments[1]) + fabs(arguments[2]) > 0) && arguments[3] > 0) ||
-	       fault(r->lexer->at, column, "TRAORI whose tool does not lie along Z at first is not supported");
 }
 
 static bool read_zero(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
@@ -373,13 +324,13 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 
 	switch (word->kind) {
 	case SINUMERIK_WORD_CODE:
-		if (word->code == SINUMERIK_TRAORI && !read_traori(r))
+		if (word->code == SINUMERIK_TRAORI && !sinumerik_traori_read(r->interp, r->lexer))
 			return false;
 		return set_code(r, (int)word->group, word->code, column);
 	case SINUMERIK_WORD_IGNORED:
 		return true;
 	case SINUMERIK_WORD_IGNORED_CALL:
-		return step_over_call(r);
+		return sinumerik_name_step_over_call(r->lexer);
 	case SINUMERIK_WORD_IGNORED_VALUE:
 		return step_over_value(r, name, &value);
 	case SINUMERIK_WORD_ZERO:
@@ -395,6 +346,8 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_SPINDLE_STANDS:
 		r->block->spindle_stands = true;
 		return step_over_value(r, name, &value);
+	case SINUMERIK_WORD_MASTER:
+		return sinumerik_spindle_take_master(r->interp, r->lexer);
 	case SINUMERIK_WORD_MODAL:
 		r->block->modal = true;
 		r->block->modal_column = column;

@@ -78,6 +78,7 @@ enum sinumerik_word_kind {
 	SINUMERIK_WORD_ZERO,	/* [axis] or not, '=' and 0, which takes something back; anything else is refused */
 	SINUMERIK_WORD_IGNORED_CALL,	/* parentheses behind it or not; their contents are stepped over */
 	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of its line is stepped over */
+	SINUMERIK_WORD_MASTER,	/* SETMS */
 	SINUMERIK_WORD_MODAL,	/* MCALL */
 	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before */
 	SINUMERIK_WORD_STOPS_READING,	/* STOPRE: what follows is read when everything before is done */

@@ -47,3 +47,23 @@ bool sinumerik_name_need(struct lexer *lexer, char byte, const char *after)
 	return sinumerik_name_take_byte(lexer, byte) ||
 	       fault(lexer->at, expr_column(lexer), "'%c' is needed behind %s", byte, after);
 }
+
+bool sinumerik_name_step_over_call(struct lexer *lexer)
+{
+	const char *text = lexer->at->text;
+	const int column = expr_column(lexer);
+	bool quoted = false;
+	int depth = 0;
+
+	if (lexer_peek(lexer) != '(')
+		return true;
+	for (size_t at = lexer->position; text[at]; at++) {
+		quoted = quoted != (text[at] == '"');
+		depth += quoted ? 0 : text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+		if (depth == 0 && !quoted) {
+			lexer->position = at + 1;
+			return true;
+		}
+	}
+	return fault(lexer->at, column, "this '(' is not closed");
+}

@@ -18,6 +18,9 @@ bool sinumerik_name_take(struct lexer *lexer, const char *name);
 /* Takes the byte if it is the next that is no blank. */
 bool sinumerik_name_take_byte(struct lexer *lexer, char byte);
 
+/* Steps over "(...)", strings included, if '(' comes next. False: it is not closed, reported. */
+bool sinumerik_name_step_over_call(struct lexer *lexer);
+
 /* The byte has to come next; `after` says in the message behind what. */
 bool sinumerik_name_need(struct lexer *lexer, char byte, const char *after);
 

@@ -233,6 +233,7 @@ struct sinumerik {
 	enum sinumerik_orientation orientation;
 	int orientation_angles;	/* ORIEULER, ORIRPY, ORIRPY2; 0: none was given */
 	bool machine_orientation;	/* ORIMKS */
+	int master;	/* the number of the spindle that S and M3 mean, less 1 */
 	double feed_scale;	/* mm per unit of F, and of lengths in variables of the control */
 	double rounding, rapid_rounding;	/* mm: ADIS and ADISPOS, for G641 */
 	double rapid_factor;	/* STOLF; 0: none was given */

@@ -198,7 +198,7 @@
 	PLAIN_ROW(ROW, "SPCOF", IGNORED_CALL, "no position control of the spindle") \
 	PLAIN_ROW(ROW, "LIMS", IGNORED_VALUE, "limit of the spindle's speed") \
 	PLAIN_ROW(ROW, "SVC", IGNORED_VALUE, "cutting speed") \
-	PLAIN_ROW(ROW, "SETMS", IGNORED_CALL, "master spindle") \
+	ROW("SETMS", MASTER, MOTION, 0, CODE_READ, "which spindle S and M3 mean") \
 	PLAIN_ROW(ROW, "WAITS", IGNORED_CALL, "wait for the spindle") \
 	PLAIN_ROW(ROW, "STOPRE", STOPS_READING, "no reading ahead") \
 	PLAIN_ROW(ROW, "STARTFIFO", IGNORED, "reading ahead") \
