@@ -370,10 +370,31 @@ static const struct refused_program programs[] = {
 	 "CHF, CHR and RND need a block with G1, G2 or G3"},
 	{"MEAS=1 X1\n", 1, 1,
 	 "MEAS: measuring with a probe is not supported yet"},
-	{"ID=1 WHEN $A_IN[1]==1 DO M5\n", 1, 1,
-	 "ID: synchronous action is not supported yet"},
-	{"WHENEVER 1==1 DO M5\n", 1, 1,
-	 "WHENEVER: synchronous action is not supported yet"},
+	{"ID=1 WHEN $A_IN[1]==1 DO M5\n", 1, 26,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER 1==1 DO M8 POS[X]=5\n", 1, 21,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER $AA_IW[X]>5 DO DELDTG\n", 1, 25,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"DO $AA_OFF[Z]=5\n", 1, 4,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"EVERY $AA_IM[X]>5 DO $A_OUT[1]=1 $R5=1\n", 1, 34,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"IDS=1 EVERY $AA_IM[X]>5 DO OWN\n", 1, 28,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"ID=3 WHEN $A_IN[1]==1 ; DO M8\n", 1, 3,
+	 "a synchronous action needs DO and what it does"},
+	{"WHEN TRUE DO $A_OUT[1\n", 1, 22,
+	 "'=' is needed behind $A_OUT"},
+	{"WHEN TRUE DO\n", 1, 13,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
 	{"G4\n", 1, 1,
 	 "G4 needs its time: F in seconds, or S in turns of the spindle"},
 	{"G4 S5\n", 1, 1,

@@ -69,6 +69,11 @@ static const struct program {
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	/* Synchronous actions that move no axis and change nothing of the program are stepped over. */
+	{"F6 G500 R1=2\nID=1 WHENEVER ($AA_IM[Z] < 5) AND ($A_IN[1]==TRUE) DO $AC_OVR=50 $A_OUT[ 2 ] = R1 + 3 * (4 - 1) M8\n"
+	 "X=R1\nWHEN $AC_TIMEC>0.1 DO $A_DBB[4]=$A_DBB[4]+1 SETAL(65000, \"DO ; it\") RDISABLE ; comment\nDO STOPREOF M41\n"
+	 "when true do $AC_MARKER[1]=-1 $A_OUTA[1]=10.5*$AA_IM[X]\nIDS=2 EVERY $A_IN[2] DO M9\nX3\n",
+	 "feed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
 	/* S and M with the number of the master spindle are as those without. */
 	{"SETMS(3) S3=600 M3=3\nG500 G4 S10\nSETMS()\nS1=60 M1=5\nG4 S1\nSETMS(2)\nS2=30\nSETMS\nS1=15\nG4 S1\n",
 	 "dwell 1\ndwell 1\ndwell 4\n"},

@@ -19,6 +19,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_program.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
+#include "gcode/dialect/sinumerik/sinumerik_synchronous.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 #include "gcode/execute/corner_insert.h"
@@ -108,9 +109,13 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	const int column = expr_column(lexer);
 	char name[SINUMERIK_NAME + 1];
 
-	*done = true;
 	if (!sinumerik_name_read(lexer, name))
 		name[0] = '\0';
+	if (!sinumerik_synchronous_take(interp, lexer, name, done))
+		return false;
+	if (*done)
+		return true;
+	*done = true;
 	if (!strcmp(name, "DEF"))
 		return sinumerik_assign_define(interp, lexer);
 	if (!strcmp(name, "DEFINE"))

@@ -237,12 +237,6 @@
 	PLAIN_ROW(ROW, "WRITE", IGNORED_CALL, "text to a file") \
 	PLAIN_ROW(ROW, "DELDTG", IGNORED, "distance to go") \
 	ROW("MCALL", MODAL, MOTION, 0, CODE_READ, "modal call of a cycle or subprogram") \
-	REFUSED_ROW(ROW, "ID", "synchronous action") \
-	REFUSED_ROW(ROW, "IDS", "synchronous action") \
-	REFUSED_ROW(ROW, "WHEN", "synchronous action") \
-	REFUSED_ROW(ROW, "WHENEVER", "synchronous action") \
-	REFUSED_ROW(ROW, "EVERY", "synchronous action") \
-	REFUSED_ROW(ROW, "DO", "synchronous action") \
 	REFUSED_ROW(ROW, "COUPON", "coupling of spindles") \
 	REFUSED_ROW(ROW, "TRAILON", "coupling of axes") \
 	REFUSED_ROW(ROW, "LEADON", "coupling of axes") \
@@ -468,7 +462,13 @@
 	STATEMENT_ROW(ROW, "RET", "end of a subprogram") \
 	STATEMENT_ROW(ROW, "CALL", "call of a subprogram by a text, or with BLOCK of a part of the program") \
 	STATEMENT_ROW(ROW, "PCALL", "call of a subprogram by its path") \
-	STATEMENT_ROW(ROW, "EXTCALL", "call of a subprogram by a text")
+	STATEMENT_ROW(ROW, "EXTCALL", "call of a subprogram by a text") \
+	STATEMENT_ROW(ROW, "ID", "synchronous action, if it moves no axis") \
+	STATEMENT_ROW(ROW, "IDS", "synchronous action, if it moves no axis") \
+	STATEMENT_ROW(ROW, "WHEN", "synchronous action, if it moves no axis") \
+	STATEMENT_ROW(ROW, "WHENEVER", "synchronous action, if it moves no axis") \
+	STATEMENT_ROW(ROW, "EVERY", "synchronous action, if it moves no axis") \
+	STATEMENT_ROW(ROW, "DO", "synchronous action, if it moves no axis")
 
 #define WORDS(ROW) \
 	STATEMENT_WORDS(ROW) MOTION_WORDS(ROW) FRAME_WORDS(ROW) FIVE_AXIS_WORDS(ROW) PATH_WORDS(ROW) OTHER_WORDS(ROW) \
