@@ -115,14 +115,21 @@ static const struct refused_program programs[] = {
 	{"CYCLE62(,3,\"A\",\"B\")\n", 1, 1,
 	 "CYCLE62 with a contour of type 3 is not supported, only 0 (a subprogram), 1 (a contour's name) and 2 (two labels)"},
 	{"CYCLE63(\"KONTUR\")\n", 1, 1,
-	 "CYCLE63: milling of a contour's pocket is not supported yet"},
+	 "CYCLE63: milling of a contour's pocket is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "its moves"},
+	{"CYCLE207(1)\n", 1, 1,
+	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in upper or "
+	 "lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's and moves no axis, "
+	 "<macro program=\"CYCLE207\" action=\"none\"/> in the machine's <controller> says so"},
 	{"CYCLE977(1)\n", 1, 1,
 	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, <macro "
 	 "program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},
 	{"CYCLE951(1)\n", 1, 1,
-	 "CYCLE951: turning or measuring is not supported yet"},
+	 "CYCLE951: turning or measuring is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "its moves"},
 	{"CYCLE899(1)\n", 1, 1,
-	 "CYCLE899: milling of an open slot, from how far outside is not published, is not supported yet"},
+	 "CYCLE899: milling of an open slot, from how far outside is not published, is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "its moves"},
 	{"G500 CYCLE81(10,0,2)\n", 1, 6,
 	 "CYCLE81 needs RTP, RFP and one of DP and DPR"},
 	{"G500 CYCLE81(-1,0,2,-5)\n", 1, 6,

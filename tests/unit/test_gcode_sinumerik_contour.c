@@ -272,7 +272,8 @@ static const struct refused_program refused[] = {
 	{"G500 F6 T1 D1 M6\nSCALE Y2\nG1 G41 X0 Y0\n", 3, 4,
 	 "tool radius compensation while SCALE is in force is not supported yet"},
 	{"MCALL CYCLE72(\"A:B\",50,0,1,-5)\n", 1, 7,
-	 "CYCLE72: milling of a contour is not supported yet"},
+	 "CYCLE72: milling of a contour is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "its moves"},
 };
 
 START_TEST(refuses)

@@ -69,6 +69,8 @@ static const struct program {
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	/* Base frames that are taken back. */
+	{"F6 G500\n$P_UBFR=CTRANS()\n$P_CHBFR[0]=CTRANS(X,0,Y,0.0)\n$P_BFRAME = CTRANS( ) X2\n", "feed 2 0 0 0 0\n"},
 	/* Synchronous actions that move no axis and change nothing of the program are stepped over. */
 	{"F6 G500 R1=2\nID=1 WHENEVER ($AA_IM[Z] < 5) AND ($A_IN[1]==TRUE) DO $AC_OVR=50 $A_OUT[ 2 ] = R1 + 3 * (4 - 1) M8\n"
 	 "X=R1\nWHEN $AC_TIMEC>0.1 DO $A_DBB[4]=$A_DBB[4]+1 SETAL(65000, \"DO ; it\") RDISABLE ; comment\nDO STOPREOF M41\n"
@@ -197,6 +199,12 @@ static const struct refused_words bad[] = {
 	 "master, if it turns the tool"},
 	{"SETMS(0)\n", "the number of a spindle must be a whole number from 1 to 20, not 0"},
 	{"SETMS(2\n", "')' is needed behind the number of a spindle"},
+	{"$P_CHBFR[0]=CTRANS(X,1)\n",
+	 "$P_CHBFR: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it"},
+	{"$P_UBFR=CROT(Z,1)\n",
+	 "$P_UBFR: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it"},
+	{"$P_UBFR=CTRANS(X,0\n", "',' or ')' is needed here"},
+	{"$P_UBFR=CTRANS(\n", "an axis of the machine is needed here"},
 	{"CUTCONON\n", "CUTCONON: suspended cutter compensation is not supported yet"},
 	{"F6 G500\nAP=30\n", "AP= without any RP= before"},
 	{"F6 G500\nRP=30\n", "RP= without any AP= before"},

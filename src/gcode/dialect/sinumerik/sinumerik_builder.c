@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/minmax.h"
+#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/moves_around.h"
@@ -36,7 +37,7 @@ static bool measures(const char *name)
  */
 static bool ends_elsewhere(const char *name)
 {
-	return !strncmp(name, "CYCLE", 5) && strspn(name + 5, "0123456789") > 0 && !measures(name);
+	return sinumerik_cycle_refused(name) && !measures(name);
 }
 
 /* NULL: the machine file says nothing. */
@@ -99,7 +100,8 @@ bool sinumerik_builder_refuse(struct interp *interp, const char *name, const cha
 			     "place, <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's "
 			     "<controller> says how far it moves",
 			     name, name);
-	return fault(&interp->at, column, "%s: %s is not supported yet", name, what);
+	return fault(&interp->at, column, "%s: %s is not supported yet; lines and circles (G1, G2, G3) can say its moves", name,
+		     what);
 }
 
 bool sinumerik_builder_run(struct interp *interp, const char *name, int column)

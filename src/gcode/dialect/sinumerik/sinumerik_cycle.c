@@ -377,11 +377,12 @@ const char *sinumerik_cycle_refused(const char *name)
 		{"CYCLE8", "cycle of the control"},
 		{"CYCLE9", "turning or measuring"},
 		{"CYCLE1", "measuring with a probe"},
-		{"CYCLE", "cycle of the control or of the machine's maker"},
+		{"CYCLE4", "grinding"},
+		{"CYCLE7", "cycle of the control"},
 	};
 	const size_t digits = !strncmp(name, "CYCLE", 5) ? strspn(name + 5, "0123456789") : 0;
 
-	/* CYCLE_OWN is a subprogram as any other. */
+	/* CYCLE_OWN and CYCLEs with other numbers are subprograms as any other. */
 	for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]) && digits > 0 && !name[5 + digits]; i++) {
 		if (!strncmp(name, refused[i].start, strlen(refused[i].start)))
 			return refused[i].what;

@@ -35,8 +35,8 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	}
 	modal->on = modal->cycle || !sinumerik_cycle_refused(block->call);
 	if (!modal->on)
-		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
-			     sinumerik_cycle_refused(block->call));
+		return sinumerik_builder_refuse(interp, block->call, sinumerik_cycle_refused(block->call),
+						block->call_column);
 	strcpy(modal->name, block->call);
 	modal->argument_count = sinumerik->argument_count;
 	memcpy(modal->arguments, sinumerik->arguments, sizeof(modal->arguments));

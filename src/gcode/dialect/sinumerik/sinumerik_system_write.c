@@ -135,6 +135,51 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 	return true;
 }
 
+/* Base frames, which programs take back at their start, are none here. */
+static bool is_base_frame(const char *name)
+{
+	static const char *const frames[] = {"$P_UBFR", "$P_BFRAME", "$P_CHBFR", "$P_CHBFRAME", "$P_NCBFR", "$P_NCBFRAME"};
+
+	for (size_t i = 0; i < sizeof(frames) / sizeof(frames[0]); i++) {
+		if (!strcmp(name, frames[i]))
+			return true;
+	}
+	return false;
+}
+
+static bool refuse_base_frame(struct interp *interp, const char *name, int column)
+{
+	return fault(&interp->at, column,
+		     "%s: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it", name);
+}
+
+/* $P_CHBFR[0]=CTRANS() */
+static bool clear_base_frame(struct interp *interp, struct lexer *lexer, const char *name, int column)
+{
+	int index, slot;
+	double value;
+
+	if (sinumerik_name_take_byte(lexer, '[') &&
+	    (!sinumerik_expr_whole(interp, lexer, "the number of a base frame", 0, 15, &index) ||
+	     !sinumerik_name_need(lexer, ']', "the number of a base frame")))
+		return false;
+	if (!sinumerik_name_need(lexer, '=', name))
+		return false;
+	if (!sinumerik_name_take(lexer, "CTRANS") || !sinumerik_name_need(lexer, '(', "CTRANS"))
+		return refuse_base_frame(interp, name, column);
+	while (lexer_peek(lexer) != ')') {
+		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_name_need(lexer, ',', "the axis") ||
+		    !sinumerik_expr_number(interp, lexer, &value))
+			return false;
+		if (!same_double(value, 0))
+			return refuse_base_frame(interp, name, column);
+		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
+			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
+	}
+	lexer_take(lexer);
+	return true;
+}
+
 bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column)
 {
 	double value;
@@ -144,6 +189,8 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 		return write_offset(interp, lexer, column);
 	if (!strcmp(name, "$P_PFRAME") && lexer_peek(lexer) == '=')
 		return write_frame(interp, lexer, column);
+	if (is_base_frame(name))
+		return clear_base_frame(interp, lexer, name, column);
 	if (sinumerik_system_is_scratch(name)) {
 		if (sinumerik_name_take_byte(lexer, '[') &&
 		    (!sinumerik_expr_whole(interp, lexer, "an index", 0, 32767, &index) ||
