@@ -79,6 +79,7 @@ static const struct program {
 	/* S and M with the number of the master spindle are as those without. */
 	{"SETMS(3) S3=600 M3=3\nG500 G4 S10\nSETMS()\nS1=60 M1=5\nG4 S1\nSETMS(2)\nS2=30\nSETMS\nS1=15\nG4 S1\n",
 	 "dwell 1\ndwell 1\ndwell 4\n"},
+	{"T1=\"DRILL\" M6\nT1=1 M1=6\n", "tool 2\ntool 1\n"},
 	/* System variables: a settable work offset by its shift; timers and markers have no geometry. */
 	{"F6 R1=0 $AC_TIMER[1]=0 $AC_MARKER[2]=R1\n$P_UIFR[1,X,TR]=5 $P_UIFR[1,Y,FI]=0\n$P_UIFR[2]=CTRANS(X,1,Z,R1+3)\nG54\nX1\n"
 	 "G55 X1 Z0\n",

@@ -264,12 +264,12 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 		r->block->address_column[word.code] = column;
 		return true;
 	}
-	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S' || name[0] == 'H')) {
+	if (digits > 0 && name[1 + digits] == '\0' && strchr("MSTH", name[0])) {
 		lexer_take(r->lexer);
-		if (name[0] == 'H')
-			return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, 'H', column, value, way);
-		if (!sinumerik_spindle_check(r->interp, name, column))
+		if (name[0] != 'H' && !sinumerik_spindle_check(r->interp, name, column))
 			return false;
+		if (name[0] == 'T' && sinumerik_expr_is_text(r->interp, r->lexer))
+			return read_tool_name(r, column);
 		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
 	}
 	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {
