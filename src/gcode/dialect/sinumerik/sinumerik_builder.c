@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/minmax.h"
-#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/sinumerik_cycle_refused.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/moves_around.h"

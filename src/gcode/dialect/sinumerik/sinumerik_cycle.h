@@ -10,7 +10,4 @@ bool sinumerik_cycle_drills(const char *name);
 /* Drills by this cycle with these arguments (NAN: left out) where the tool stands. False: reported. */
 bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 
-/* A cycle of the control that is known and refused: what it does; NULL: it is none. */
-const char *sinumerik_cycle_refused(const char *name);
-
 #endif

@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/sinumerik_cycle_refused.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
