@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/mem.h"
 #include "base/spelling.h"
 #include "cli/command_line.h"
 #include "cli/command_table.h"
@@ -97,6 +98,7 @@ int main(int argc, char **argv)
 	const struct command *command = argc > 1 ? command_table_find(argv[1]) : NULL;
 	struct stderr_ui ui;
 
+	mem_keep_freed();
 	hold_standard_files();
 	/* A closed pipe or a file at its size limit makes the write fail; it does not end the process. */
 	signal(SIGPIPE, SIG_IGN);

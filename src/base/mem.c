@@ -5,6 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#define MEGABYTE (1024 * 1024)
+
+void mem_keep_freed(void)
+{
+#ifdef __GLIBC__
+	/* Larger blocks are the kernel's: what is freed of them is of use to all threads. */
+	mallopt(M_MMAP_THRESHOLD, MEGABYTE);
+	mallopt(M_TOP_PAD, 8 * MEGABYTE);
+	mallopt(M_TRIM_THRESHOLD, 256 * MEGABYTE);
+#endif
+}
+
 void mem_exhausted(void)
 {
 	fputs("fivecheck: out of memory\n", stderr);

@@ -14,6 +14,13 @@ void *mem_zalloc(size_t count, size_t size);
 void *mem_realloc(void *block, size_t count, size_t size);
 char *mem_strndup(const char *text, size_t length);
 
+/*
+ * For main, before any other thread starts: freed memory is kept for what is allocated next, and what a thread has to
+ * allocate from grows by megabytes. As the C library comes (glibc), that of all threads but the first one grows page by
+ * page, by system calls during which the other threads cannot get pages either.
+ */
+void mem_keep_freed(void);
+
 /* Says so and leaves, for what allocates by itself and has failed. */
 _Noreturn void mem_exhausted(void);
 
