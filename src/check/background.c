@@ -33,9 +33,10 @@ static void *run(void *context)
 	return NULL;
 }
 
-void background_start(struct background *background, background_fn *work, void *context)
+void background_start(struct background *background, background_fn *work, void *context, size_t first)
 {
-	*background = (struct background){.work = work, .context = context};
+	*background = (struct background){.work = work, .context = context, .given = first, .done = first,
+					  .taken = first};
 	shared_loop_init(&background->loop);
 	background->is_started = !pthread_create(&background->thread, NULL, run, background);
 }

@@ -8,7 +8,7 @@
 
 #include "check/shared_loop.h"
 
-/* Does the piece of work with this number, from 0. False: the next one must wait until this one's result is taken. */
+/* Does the piece of work with this number. False: the next one must wait until this one's result is taken. */
 typedef bool background_fn(void *context, size_t number);
 
 struct background {
@@ -22,8 +22,11 @@ struct background {
 	pthread_t thread;
 };
 
-/* Starts the second thread, which waits for work. Not to be moved afterwards. */
-void background_start(struct background *background, background_fn *work, void *context);
+/*
+ * Starts the second thread, which waits for work. The first piece has the number `first`: those before it count as done
+ * and taken. Not to be moved afterwards.
+ */
+void background_start(struct background *background, background_fn *work, void *context, size_t first);
 
 /* Ends the thread when it has done what it is doing. What was given besides is left undone. */
 void background_end(struct background *background);

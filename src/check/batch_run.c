@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/spare_threads.h"
 
 static void add_clearance(struct checker *c, long block, size_t pair, double clearance, bool so_far)
 {
@@ -80,7 +81,8 @@ static void keep_results(struct pending_batch *pending, const struct scheduler *
 		memcpy(pending->results, scheduler->results, pending->result_count * sizeof(*pending->results));
 }
 
-bool checker_run_batch(void *context, size_t number)
+/* A background_fn. */
+static bool run_batch(void *context, size_t number)
 {
 	struct checker *c = context;
 	struct pending_batch *pending = pending_of(c, number);
@@ -224,11 +226,63 @@ static void begin(struct checker *c)
 	if (c->background)
 		background_give(c->background);
 	else
-		checker_run_batch(c, c->begun - 1);
+		run_batch(c, c->begun - 1);
+}
+
+/*
+ * Can batches be checked in the background? Not if this thread needs the results of one before it goes on: the time to
+ * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and the
+ * record of the path may have nothing behind the batch that ends the check.
+ */
+static bool can_check_in_background(const struct checker *c)
+{
+	const struct check_options *options = c->options;
+
+	return options->method != CHECK_NOTHING && !options->times && !options->record && !c->stock.pair_count &&
+	       !c->stock.tool_count;
+}
+
+/* All that was begun must be settled. */
+static void start_background(struct checker *c)
+{
+	if (c->background || !can_check_in_background(c))
+		return;
+	background_start(&c->second, run_batch, c, c->begun);
+	c->background = &c->second;
+	c->scheduler.loop = &c->second.loop;
+}
+
+/* If another program is done, its thread helps from now on. */
+static void take_spare_thread(struct checker *c)
+{
+	if (c->options->method == CHECK_NOTHING || !spare_threads_take(c->options->spare))
+		return;
+	c->borrowed++;
+	checker_settle(c);
+	scheduler_add_thread(&c->scheduler);
+	start_background(c);
+}
+
+void checker_start_threads(struct checker *c)
+{
+	if (c->options->threads > 1)
+		start_background(c);
+}
+
+void checker_end_threads(struct checker *c)
+{
+	if (c->background)
+		background_end(c->background);
+	c->background = NULL;
+	c->scheduler.loop = NULL;
+	if (c->borrowed)
+		spare_threads_give(c->options->spare, c->borrowed);
+	c->borrowed = 0;
 }
 
 void checker_begin(struct checker *c)
 {
+	take_spare_thread(c);
 	if (!c->background) {
 		checker_process(c, NULL);
 		return;

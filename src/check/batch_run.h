@@ -4,8 +4,12 @@
 
 #include "check/checker.h"
 
-/* A background_fn whose context is a checker: checks a batch. */
-bool checker_run_batch(void *context, size_t number);
+/*
+ * Between these two batches may be checked in the background. The second one is called when all that was begun is
+ * settled.
+ */
+void checker_start_threads(struct checker *c);
+void checker_end_threads(struct checker *c);
 
 /*
  * Begins to check the collected steps, and reports what is known by now of the batches before. What is collected from

@@ -270,38 +270,17 @@ static void finish(struct checker *c, bool complete)
 	checker_process(c, c->options->times ? record : NULL);
 }
 
-/*
- * Can batches be checked in the background? Not if this thread needs the results of one before it goes on: the time to
- * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and the
- * record of the path may have nothing behind the batch that ends the check.
- */
-static bool can_check_in_background(const struct checker *c)
-{
-	const struct check_options *options = c->options;
-
-	return options->threads > 1 && options->method != CHECK_NOTHING && !options->times && !options->record &&
-	       !c->stock.pair_count && !c->stock.tool_count;
-}
-
 /* As motion_run, with all that is checked in the background settled. */
 static bool read_program(struct checker *c, const struct motion_options *options, FILE *in)
 {
 	const struct motion_sink sink = {c, on_event};
-	struct background background;
 	bool complete;
 
-	if (can_check_in_background(c)) {
-		background_start(&background, checker_run_batch, c);
-		c->background = &background;
-		c->scheduler.loop = &background.loop;
-	}
+	checker_start_threads(c);
 	complete = motion_run(c->scene->machine, c->scene->setup, options, in, c->file, &sink, &c->log.diags.diag,
 			      &c->summary);
 	checker_settle(c);
-	if (c->background)
-		background_end(&background);
-	c->background = NULL;
-	c->scheduler.loop = NULL;
+	checker_end_threads(c);
 	return complete;
 }
 

@@ -53,8 +53,9 @@ enum { PENDING = 4 };
 
 /*
  * With several threads the batches that were collected are checked in the background, one by one, while this thread
- * reads on and collects the next one. All else is this thread's: it takes the results in order. A batch with results is
- * the last one that is checked until they are taken, so that no more is checked than with one thread.
+ * reads on and collects the next one: from the start, or from the batch on at which there is a thread to spare. All else
+ * is this thread's: it takes the results in order. A batch with results is the last one that is checked until they are
+ * taken, so that no more is checked than with one thread.
  */
 struct checker {
 	struct scene *scene;
@@ -68,7 +69,9 @@ struct checker {
 	struct file_names opened;	/* meanwhile, if batches before it are being checked */
 	struct event_copies heard;	/* meanwhile, with a background */
 	struct scheduler scheduler;	/* the background's while it has a batch to check */
-	struct background *background;	/* NULL: each batch is checked when it is collected */
+	struct background second;
+	struct background *background;	/* `second`; NULL: each batch is checked when it is collected */
+	int borrowed;	/* spare threads that are in use */
 	struct pending_batch pending[PENDING];	/* that of batch i is i % PENDING */
 	size_t begun, settled;	/* batches: those between are the background's */
 	struct pending_batch *settling;	/* whose results are being taken */

@@ -8,6 +8,7 @@
 
 struct motion_sink;
 struct setup_change;
+struct spare_threads;
 struct path_record;
 struct stock_remainder;
 struct stock_view;
@@ -35,6 +36,7 @@ struct check_options {
 	struct read_options read;
 	long effort;	/* node pairs to look at for one pair in one step before giving up; 0: CHECK_EFFORT */
 	int threads;	/* >= 1 */
+	struct spare_threads *spare;	/* threads that others give up, to use as well, and to be given back; or NULL */
 	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
 	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
 	/*

@@ -43,16 +43,16 @@
 void scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
 		    const struct cancel *cancel, struct pair_measuring measuring)
 {
+	const long effort = options->effort ? options->effort : CHECK_EFFORT;
+
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1,
 					.spare_effort = MEASURING_EFFORT,
 					.short_effort = SHORT_EFFORT};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
-	for (int i = 0; i < scheduler->threads; i++) {
-		scheduler->sweeps[i].cancel = cancel;
-		scheduler->sweeps[i].effort = options->effort ? options->effort : CHECK_EFFORT;
-	}
+	for (int i = 0; i < scheduler->threads; i++)
+		scheduler->sweeps[i] = (struct sweep){.cancel = cancel, .effort = effort};
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		if (!scene_pair_needs_check(&scene->pairs[i]) || scene->pairs[i].stock)
 			continue;
@@ -75,6 +75,16 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->wishes);
 	free(scheduler->order);
 	*scheduler = (struct scheduler){0};
+}
+
+void scheduler_add_thread(struct scheduler *scheduler)
+{
+	const struct sweep *first = scheduler->sweeps;
+	const struct sweep more = {.cancel = first->cancel, .effort = first->effort};
+
+	scheduler->sweeps =
+	    mem_realloc(scheduler->sweeps, (size_t)scheduler->threads + 1, sizeof(*scheduler->sweeps));
+	scheduler->sweeps[scheduler->threads++] = more;
 }
 
 void scheduler_change_tool(struct scheduler *scheduler)

@@ -48,6 +48,9 @@ void scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 		    const struct cancel *cancel, struct pair_measuring measuring);
 void scheduler_release(struct scheduler *scheduler);
 
+/* From now on one thread more may work. Not during a batch. */
+void scheduler_add_thread(struct scheduler *scheduler);
+
 /*
  * Runs every active check over the batch and collects the results. They do not depend on the number of threads, because
  * counts of work alone decide what is divided. False: interrupted; then the results are invalid.

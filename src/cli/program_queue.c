@@ -52,19 +52,30 @@ void program_queue_release(struct program_queue *queue)
 	free(queue->by_size);
 }
 
-size_t program_queue_take(struct program_queue *queue)
+/* With the lock, while not all are taken. */
+static size_t choose(struct program_queue *queue)
 {
-	size_t program, large;
+	size_t large;
 
-	pthread_mutex_lock(&queue->lock);
-	while (queue->taken[queue->next])
-		queue->next++;
 	while (queue->taken[queue->by_size[queue->largest]])
 		queue->largest++;
 	large = queue->by_size[queue->largest];
-	program = queue->sizes[large] * queue->threads > queue->left ? large : queue->next;
-	queue->taken[program] = true;
-	queue->left -= queue->sizes[program];
+	return queue->sizes[large] * queue->threads > queue->left ? large : queue->next;
+}
+
+bool program_queue_take(struct program_queue *queue, size_t *program)
+{
+	bool found;
+
+	pthread_mutex_lock(&queue->lock);
+	while (queue->next < queue->count && queue->taken[queue->next])
+		queue->next++;
+	found = queue->next < queue->count;
+	if (found) {
+		*program = choose(queue);
+		queue->taken[*program] = true;
+		queue->left -= queue->sizes[*program];
+	}
 	pthread_mutex_unlock(&queue->lock);
-	return program;
+	return found;
 }

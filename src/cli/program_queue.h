@@ -22,10 +22,10 @@ void program_queue_init(struct program_queue *queue, const double *sizes, size_t
 void program_queue_release(struct program_queue *queue);
 
 /*
- * Takes a program; at most `count` times. They are taken in their order, because results are printed in that order;
+ * Takes a program; false: all are taken. They are taken in their order, because results are printed in that order;
  * except that a program with more than a thread's share of all that is left is taken at once: else the other threads
  * would have nothing to do in the end, when one still checks it.
  */
-size_t program_queue_take(struct program_queue *queue);
+bool program_queue_take(struct program_queue *queue, size_t *program);
 
 #endif

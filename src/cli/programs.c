@@ -7,6 +7,7 @@
 
 #include "base/mem.h"
 #include "base/parallel_for.h"
+#include "base/spare_threads.h"
 #include "cli/path_checks.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
@@ -21,23 +22,33 @@ struct session {
 	const struct options *options;
 	struct program_context context;
 	struct program_queue queue;
+	struct spare_threads spare;	/* those that find no program any more help with the others */
 	struct ordered_output order;
 	struct program_outcome *outcomes;	/* one a program */
 };
 
-static void check_program(void *context, int worker, size_t round)
+static void check_program(struct session *session, size_t i)
 {
-	struct session *session = context;
-	const size_t i = program_queue_take(&session->queue);
 	struct program_output *output = &session->order.programs[i];
 
-	(void)worker;
-	(void)round;
 	/* After a failed write nobody would see the result. */
 	session->outcomes[i].status = RUN_INCOMPLETE;
 	if (!ordered_output_is_lost(&session->order))
 		program_check(&session->context, session->options->programs[i], output, &session->outcomes[i]);
 	program_output_end(output);
+}
+
+/* One thread, or the few that check one program together, until no program is left. */
+static void check_programs(void *context, int worker, size_t round)
+{
+	struct session *session = context;
+	size_t program;
+
+	(void)worker;
+	(void)round;
+	while (program_queue_take(&session->queue, &program))
+		check_program(session, program);
+	spare_threads_give(&session->spare, session->context.check.threads);
 }
 
 static void tell_end(const struct session *session, double seconds, const struct input_files *inputs,
@@ -206,7 +217,9 @@ static void check_all(struct session *session, int threads)
 			sizes[i] = (double)status.st_size;
 	program_queue_init(&session->queue, sizes, options->program_count, threads);
 	free(sizes);
-	parallel_for(options->program_count, threads, check_program, session);
+	session->context.check.spare = &session->spare;
+	spare_threads_give(&session->spare, options->check.threads - threads * session->context.check.threads);
+	parallel_for((size_t)threads, threads, check_programs, session);
 	program_queue_release(&session->queue);
 }
 

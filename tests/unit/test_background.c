@@ -65,7 +65,7 @@ START_TEST(work_is_done_in_order)
 		pieces = (struct pieces){.taken = 0};
 		for (size_t i = 0; i < count; i++)
 			pieces.holds[i] = !random_below(&random, rarely);
-		background_start(&pieces.background, do_piece, &pieces);
+		background_start(&pieces.background, do_piece, &pieces, 0);
 		for (size_t i = 0; i < count; i++) {
 			pieces.given[i] = random_below(&random, 1000);
 			background_give(&pieces.background);
@@ -86,7 +86,7 @@ START_TEST(what_is_held_is_never_done)
 	static struct pieces pieces;
 
 	pieces = (struct pieces){.holds = {false, true}};
-	background_start(&pieces.background, do_piece, &pieces);
+	background_start(&pieces.background, do_piece, &pieces, 0);
 	for (int i = 0; i < 4; i++)
 		background_give(&pieces.background);
 	background_wait(&pieces.background, 1);
@@ -97,11 +97,29 @@ START_TEST(what_is_held_is_never_done)
 }
 END_TEST
 
+/* A second thread may be started on the way. */
+START_TEST(work_may_begin_late)
+{
+	static struct pieces pieces;
+
+	pieces = (struct pieces){.begun = 7, .taken = 7};
+	background_start(&pieces.background, do_piece, &pieces, 7);
+	ck_assert_uint_eq(background_done(&pieces.background), 7);
+	background_give(&pieces.background);
+	background_give(&pieces.background);
+	background_wait(&pieces.background, 9);
+	background_end(&pieces.background);
+	ck_assert_uint_eq(pieces.begun, 9);
+	ck_assert_int_eq(pieces.strange, 0);
+	ck_assert_int_eq(pieces.got[8], 1);
+}
+END_TEST
+
 START_TEST(the_thread_may_have_nothing_to_do)
 {
 	static struct pieces pieces;
 
-	background_start(&pieces.background, do_piece, &pieces);
+	background_start(&pieces.background, do_piece, &pieces, 0);
 	background_end(&pieces.background);
 	ck_assert_uint_eq(pieces.begun, 0);
 }
@@ -113,6 +131,7 @@ int main(void)
 
 	tcase_add_test(tcase, work_is_done_in_order);
 	tcase_add_test(tcase, what_is_held_is_never_done);
+	tcase_add_test(tcase, work_may_begin_late);
 	tcase_add_test(tcase, the_thread_may_have_nothing_to_do);
 	return run_suite("background", tcase);
 }

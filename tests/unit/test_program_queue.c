@@ -9,10 +9,14 @@ enum { PROGRAMS_MOST = 40, THREADS_MOST = 5 };
 static void expect_order(const double *sizes, const size_t *order, int count, int threads)
 {
 	struct program_queue queue;
+	size_t program;
 
 	program_queue_init(&queue, sizes, (size_t)count, threads);
-	for (int i = 0; i < count; i++)
-		ck_assert_uint_eq(program_queue_take(&queue), order[i]);
+	for (int i = 0; i < count; i++) {
+		ck_assert(program_queue_take(&queue, &program));
+		ck_assert_uint_eq(program, order[i]);
+	}
+	ck_assert(!program_queue_take(&queue, &program));
 	program_queue_release(&queue);
 }
 
@@ -54,9 +58,10 @@ static struct run run_of(const double *sizes, size_t count, int threads)
 	program_queue_init(&queue, sizes, count, threads);
 	for (size_t n = 0; n < count; n++) {
 		const double largest = largest_left(sizes, taken, count);
-		const size_t program = program_queue_take(&queue);
+		size_t program;
 		int first = 0;
 
+		ck_assert(program_queue_take(&queue, &program));
 		ck_assert_uint_lt(program, count);
 		ck_assert(!taken[program]);
 		taken[program] = true;

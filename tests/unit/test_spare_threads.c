@@ -1,0 +1,191 @@
+/* Threads that others give up: none is lost, and a check that takes one on its way says what it says with one thread. */
+#include "base/spare_threads.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/parallel_for.h"
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "model_case.h"
+#include "scene/pairs.h"
+#include "suite.h"
+
+/* ------------------------------------------------------------------ count */
+
+enum { TAKERS = 4, TRIES = 20000, SPARE = 3 };
+
+struct takers {
+	struct spare_threads spare;
+	atomic_int in_use, strange;
+};
+
+static void take_and_give(void *context, int worker, size_t i)
+{
+	struct takers *takers = context;
+
+	(void)worker;
+	(void)i;
+	if (!spare_threads_take(&takers->spare))
+		return;
+	if (atomic_fetch_add(&takers->in_use, 1) >= SPARE)
+		atomic_fetch_add(&takers->strange, 1);
+	atomic_fetch_sub(&takers->in_use, 1);
+	spare_threads_give(&takers->spare, 1);
+}
+
+START_TEST(none_is_lost)
+{
+	struct takers takers = {0};
+
+	ck_assert(!spare_threads_take(NULL));
+	ck_assert(!spare_threads_take(&takers.spare));
+	spare_threads_give(&takers.spare, SPARE);
+	parallel_for(TRIES, TAKERS, take_and_give, &takers);
+	ck_assert_int_eq(takers.strange, 0);
+	for (int i = 0; i < SPARE; i++)
+		ck_assert(spare_threads_take(&takers.spare));
+	ck_assert(!spare_threads_take(&takers.spare));
+}
+END_TEST
+
+/* ------------------------------------------------------------------ check */
+
+enum { BLOCKS = 9000, ASKED_MOST = 10 };
+
+/* All that is heard of a check, and what the watcher of its events hears. */
+struct heard {
+	struct strbuf text;
+	struct spare_threads spare;
+	int until;	/* so many calls of progress, then there are spare threads */
+	int more;	/* so many */
+	int events;
+};
+
+static void on_diag(void *context, const struct diag_entry *entry)
+{
+	struct heard *heard = context;
+
+	diag_format(&heard->text, entry);
+}
+
+static bool on_finding(void *context, const struct finding *finding)
+{
+	struct heard *heard = context;
+
+	strbuf_addf(&heard->text, "%s %s:%ld %s - %s %a, %d events\n", finding_kind_name(finding->kind), finding->file,
+		    finding->line, finding->a ? finding->a : "", finding->b ? finding->b : "", finding->time,
+		    heard->events);
+	return true;
+}
+
+static bool on_progress(void *context, long lines)
+{
+	struct heard *heard = context;
+
+	(void)lines;
+	if (heard->until-- == 0)
+		spare_threads_give(&heard->spare, heard->more);
+	return true;
+}
+
+static bool on_event(void *context, const struct motion_event *event)
+{
+	struct heard *heard = context;
+
+	(void)event;
+	heard->events++;
+	return true;
+}
+
+/* A head above a table that turns: it comes down to its corners, one block after the other, and into one of them. */
+static void place_bodies(struct model *model)
+{
+	model_init(model);
+	model_box(model, ROLE_MACHINE, LINK_Z, (vec3){-20, -20, 100}, (vec3){20, 20, 200});
+	model_box(model, ROLE_MACHINE, LINK_X, (vec3){-30, -30, 250}, (vec3){30, 30, 300});
+	model_box(model, ROLE_MACHINE, LINK_C, (vec3){-60, -60, -20}, (vec3){60, 60, 0});
+	model_box(model, ROLE_MACHINE, LINK_Y, (vec3){-90, -90, -80}, (vec3){90, 90, -40});
+	pairs_derive(model->scene, 0, 1);
+}
+
+static FILE *program_with(int hit, int fault)
+{
+	FILE *out = tmpfile();
+
+	ck_assert_ptr_nonnull(out);
+	fprintf(out, "G21 G90 G94 F60000\nG0 X80 Z-99\n");
+	for (int i = 0; i < BLOCKS; i++)
+		fprintf(out, i == fault ? "G1 Q1\n" : "G1 X%d Z%.3f C%d\n", 78 + i % 7, i == hit ? -101.0 : -99.9, i * 3);
+	rewind(out);
+	return out;
+}
+
+/* One check: `more` threads are to spare after `until` calls of progress. Returns all that was heard, to be released. */
+static struct strbuf check(struct model *model, FILE *in, bool all, bool watched, int until, int more)
+{
+	struct heard heard = {.until = until, .more = more};
+	const struct motion_sink watch = {&heard, on_event};
+	const struct check_options options = {.tolerance = 0.001, .threads = 1, .all = all, .spare = &heard.spare,
+					      .watch = watched ? &watch : NULL};
+	const struct check_sink sink = {&heard, on_finding, on_progress, NULL};
+	struct diag diag = {.handle = on_diag, .context = &heard};
+	struct check_stats stats;
+	enum check_result result;
+
+	rewind(in);
+	result = check_run(model->scene, &options, in, "a.nc", &sink, &diag, &stats, NULL);
+	strbuf_addf(&heard.text, "result %d, %ld blocks, %ld findings, %ld budgets, %ld planes, %ld queries, %ld events\n",
+		    (int)result, stats.blocks_checked, stats.findings, stats.budgets, stats.planes, stats.queries,
+		    (long)heard.events);
+	/* What was taken is there again. */
+	while (heard.until < 0 && more > 0) {
+		ck_assert(spare_threads_take(&heard.spare));
+		more--;
+	}
+	ck_assert(!spare_threads_take(&heard.spare));
+	return heard.text;
+}
+
+static void expect_same(int hit, int fault, const char *must_say)
+{
+	struct model model;
+	FILE *in = program_with(hit, fault);
+
+	place_bodies(&model);
+	for (int way = 0; way < 4; way++) {
+		const bool all = way & 1, watched = way & 2;
+		struct strbuf alone = check(&model, in, all, watched, 0, 0);
+
+		ck_assert_msg(strstr(strbuf_text(&alone), must_say), "%s", strbuf_text(&alone));
+		for (int until = 0; until < ASKED_MOST; until += 1 + until / 2) {
+			struct strbuf helped = check(&model, in, all, watched, until, 1 + until % 3);
+
+			ck_assert_str_eq(strbuf_text(&helped), strbuf_text(&alone));
+			strbuf_release(&helped);
+		}
+		strbuf_release(&alone);
+	}
+	model_release(&model);
+	fclose(in);
+}
+
+START_TEST(a_clear_check_stays_clear)
+{
+	expect_same(-1, -1, "result 0, 9002 blocks, 0 findings");
+}
+END_TEST
+
+START_TEST(findings_and_faults_stay_the_same)
+{
+	expect_same(6543, 8765, "a.nc:6546");
+	expect_same(-1, 4321, "a.nc:4324");
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {none_is_lost, a_clear_check_stays_clear, findings_and_faults_stay_the_same};
+
+	return RUN_TESTS("spare_threads", tests);
+}
