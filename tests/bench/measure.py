@@ -59,7 +59,7 @@ class Tools:
         return spent
 
     def check_twice(self, scene, options=(), programs=None):
-        """Two runs at once: what they take shows how much this machine has left for a second thread."""
+        """Two runs at once: what they take shows what a second processor is worth on this machine."""
         return self.check(scene, options, programs, before=['sh', '-c', '"$@" & "$@"; wait $!', 'sh'])
 
 
