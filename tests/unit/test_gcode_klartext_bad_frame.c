@@ -81,8 +81,8 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 ABST50\n",
 	 "p.nc:3:10: error: a set-up clearance of CYCL DEF 19 needs F beside it"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45\nL X+1 FMAX\n",
-	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
-	 "plane (Q120 to Q122) is not supported"},
+	 "p.nc:4:3: error: PLANE ... STAY needs the rotary axes at A45 C0: a move of linear axes before they stand there is "
+	 "not supported; turn them there first, or write TURN"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\nCYCL DEF 19.0\nCYCL DEF 19.1 B+0 C+0\n",
 	 "p.nc:7:10: error: CYCL DEF 19 without A behind PLANE or an empty CYCL DEF 19: which angle it keeps is not known "
 	 "here; name A, B and C"},
@@ -148,8 +148,8 @@ static const struct klartext_fault faults[] = {
 	{"L C+10 FMAX\nPLANE AXIAL A+30 STAY\n",
 	 "p.nc:3:7: error: C is not named here and stands at 10: what it does is not known here; name it, too"},
 	{"PLANE AXIAL A+30 STAY\nL X+1 FMAX\n",
-	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
-	 "is not supported"},
+	 "p.nc:3:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
+	 "not supported; turn them there first, or write TURN"},
 	{"PLANE VECTOR BX+0 BY+0 BZ+1 NX+0 NY+0 NZ+1 TURN FMAX\n",
 	 "p.nc:2:14: error: the base vector must not be parallel to the normal"},
 	{"PLANE VECTOR BX+0 BY+0 BZ+0 NX+0 NY+0 NZ+1 TURN FMAX\n",
@@ -164,11 +164,11 @@ static const struct klartext_fault faults[] = {
 	 "turns it to 0 depends on its generation: swivel_pole=\"stays\" or \"zero\" of the machine's <controller> "
 	 "says it, or turn C to 0 in a block before"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL X+1 FMAX\n",
-	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
-	 "plane (Q120 to Q122) is not supported"},
+	 "p.nc:3:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
+	 "not supported; turn them there first, or write TURN"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL A+30 X+1 FMAX\n",
-	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
-	 "plane (Q120 to Q122) is not supported"},
+	 "p.nc:3:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
+	 "not supported; turn them there first, or write TURN"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL M128\n",
 	 "p.nc:3:3: error: M128 before the rotary axes stand where PLANE ... STAY needs them"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL A+5 FMAX\n",
@@ -290,8 +290,8 @@ static const struct klartext_fault faults[] = {
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL C+360 FMAX\n",
 	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first, or M128"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL M128\nL A+10 FMAX\nM129\nL X+1 FMAX\n",
-	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
-	 "plane (Q120 to Q122) is not supported"},
+	 "p.nc:6:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
+	 "not supported; turn them there first, or write TURN"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
 	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give X as an absolute "

@@ -1,6 +1,8 @@
 #include "gcode/dialect/klartext/klartext_move.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "base/same_double.h"
 #include "base/units.h"
@@ -58,7 +60,8 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 			return fault(
 			    &interp->at, words->column[slot],
 			    "an increment of %c after its datum was shifted: from where the control counts is not "
-			    "known here; give %c as an absolute coordinate first, or increments_after_shift=\"stay\" to "
+			    "known here; give %c as an absolute coordinate first, or increments_after_shift=\"stay\" "
+			    "to "
 			    "the machine's <controller> if it counts from where the axis stands",
 			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		others->v[slot] += value;
@@ -193,16 +196,32 @@ bool klartext_move_in_plane(const struct interp *interp, const slot_values *othe
 	return true;
 }
 
+bool klartext_move_refuse_waiting(struct interp *interp, int column)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	char needed[64] = "";
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const size_t length = strlen(needed);
+		const double angle =
+		    state_from_canonical(slot, klartext->rotary.v[slot]) - interp->state.offset.v[slot];
+
+		if (klartext->rotary_needed[slot])
+			snprintf(needed + length, sizeof(needed) - length, " %c%.7g", AXIS_LETTERS[slot], angle + 0.0);
+	}
+	return fault(&interp->at, column,
+		     "PLANE ... STAY needs the rotary axes at%s: a move of linear axes before they stand there is not "
+		     "supported; turn them there first, or write TURN",
+		     needed);
+}
+
 bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column)
 {
 	const struct klartext *klartext = klartext_of(interp);
 	bool tilted = interp->state.tcp == TCP_BY_PLANE, leaves = false;
 
 	if (!target->turns && klartext->waits)
-		return fault(
-		    &interp->at, column,
-		    "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
-		    "is not supported");
+		return klartext_move_refuse_waiting(interp, column);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		leaves = leaves || fabs(target->others.v[slot] - interp->state.position.v[slot]) > SAME_DEGREES;
 	if (tilted && leaves)

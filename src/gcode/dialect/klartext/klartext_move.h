@@ -27,6 +27,9 @@ bool klartext_move_end_direction(const struct klartext_path *path, vec3 *directi
 /* The program counts as being at this programmed point; nothing is sent. */
 void klartext_move_put(struct interp *interp, vec3 point);
 
+/* Linear axes move behind PLANE ... STAY, and the rotary axes do not stand where it needs them: reports that; false. */
+bool klartext_move_refuse_waiting(struct interp *interp, int column);
+
 /* May linear axes move now? Not between PLANE ... STAY and its rotary axes. False: reported. */
 bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column);
 

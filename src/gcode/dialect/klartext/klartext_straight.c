@@ -107,10 +107,7 @@ static bool check_waiting(struct interp *interp, const struct klartext_words *wo
 {
 	if (!klartext_of(interp)->waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
 		return true;
-	return fault(
-	    &interp->at, words->first_column,
-	    "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) is not "
-	    "supported");
+	return klartext_move_refuse_waiting(interp, words->first_column);
 }
 
 /* PATHCTRL VECTOR. */

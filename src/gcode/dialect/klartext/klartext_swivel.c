@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_orient.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
@@ -211,10 +212,8 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 {
 	struct klartext *klartext = klartext_of(interp);
 	const axis_values from = start_of_ways(interp, request);
-	const struct kinematics_orientation orientation = {.direction = tilt->z,
-							   .rotary_zero = tool_length_rotary_zero(interp),
-							   .rotary = from,
-							   .command = "PLANE"};
+	const struct kinematics_orientation orientation = {
+	    .direction = tilt->z, .rotary_zero = tool_length_rotary_zero(interp), .rotary = from, .command = "PLANE"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
 
@@ -450,16 +449,14 @@ static bool tilt_to(struct interp *interp, const struct klartext_swivel *request
 		    const slot_values *rotary)
 {
 	struct klartext *klartext = klartext_of(interp);
-	bool there = true;
 
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
-		there = there && fabs(rotary->v[slot] - interp->state.position.v[slot]) <= degrees(TIE_TOLERANCE);
 	if (request->positioning != KLARTEXT_TURN_STAY && !move_rotary(interp, request, rotary))
 		return false;
 	klartext->frame.tilted = true;
 	klartext->frame.tilt = *tilt;
 	klartext_frame_update(interp);
-	klartext->waits = request->positioning == KLARTEXT_TURN_STAY && !there;
+	klartext->waits =
+	    request->positioning == KLARTEXT_TURN_STAY && !klartext_move_in_plane(interp, &interp->state.position);
 	return klartext->waits || tool_length_switch_tcp(interp, request->column, TCP_BY_PLANE);
 }
 
