@@ -165,6 +165,7 @@ struct dialect_traits {
 	enum answer references_in_parameters;	/* programs write G28's and G30's; no: the machine file has G30's */
 	enum answer g30_has_number;	/* in P */
 	enum answer m19_has_time;	/* in Q: how long to wait for the spindle */
+	enum answer m8_has_pressure;	/* in P; not known, or no: M8 takes no P */
 	enum turned_by_machine turned_by_machine;
 	enum answer g68_in_space;	/* G68 with I, J and K turns about any direction */
 	enum t_word t_word;

@@ -266,7 +266,8 @@ struct interp {
 	struct spline_memory spline;
 	struct block_cautions cautions;
 	bool cautioned_feed, cautioned_order, cautioned_t;
-	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear;
+	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear,
+	     cautioned_common;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */
 	bool ended;

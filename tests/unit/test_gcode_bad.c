@@ -207,7 +207,10 @@ static const struct bad fanuc[] = {
     {"G10 L3\n", 1, 1,
      "G10 L3 changes the tool life data of the control, which is not followed here; check a copy without the blocks "
      "from G10 to G11"},
-    {"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
+    {"G10 L2 P0 X1.\n", 1, 11,
+     "G10 L2 P0 with anything but 0 shifts all work offsets, which is not followed: write the sum into each of them by P1 "
+     "to P6"},
+    {"G52 X1.\nG10 L2 P0 X0\n", 2, 8, "G10 L2 P0 while G52 is in force is not supported yet"},
     /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
     {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},
     {"G91 G52 X1.\n", 1, 5, "G52 in incremental distance mode (G91) is not supported yet"},

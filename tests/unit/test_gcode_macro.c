@@ -104,6 +104,11 @@ static const struct {
 	{BOTH, "G10 L2 P2 X10. Y20.\nG0 X#5241\nX[#5242-1.]\n#5241=3.\nG55 X1.\nM30\n", "10 19 4"},
 	{BOTH, "G0 X1.\n#5221=10.\nG54\nX1.\n#5221=20.\nG54 X2.\nM30\n", "1 11 22"},
 	{BOTH, "G1 F5. X[#4003-80.]\nG91 X[#4003-90.]\nX[#4002+#4001-17.]\nX#4006\nX#4109\nM30\n", "10 10 11 32 37"},
+	/* cutter compensation, tool length, cycle, return level, H */
+	{BOTH, "G0 X#4007\nX#4008\nX#4009\nX#4010\nM30\n", "40 49 80 98"},
+	{BOTH, "F9. G99 G81 X1. Z-1. R1.\n#1=#4009\n#2=#4010\nG80\nG0 X#1\nX#2\nX#4009\nM30\n",
+	 "1 1 1 1 81 99 80"},
+	{F, "G43 H0\nG0 X#4008\nX#4111\nM30\n", "43 0"},
 	{F, "G55\nG0 X#4014\nM30\n", "55"},
 	{H, "G55\nG0 X#4012\nM30\n", "55"},
 	{F, "G10 L20 P3 X4.\nG0 X#7041\nM30\n", "4"},
@@ -112,9 +117,11 @@ static const struct {
 	{BOTH, "#3006=1 (TURN THE PART)\n#3001=0\n#3003=1\n#3004=3\nG0 X1.\nM30\n", "1"},
 	/* FM external output commands, HM DPRNT */
 	{BOTH, "POPEN\nDPRNT[X#1[53]*Y]\nPCLOS\nG0 X1.\nM30\n", "1"},
+	/* FM, names of common variables */
+	{F, "SETVN 101[DEPTH,WIDTH]\nG0 X1.\nM30\n", "1"},
 	/* what M-codes of these manuals move nothing */
 	{F, "M29 S100\nG0 X1.\nM30\n", "1"},
-	{H, "M10\nM11\nM12\nM13\nM31\nM33\nM88\nM89\nG103 P1\nG0 X1.\nG103\nM30\n", "1"},
+	{H, "M10\nM11\nM12\nM13\nM31\nM33\nM8 P1\nM88\nM89\nG103 P1\nG0 X1.\nG103\nM30\n", "1"},
 };
 
 static void add_way(struct strbuf *ways, const char *moves)
@@ -187,6 +194,11 @@ START_TEST(increments)
 			 "p.nc:2:15: error: B1500: what an argument without a decimal point is differs here; write the "
 			 "point\n    G65 P7 X10000 B1500\n                  ^\n");
 	case_release(&c);
+	/* The Q of M98 is the number of a block. */
+	case_init(&c);
+	c.config.dialect = &dialect_fanuc;
+	c.config.controller.least_input = 0.001;
+	case_expect(&c, "M98 Q7 L2\nM30\nN7 G91 G0 X1.\nM99\n", "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
 	c.config.controller.least_input = 0.0001;

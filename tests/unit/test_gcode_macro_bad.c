@@ -74,6 +74,11 @@ static const struct {
 	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#10100\n "
 	 "      ^\n"},
 	{F, "#1=LN[0]\n", "p.nc:1:4: error: LN of 0: only positive numbers have one\n    #1=LN[0]\n       ^\n"},
+	{F, "#1=POW[2]\n", "p.nc:1:9: error: POW needs two values, POW[a,b]\n    #1=POW[2]\n            ^\n"},
+	{F, "#1=POW[-1,.5]\n",
+	 "p.nc:1:4: error: POW of -1 and 0.5: a number that is not positive may have no such power\n"
+	 "    #1=POW[-1,.5]\n       ^\n"},
+	{H, "#1=POW[2,3]\n", "p.nc:1:4: error: Haas has no function POW\n    #1=POW[2,3]\n       ^\n"},
 	{H, "#1=LN[2]\n", "p.nc:1:4: error: Haas has no function LN\n    #1=LN[2]\n       ^\n"},
 	{H, "#1=ATAN[1]/[2]\n",
 	 "p.nc:1:11: error: ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write "

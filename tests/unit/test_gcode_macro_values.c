@@ -46,6 +46,10 @@ static const struct {
 	{BOTH, "SQRT[2+7]", 3},
 	{BOTH, "ABS[-2.5]", 2.5},
 	{F, "LN[EXP[2]]", 2},
+	{F, "POW[2,3]+1", 9},
+	{F, "POW[16.,.5]*POW[7,0]", 4},
+	{F, "POW[1+1,-[1+1]]", 0.25},
+	{F, "PO[2,4]", 16},
 	/* FM rounding up and down to an integer: the manual's own four values */
 	{F, "FUP[1.2]", 2},
 	{F, "FIX[1.2]", 1},

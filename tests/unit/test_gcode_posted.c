@@ -355,9 +355,25 @@ START_TEST(haas_outputs)
 }
 END_TEST
 
+/* B-64484EN, "Changing Workpiece Coordinate System"; Haas, "G10 Set Offsets": P0 is the shift of all work offsets. */
+START_TEST(common_shift_cleared)
+{
+	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
+
+	for (int i = 0; i < 2; i++) {
+		struct gcode_case c;
+
+		init(&c, dialects[i]);
+		expect_caution(&c, "G10 L2 P1 X5.\nG90 G10 L2 P0 X0 Y0. Z0 C0\nG0 X1.\nM30\n", "rapid 6 0 0 0 0\n",
+			       "p.nc:2:12: warning: G10 L2 P0 clears the shift of all work offsets: those of the setup are taken "
+			       "to be without it");
+	}
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {t_beside_m6, words_of_builder_codes, haas_outputs, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {common_shift_cleared, t_beside_m6, words_of_builder_codes, haas_outputs, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

@@ -211,14 +211,15 @@ static bool is_angle(const struct block *block, char letter)
 	       (code_tilts(code) && letter >= 'I' && letter <= 'K');
 }
 
-/* K of a canned cycle may be a number of holes, and Q and R of G5.1, R of M19 and Q of G68.2 are no lengths. */
+/* K of a canned cycle may be a number of holes; Q and R of G5.1, R of M19 and Q of G68.2 and M98 are no lengths. */
 static bool is_count(const struct block *block, const struct dialect_traits *traits, char letter)
 {
 	if (block->g[G_SCALING] == G51 && letter >= 'I' && letter <= 'K')
 		return true;
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
 		return true;
-	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (code_tilts(block->g[G_ROTATION]) && letter == 'Q'))
+	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (code_tilts(block->g[G_ROTATION]) && letter == 'Q') ||
+	    (block->m[M_STOP] >= 97 && letter == 'Q'))
 		return true;
 	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE &&
 	       code_is_cycle(block->motion);

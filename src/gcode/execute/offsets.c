@@ -162,6 +162,41 @@ static bool find_written(struct interp *interp, int mode, int *system)
 	return true;
 }
 
+static bool is_shifted(const struct state *state)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(state->shift.v[slot], 0))
+			return true;
+	}
+	return false;
+}
+
+/*
+ * Fanuc B-64484EN, "Changing Workpiece Coordinate System": P0 is the offset that lies on all others. Haas, "G10 Set
+ * Offsets": P0 is that of G52. Only its end, 0, is followed.
+ */
+static bool clear_common(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	double word;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (slot_word(interp, slot, &word) && !same_double(word, 0))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "G10 L2 P0 with anything but 0 shifts all work offsets, which is not followed: "
+				     "write the sum into each of them by P1 to P%d",
+				     traits_of(interp)->g10_last);
+	}
+	if (is_shifted(&interp->state))
+		return fault(&interp->at, block_column(block, 'P'),
+			     "G10 L2 P0 while G%d is in force is not supported yet", interp->state.shift_code / 10);
+	if (!interp->cautioned_common)
+		caution(&interp->at, block_column(block, 'P'),
+			"G10 L2 P0 clears the shift of all work offsets: those of the setup are taken to be without it");
+	interp->cautioned_common = true;
+	return true;
+}
+
 /* Fanuc B-64484EN, "Programmable Parameter Input (G10)", "Tool Life Management": data that the next blocks write. */
 static bool check_data(struct interp *interp, int mode)
 {
@@ -201,6 +236,8 @@ bool offsets_set(struct interp *interp)
 	if (block_has(block, 'R'))
 		return fault(&interp->at, block_column(block, 'R'),
 			     "G10 with R: rotation of a coordinate system is not supported yet");
+	if (mode == 2 && traits->g10_first == 1 && same_double(block_value(block, 'P'), 0))
+		return clear_common(interp);
 	if (!find_written(interp, mode, &system))
 		return false;
 	if (interp->state.incremental && !is_answered(interp, column, traits->g10_incremental,
@@ -234,15 +271,6 @@ static bool check_place(struct interp *interp)
 			return false;
 	}
 	return true;
-}
-
-static bool is_shifted(const struct state *state)
-{
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(state->shift.v[slot], 0))
-			return true;
-	}
-	return false;
 }
 
 /*

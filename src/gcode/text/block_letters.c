@@ -194,6 +194,8 @@ static uint32_t m_letters(const struct block *block, const struct dialect_traits
 
 	if (block->m[M_TOOL] == 61)
 		used |= letter_bit('Q');
+	if (block->m[M_COOLANT] == 8 && traits->m8_has_pressure == ANSWER_YES)
+		used |= letter_bit('P');
 	if (block->m_ignored)
 		used |= letter_bits("PQ");
 	/* Builders give their M-codes other words, too: M298 L1 of Brother. In a block that moves they may be another's. */

@@ -94,6 +94,11 @@ static const struct code m_codes[] = {
 	{198, GROUP_NONE, CODE_REFUSED, "subprogram call from another memory"},
 };
 
+/* B-63944EN, custom macro. */
+static const struct code_word words[] = {
+	{"SETVN", CODE_IGNORED, "names of common variables; a program that uses such a name is refused"},
+};
+
 /*
  * 30i-B operator's manual, canned cycles for drilling: drilling data hold from one cycle to the next, and the control
  * starts the spindle.
@@ -128,7 +133,7 @@ const struct dialect dialect_fanuc = {
 	.manual = "Fanuc 30i-B operator's manual (B-64484EN)",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
-	.words = {&fanuc_family_words},
+	.words = {&fanuc_family_words, &(const struct word_set){words, sizeof(words) / sizeof(*words)}},
 	.traits = {
 		/* B-64484EN, "Preparatory Function": of one group in one block the last one is valid. */
 		.last_of_group = ANSWER_YES,

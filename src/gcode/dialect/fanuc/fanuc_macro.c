@@ -32,6 +32,7 @@ const struct macro_b_rules fanuc_macro_rules = {
 	.goto_forward_first = true,
 	.m99_own_block = false,
 	.repeats_keep_arguments = false,
+	.names_variables = true,
 	.m98_repeats_in_p = true,
 	.m98_program_max = 99999999,
 	.macro_calls_max = 5,	/* B-63944EN, call nesting */

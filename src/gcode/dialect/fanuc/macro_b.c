@@ -320,11 +320,20 @@ static bool skip_start(struct interp *interp, struct lexer *lexer, bool *skipped
 	return lexer_skip_comments(lexer);
 }
 
-/* B-63944EN, external output commands; Haas, DPRNT: text to a port or a file. */
-static bool is_output(struct lexer *lexer)
+/* "SETVN 101[DEPTH,WIDTH]". */
+static bool is_naming(const struct interp *interp, struct lexer *lexer)
+{
+	return macro_b_of(interp)->rules->names_variables && lexer_keyword(lexer, "setvn");
+}
+
+/*
+ * B-63944EN, external output commands, and names of common variables for the screen; Haas, DPRNT: text to a port or a
+ * file.
+ */
+static bool is_text(const struct interp *interp, struct lexer *lexer)
 {
 	return lexer_keyword(lexer, "popen") || lexer_keyword(lexer, "pclos") || lexer_keyword(lexer, "bprnt") ||
-	       lexer_keyword(lexer, "dprnt");
+	       lexer_keyword(lexer, "dprnt") || is_naming(interp, lexer);
 }
 
 /* G65, G66 and G67; their words are not those of a block. */
@@ -377,7 +386,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	int column = lexer_column(lexer);
 
 	/* Most blocks start with another letter. */
-	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBb", byte);
+	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBbSs", byte);
 	if (!*done)
 		return true;
 	/* G-codes first: they are the most. */
@@ -399,7 +408,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 		return do_while(interp, lexer, false);
 	if (keyword(interp, lexer, "end"))
 		return do_end(interp, lexer, column);
-	*done = is_output(lexer);
+	*done = is_text(interp, lexer);
 	return true;
 }
 

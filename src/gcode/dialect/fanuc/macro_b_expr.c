@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "gcode/dialect/fanuc/macro_b_operators.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/macro_b_vars.h"
@@ -187,6 +188,30 @@ static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand 
 	return true;
 }
 
+/* POW[a,b], a to the power of b (B-64484EN, arithmetic and logic operation). */
+static bool read_power(struct expr *expr, int column, struct expr_operand *value)
+{
+	const struct macro_b_rules *rules = ((const struct macro_reader *)expr->context)->rules;
+	const struct line_place *at = expr->lexer->at;
+	struct expr_operand exponent;
+
+	if (!expr_open(expr, "POW") || !expr_sum(expr, value))
+		return false;
+	if (lexer_peek(expr->lexer) != ',')
+		return fault(at, lexer_column(expr->lexer), "POW needs two values, POW[a,b]");
+	lexer_take(expr->lexer);
+	if (!expr_sum(expr, &exponent) || !expr_close(expr) || !macro_b_operators_fill(rules, at, column, value) ||
+	    !macro_b_operators_fill(rules, at, column, &exponent))
+		return false;
+	if (value->truth || exponent.truth)
+		return fault(at, column, "the result of a comparison is no number here");
+	if (value->number < 0 || (fpclassify(value->number) == FP_ZERO && !(exponent.number > 0)))
+		return fault(at, column, "POW of %.15g and %.15g: a number that is not positive may have no such power",
+			     value->number, exponent.number);
+	value->number = math_pow(value->number, exponent.number);
+	return isfinite(value->number) || fault(at, column, "the result is infinite");
+}
+
 bool macro_b_expr_function(struct expr *expr, int column, const struct function_name *function,
 			   struct expr_operand *value)
 {
@@ -197,6 +222,8 @@ bool macro_b_expr_function(struct expr *expr, int column, const struct function_
 		return fault(at, column, "%s has no function %s", rules->control, function->upper);
 	if (function->function == FUNCTION_ATAN)
 		return read_arc_tangent(expr, column, value);
+	if (function->function == FUNCTION_POWER)
+		return read_power(expr, column, value);
 	if (!expr_bracket(expr, function->upper, value) || !macro_b_operators_fill(rules, at, column, value))
 		return false;
 	if (!rules->truth_is_number && value->truth)

@@ -33,6 +33,7 @@ struct macro_b_rules {
 	bool goto_forward_first;	/* GOTO searches forward and then from the start; false: one such block only */
 	bool m99_own_block;	/* M99 P goes to a block of the subprogram; false: of the caller */
 	bool repeats_keep_arguments;	/* a macro's repetitions find its variables as the last one left them */
+	bool names_variables;	/* SETVN gives names to common variables */
 	bool m98_repeats_in_p;	/* the digits of P before the last four are the repetitions */
 	int m98_program_max;
 	int macro_calls_max;	/* calls of macros inside each other */

@@ -89,6 +89,18 @@ static bool read_group(struct interp *interp, int number, int column, double *va
 	case 4006:
 		*value = state->scale > 1 ? 20 : 21;
 		return true;
+	case 4007:
+		*value = interp->comp.side == 0 ? 40 : interp->comp.side > 0 ? 41 : 42;
+		return true;
+	case 4008:
+		*value = whole_code(state->length_code);
+		return state->length_code % 10 == 0 || fault_not_followed(interp, number, column);
+	case 4009:
+		*value = state->motion != CODE_NONE && code_is_cycle(state->motion) ? whole_code(state->motion) : 80;
+		return true;
+	case 4010:
+		*value = state->retract == G99 ? 99 : 98;
+		return true;
 	default:
 		return fault_not_followed(interp, number, column);
 	}
@@ -102,6 +114,7 @@ static bool read_mode(struct interp *interp, int number, int column, double *val
 	if (number < 4100)
 		return read_group(interp, number, column, value);
 	*value = number == 4109   ? state->feed_linear / state->scale
+		 : number == 4111 ? state->length_number
 		 : number == 4119 ? state->speed
 		 : number == 4120 ? state->selected
 				  : -1;

@@ -35,6 +35,7 @@
 	{"fix", "FIX", FUNCTION_FIX, false}, \
 	{"fup", "FUP", FUNCTION_FUP, refused}, \
 	{"ln", "LN", FUNCTION_LN, refused}, \
+	{"pow", "POW", FUNCTION_POWER, refused}, \
 	{"round", "ROUND", FUNCTION_ROUND, false}, \
 	{"sin", "SIN", FUNCTION_SIN, false}, \
 	{"sqrt", "SQRT", FUNCTION_SQRT, false}, \

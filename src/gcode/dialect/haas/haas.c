@@ -202,6 +202,8 @@ const struct dialect dialect_haas = {
 		.g28_without_axes = G28_WITHOUT_AXES_ALL,
 		.references_in_parameters = ANSWER_NO,
 		.g30_has_number = ANSWER_YES,
+		/* "M08 Coolant On": of pumps with several pressures. */
+		.m8_has_pressure = ANSWER_YES,
 		/* The manual says nothing of it. */
 		.turned_by_machine = TURNED_BY_MACHINE_ACROSS,
 		.t_word = T_WORD_SELECTS,
