@@ -50,6 +50,8 @@ enum {
 	G42 = 420,
 	G42_1 = 421,
 	G43 = 430,
+	G43_1 = 431,	/* dynamic tool length offset of LinuxCNC */
+	G43_2 = 432,
 	G43_4 = 434,
 	G43_5 = 435,
 	G49 = 490,

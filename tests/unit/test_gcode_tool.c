@@ -48,6 +48,18 @@ START_TEST(units)
 }
 END_TEST
 
+/* LinuxCNC's manual, "G43.1", "G43.2": from words, in the unit in force; no axis moves. */
+START_TEST(length_from_words)
+{
+	run("G0 Z10\nG43.1 Z5\nX1\nZ10\nG43.2 Z2.5\nZ10\nG43.2 H1\nZ10\nG20 G43.1 Z1\nZ1\nG49 Z1\nM2\n",
+	    "rapid 0 0 10 0 0\nrapid 1 0 10 0 0\nrapid 1 0 15 0 0\nrapid 1 0 17.5 0 0\nrapid 1 0 117.5 0 0\n"
+	    "rapid 1 0 50.8 0 0\nrapid 1 0 25.4 0 0\n");
+	/* As an axis word, Z is no motion's. */
+	run("F9 G1 Z3\nG43.1 Z5\nX1\nM2\n", "feed 0 0 3 0 0\nfeed 1 0 3 0 0\n");
+	run("G43.1 Z30\nM428\nG0 X1 Z0\nM2\n", "tcp on length 30 zero A0 C0\nrapid 1 0 0 0 0 tcp\n");
+}
+END_TEST
+
 /* The definition of L10 and L11: after G43 the same place has the coordinate that was given. */
 START_TEST(measured)
 {
@@ -134,6 +146,7 @@ int main(void)
 
 	tcase_add_test(tcase, length_from_the_next_g43);
 	tcase_add_test(tcase, units);
+	tcase_add_test(tcase, length_from_words);
 	tcase_add_test(tcase, measured);
 	tcase_add_test(tcase, radius);
 	tcase_add_test(tcase, under_tcp);

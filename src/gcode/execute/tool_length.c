@@ -202,6 +202,37 @@ static bool find_length(struct interp *interp, double *length)
 		     number, number);
 }
 
+/*
+ * LinuxCNC's manual, "G43.1 Dynamic Tool Length Offset", "G43.2 Apply additional Tool Length Offset": by axis words, or
+ * for G43.2 by the H of a tool. The one replaces the offset, the other adds to it.
+ */
+static bool find_length_in_words(struct interp *interp, int code, double *length)
+{
+	const struct block *block = &interp->block;
+	const bool adds = code == G43_2, by_axes = block->letters & AXIS_BITS;
+	const double before = interp->state.length;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const char letter = AXIS_LETTERS[slot];
+
+		if (slot != SLOT_Z && block_has(block, letter) && !same_double(block_value(block, letter), 0))
+			return fault(&interp->at, block_column(block, letter),
+				     "an offset of the tool in %c is not followed, only one in Z", letter);
+	}
+	if (by_axes == (adds && block_has(block, 'H')))
+		return fault(&interp->at, block->g_column[G_LENGTH],
+			     adds ? "G43.2 needs H or axis words, and not both" : "G43.1 needs an axis word");
+	if (by_axes) {
+		*length = block_has(block, 'Z') ? block_value(block, 'Z') * interp->state.scale + (adds ? before : 0)
+						: before;
+		return true;
+	}
+	if (!find_length(interp, length))
+		return false;
+	*length += before;
+	return true;
+}
+
 /* Sets TCP and the length, and does nothing if they are so already. */
 static bool put(struct interp *interp, int column, enum tcp_source source, double length)
 {
@@ -291,7 +322,8 @@ bool tool_length_select(struct interp *interp)
 	if (code == G234 || code == G43_5)
 		code = G43_4;
 	if (code != G49 &&
-	    (!find_length(interp, &length) || !coordinate_conversion_knows_length(interp, column, length)))
+	    (!(code == G43_1 || code == G43_2 ? find_length_in_words(interp, code, &length)
+					      : find_length(interp, &length)) || !coordinate_conversion_knows_length(interp, column, length)))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");

@@ -52,7 +52,9 @@ static bool belong_to_mode(struct block *block, const struct line_place *at, boo
 {
 	const int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
 
-	if (block->g[G_MIRROR] != CODE_NONE && axes) {
+	if ((block->g[G_LENGTH] == G43_1 || block->g[G_LENGTH] == G43_2) && axes) {
+		*good = stands_apart(block, at, G_LENGTH, " with axis words needs a block without motion or offsets");
+	} else if (block->g[G_MIRROR] != CODE_NONE && axes) {
 		*good = stands_apart(block, at, G_MIRROR, " with axis words needs a block without motion or offsets");
 	} else if (block->g[G_SCALING] == G51) {
 		*good = stands_apart(block, at, G_SCALING, " needs a block without motion or offsets");

@@ -170,7 +170,7 @@ static uint32_t tool_letters(const struct block *block, const struct dialect_tra
 
 	if (cutter != CODE_NONE && cutter != G40)
 		used |= letter_bits("DL");
-	if (traits->h_alone || length == G43 || length == G43_4 || length == G43_5 || length == G234)
+	if (traits->h_alone || length == G43 || length == G43_2 || length == G43_4 || length == G43_5 || length == G234)
 		used |= letter_bit('H');
 	return used | (traits->d_alone == ANSWER_YES ? letter_bit('D') : 0);
 }
