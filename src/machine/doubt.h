@@ -20,6 +20,8 @@ enum doubt_kind {
 	DOUBT_TURNS_ITSELF, /* the rotary axis next to the tool turns it about its own line */
 	DOUBT_RATE_LOW, /* the axis' rate_max is `value` mm or radians a minute */
 	DOUBT_RADIANS, /* the travel of the rotary axis is only `value` */
+	DOUBT_TILTED, /* the direction of the axis is `value` degrees off X, Y or Z */
+	DOUBT_SPINDLE_TILTED, /* the direction of the spindle is */
 	DOUBT_ROTARY_MISSES, /* the axis' line misses all bodies that it carries, by `value` */
 	/* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
 	DOUBT_ROTARY_BESIDE,
@@ -41,8 +43,13 @@ enum doubt_kind {
 	DOUBT_BASE_BARE, /* no body is on the base */
 	DOUBT_GAP, /* all bodies on axis are far from what carries it: `body` and `against` are `value` apart */
 	DOUBT_EXCUSED_APART, /* `body` and `against` are excused as neighbours, but `value` apart or more */
+	/* they are excused as neighbours, but with axis at `limit` one of them is `value` deep in the other */
+	DOUBT_NEIGHBOURS_MEET,
 	DOUBT_TRAVEL_LONG, /* the travel of axis is `value`, all bodies reach over `limit` along it */
 	DOUBT_TRAVEL_ENDLESS, /* axis has no end of its travel, others have */
+	DOUBT_TWICE, /* `body` and `against` are one mesh in one place */
+	DOUBT_ROTATION, /* the body is turned by `value` degrees, which looks like radians */
+	DOUBT_WORKHOLDING_ROTATION, /* the workholding is */
 	/*
 	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.
 	 */

@@ -1,5 +1,8 @@
 #include "machine/value_check.h"
 
+#include <math.h>
+
+#include "base/math/math_functions.h"
 #include "base/units.h"
 
 /*
@@ -28,8 +31,31 @@ static void check_travel(const struct axis *axis, int place, struct doubts *doub
 		doubts_add(doubts, &(struct doubt){.kind = DOUBT_RADIANS, .axis = place, .value = travel});
 }
 
+/*
+ * Degrees: directions are straight, or belong to a slanted bed or a nutating axis. What is between is an angle in
+ * radians with few digits (1.57 is 0.046 degrees off), or a slip.
+ */
+static const double TILT_LEAST = 0.03, TILT_MOST = 10;
+
+/* The angle (degrees) between a direction and the nearest of X, Y and Z. */
+static double tilt_of(vec3 v)
+{
+	const double along = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+
+	return degrees(math_atan2(sqrt(fmax(0, vec3_dot(v, v) - along * along)), along));
+}
+
+static bool is_tilted(vec3 direction)
+{
+	const double tilt = tilt_of(direction);
+
+	return tilt > TILT_LEAST && tilt < TILT_MOST;
+}
+
 void value_check(const struct machine *machine, struct doubts *doubts)
 {
+	const struct spindle *spindle = &machine->spindle;
+
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
 
@@ -37,5 +63,10 @@ void value_check(const struct machine *machine, struct doubts *doubts)
 			continue;
 		check_rate(axis, (int)i, doubts);
 		check_travel(axis, (int)i, doubts);
+		if (is_tilted(axis->direction))
+			doubts_add(doubts, &(struct doubt){.kind = DOUBT_TILTED, .axis = (int)i,
+							   .value = tilt_of(axis->direction)});
 	}
+	if (spindle->present && !spindle->checked && is_tilted(spindle->direction))
+		doubts_add(doubts, &(struct doubt){.kind = DOUBT_SPINDLE_TILTED, .value = tilt_of(spindle->direction)});
 }

@@ -39,6 +39,10 @@ static const char *const texts[] = {
 			   OR_AXIS_CHECKED,
 	[DOUBT_RADIANS] = "axis {axis} has a travel of only {axis value} degrees: limits are degrees, not radians; "
 			  "check them, or say why they are right: " AXIS_CHECKED,
+	[DOUBT_TILTED] = "the direction of axis {axis} is {value} degrees off the straight: check its numbers (an angle "
+			 "in radians needs more digits)" OR_AXIS_CHECKED,
+	[DOUBT_SPINDLE_TILTED] = "the direction of the spindle is {value} degrees off the straight: check its numbers (an "
+				 "angle in radians needs more digits), or give <spindle checked=\"reason\">",
 	[DOUBT_ROTARY_MISSES] = "axis {axis} turns about a line that misses all that it carries by {value} mm: check "
 				"its location and its direction, or give the axis checked=\"reason\"",
 	[DOUBT_ROTARY_BESIDE] = "no circle of what axis {axis} turns, or of what carries it, has its middle on the "
@@ -84,10 +88,21 @@ static const char *const texts[] = {
 	[DOUBT_EXCUSED_APART] = "{body} and {against} are excused as neighbours, but are about {value} mm apart: "
 				"adjacent_within=\"\" of <pairs> is too large; lower it, and name pairs of a joint "
 				"with <pair ... check=\"never\" reason=\"\"/>",
+	[DOUBT_NEIGHBOURS_MEET] = "{body} and {against} are excused as neighbours, but with {axis} at {axis limit} "
+				  "{unit} one stands {value} mm deep in the other: check the limits and what moves "
+				  "with {axis}; draw what carries it as a body of its own, and check the rest with "
+				  "<pair ... check=\"always\"/>" OR_AXIS_CHECKED,
 	[DOUBT_TRAVEL_LONG] = "axis {axis} has a travel of {value 5} mm, but all bodies together reach over {limit 5} "
 			      "mm along it: check its limits and the units of the meshes" OR_AXIS_CHECKED,
 	[DOUBT_TRAVEL_ENDLESS] = "axis {axis} has no end of its travel, though other linear axes have: no position of "
 				 "it is refused, and a limit_min or limit_max may be missing" OR_AXIS_CHECKED,
+	[DOUBT_TWICE] = "{body} and {against} are one mesh in one place: one of them names the wrong file, or is drawn "
+			"twice" OR_CHECKED,
+	[DOUBT_ROTATION] = "{body} is turned by {value 5} degrees, which looks like an angle in radians: rotation is in "
+			   "degrees; check it" OR_CHECKED,
+	[DOUBT_WORKHOLDING_ROTATION] = "the workholding is turned by {value 5} degrees, which looks like an angle in "
+				       "radians: rotation is in degrees; check it, or give "
+				       "<workholding checked=\"reason\">",
 	[DOUBT_FLOATS] = "{body} touches nothing that could hold it: {value} mm to {against}; check its location and "
 			 "units" OR_CHECKED,
 	[DOUBT_SINKS] = "{body} stands {value} mm deep in {against}; check its location, rotation and units" OR_CHECKED,
@@ -195,6 +210,11 @@ static void add_axis_value(struct strbuf *out, const struct scene *scene, const 
 	strbuf_addf(out, "%.4g", format_units_value(axis_of(scene, doubt)->slot, doubt->value));
 }
 
+static void add_axis_limit(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_in_unit(out, scene, doubt, doubt->limit);
+}
+
 static void add_position(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
 	add_in_unit(out, scene, doubt, doubt->value);
@@ -282,7 +302,8 @@ static const struct {
 } fields[] = {
 	{"axis", add_axis}, {"other", add_other}, {"letter", add_letter}, {"found letter", add_found_letter},
 	{"moves", add_moves}, {"goer", add_goer}, {"turner", add_turner}, {"unit", add_unit},
-	{"axis value", add_axis_value}, {"position", add_position}, {"limit_min", add_limit_min},
+	{"axis value", add_axis_value}, {"axis limit", add_axis_limit}, {"position", add_position},
+	{"limit_min", add_limit_min},
 	{"limit_max", add_limit_max}, {"body", add_body}, {"against", add_against}, {"tool", add_tool},
 	{"others", add_others}, {"offset", add_offset}, {"difference", add_difference},
 };

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geom/point_distance.h"
+#include "machine/chain.h"
 
 /* Points of a body that are tested. */
 enum { POINTS_TRIED = 400 };
@@ -22,12 +23,20 @@ static bool is_in_box(const struct bvh *solid, vec3 p)
 	return fabs(off.x) < solid->half.x && fabs(off.y) < solid->half.y && fabs(off.z) < solid->half.z;
 }
 
-double corner_depth(struct scene *scene, int inner, int outer, enum inside side)
+/* The pose of a body's mesh when the axes are at q. */
+static xform pose_of(const struct scene *scene, int body, const axis_values *q)
+{
+	const xform link = machine_pose(scene->machine, scene->bodies[body].body->link, q);
+
+	return xform_mul(&link, &scene->bodies[body].body->placement);
+}
+
+double corner_depth(struct scene *scene, int inner, int outer, const axis_values *q, enum inside side)
 {
 	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
 	const struct topology *topology = scene_body_topology(scene, outer);
-	const xform back = xform_inverse(&scene->bodies[outer].body->placement);
-	const xform pose = xform_mul(&back, &scene->bodies[inner].body->placement);
+	const xform own = pose_of(scene, inner, q), base = pose_of(scene, outer, q), back = xform_inverse(&base);
+	const xform pose = xform_mul(&back, &own);
 	size_t points = 4 * other->mesh.count, step = points / POINTS_TRIED + 1;
 	double depth = 0;
 

@@ -8,7 +8,9 @@
 #include "scene/head_check.h"
 #include "scene/joint_check.h"
 #include "scene/missing_check.h"
+#include "scene/neighbour_check.h"
 #include "scene/placed_box.h"
+#include "scene/placement_check.h"
 #include "scene/ring_check.h"
 #include "scene/setup_check.h"
 #include "scene/stock_fit.h"
@@ -159,9 +161,12 @@ void model_check(struct scene *scene)
 		check_mount(scene, DOUBT_WORKHOLDING_FAR, workholding->link, workholding->frame.translation,
 			    WORKHOLDING_OFF, doubts);
 	check_size(scene, doubts);
-	if (missing_is_drawn(scene))
+	if (missing_is_drawn(scene)) {
 		joint_check(scene, doubts);
+		neighbour_check(scene, doubts);
+	}
 	missing_check(scene, doubts);
+	placement_check(scene, doubts);
 	setup_check(scene, doubts);
 	stock_fit_check(scene, doubts);
 	tool_check(scene, doubts);

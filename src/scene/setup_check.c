@@ -120,6 +120,8 @@ static bool is_below(const struct scene *scene, int fixture, int other)
 
 static void check_sunk(struct scene *scene, struct doubts *doubts)
 {
+	const axis_values zero = {{0}};
+
 	for (int i = 0; i < (int)scene->body_count; i++) {
 		struct doubt doubt = {.kind = DOUBT_SINKS, .body = i};
 
@@ -129,8 +131,8 @@ static void check_sunk(struct scene *scene, struct doubts *doubts)
 			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
-			doubt.value = fmax(corner_depth(scene, i, k, INSIDE_YES),
-					   corner_depth(scene, k, i, INSIDE_YES));
+			doubt.value = fmax(corner_depth(scene, i, k, &zero, INSIDE_YES),
+					   corner_depth(scene, k, i, &zero, INSIDE_YES));
 			doubt.against = k;
 			if (doubt.value > SUNK_BY)
 				doubts_add(doubts, &doubt);

@@ -7,6 +7,7 @@ beside the verdict that the unchanged files do not have. A row of the table for 
 is expected to be caught is not, or the other way round.
 """
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -66,6 +67,21 @@ def mirror(name):
             at = 84 + 50 * triangle + 12
             v = [(-c if k % 3 == 0 else c) for k, c in enumerate(struct.unpack_from("<9f", data, at))]
             struct.pack_into("<9f", data, at, *v[0:3], *v[6:9], *v[3:6])
+        path.write_bytes(data)
+    return change
+
+
+def turn_a(name, angle):
+    """The mesh as it stands with A of ac-trunnion at another angle than 0."""
+    sine, cosine = math.sin(math.radians(-angle)), math.cos(math.radians(-angle))
+
+    def change(folder):
+        path = folder / name
+        data = bytearray(path.read_bytes())
+        for corner in range(3 * struct.unpack_from("<I", data, 80)[0]):
+            at = 84 + 50 * (corner // 3) + 12 * (1 + corner % 3)
+            x, y, z = struct.unpack_from("<3f", data, at)
+            struct.pack_into("<3f", data, at, x, cosine * y - sine * (z - 120), 120 + sine * y + cosine * (z - 120))
         path.write_bytes(data)
     return change
 
@@ -228,6 +244,17 @@ MISTAKES = [
                                                       setup(r'<cutter tip="cone".*?</cutter>', '<cutter mesh="tool.stl"/>')), True),
     ("a diameter for the radius of D", AC, setup('</setup>', '<offset number="1" radius="10"/></setup>'), True),
     ("a blank that is smaller than the part", BC, setup('</setup>', '<stock box="60 30 100" location="0 0 130"/></setup>'), True),
+    ("a bearing turns with A", AC, every(machine(r'\n *<body name="bearing_left"[^>]*/>', ''),
+                                         machine('(<axis name="A"[^>]*>)',
+                                                 r'\1<body name="bearing_left" mesh="stl/bearing_left.stl"/>')), True),
+    ("one bearing's mesh for both", AC, machine('stl/bearing_right.stl', 'stl/bearing_left.stl'), True),
+    ("the vise turned by a quarter in radians", BC, setup('mesh="vise.stl"', 'mesh="vise.stl" rotation="0 0 1.5708"'), True),
+    ("the workholding turned by a quarter in radians", AC, machine('<workholding location="0 0 80"/>',
+                                                                  '<workholding location="0 0 80" rotation="0 0 1.571"/>'), True),
+    ("A's direction with a slip", AC, machine('direction="-1 0 0" location', 'direction="-1 0.02 0" location'), True),
+    ("the spindle's direction with a slip", CB, machine('(<spindle [^>]*direction=)"0 0 -1"', r'\1"0.01 0 -1"'), True),
+    ("A turns about a point 1 mm beside", AC, machine('(direction="-1 0 0" location=)"0 0 120"', r'\1"0 1 120"'), True),
+    ("the cradle drawn with A at 10 degrees", AC, turn_a("stl/cradle.stl", 10), False),
     ("rates in metres a minute", AC, every(*3 * [machine(r'rate_max="(30|24)000"', r'rate_max="\1"')]), True),
     ("rates in mm a second", AC, machine('rate_max="30000"', 'rate_max="500"'), False),
 ]

@@ -232,6 +232,31 @@ START_TEST(values)
 }
 END_TEST
 
+/* Straight as floats go, nutating axes and slanted beds are right; a little off is a slip, of axes and of the spindle. */
+START_TEST(tilts)
+{
+	static const struct {
+		double angle;
+		bool doubted;
+	} cases[] = {{0, false}, {1e-5, false}, {0.01, false}, {0.046, true}, {1, true}, {9, true},
+		     {15, false}, {30, false}, {45, false}};
+
+	for (int i = 0; i < COUNT(cases); i++) {
+		const double angle = cases[i].angle * acos(-1) / 180;
+		struct machine machine = five_axes(7);
+
+		machine.axes[3].direction = (vec3){-cos(angle), 0, sin(angle)};
+		ck_assert_uint_eq(count_values(&machine, DOUBT_TILTED), cases[i].doubted);
+		machine.axes[3].checked = "measured";
+		ck_assert_uint_eq(count_values(&machine, DOUBT_TILTED), 0);
+		machine.spindle.direction = (vec3){0, sin(angle), -cos(angle)};
+		ck_assert_uint_eq(count_values(&machine, DOUBT_SPINDLE_TILTED), cases[i].doubted);
+		machine.spindle.checked = "measured";
+		ck_assert_uint_eq(count_values(&machine, DOUBT_SPINDLE_TILTED), 0);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("core");
@@ -242,5 +267,6 @@ int main(void)
 	tcase_add_test(tcase, spindles);
 	tcase_add_test(tcase, nesting);
 	tcase_add_test(tcase, values);
+	tcase_add_test(tcase, tilts);
 	return run_suite("kinematics", tcase);
 }

@@ -1,0 +1,77 @@
+#include "scene/neighbour_check.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "machine/chain.h"
+#include "scene/corner_depth.h"
+
+/* mm: guideways, bearings and covers that are drawn through each other change by less over a travel. */
+static const double DEEPER_BY = 25;
+/* Positions of the joint that are looked at, besides home: evenly spaced, with both ends. */
+enum { POSITIONS = 5 };
+/* Triangles: a larger mesh would take longer to look at than to read. */
+enum { MESH_MOST = 50000 };
+
+static const struct axis *joint_of(const struct scene *scene, const struct scene_pair *pair)
+{
+	return machine_axis(scene->machine, pair->chain.joints[0].slot);
+}
+
+/* An endless rotary axis is turned once, and an endless linear axis is not moved. */
+static double position_of(const struct axis *axis, int i)
+{
+	double least = axis->limit_min, most = axis->limit_max;
+
+	if (axis->rotary) {
+		least = fmax(least, axis->home - PI);
+		most = fmin(most, axis->home + PI);
+	}
+	if (isinf(least) || isinf(most))
+		return axis->home;
+	return least + (most - least) * i / (POSITIONS - 1);
+}
+
+static double depth_at(struct scene *scene, const struct scene_pair *pair, const axis_values *q)
+{
+	return fmax(corner_depth(scene, pair->a, pair->b, q, INSIDE_YES),
+		    corner_depth(scene, pair->b, pair->a, q, INSIDE_YES));
+}
+
+static bool is_small(const struct scene *scene, int body)
+{
+	return scene->bodies[body].bvh->mesh.count <= MESH_MOST;
+}
+
+static void check_pair(struct scene *scene, const struct scene_pair *pair, struct doubts *doubts)
+{
+	const struct axis *axis = joint_of(scene, pair);
+	const axis_values home = machine_home(scene->machine);
+	struct doubt doubt = {.kind = DOUBT_NEIGHBOURS_MEET, .axis = (int)(axis - scene->machine->axes),
+			      .body = pair->a, .against = pair->b};
+
+	for (int i = 0; i < POSITIONS; i++) {
+		axis_values q = home;
+		double depth;
+
+		q.v[axis->slot] = position_of(axis, i);
+		depth = depth_at(scene, pair, &q);
+		if (depth <= doubt.value)
+			continue;
+		doubt.value = depth;
+		doubt.limit = q.v[axis->slot];
+	}
+	if (doubt.value > DEEPER_BY && doubt.value > DEEPER_BY + depth_at(scene, pair, &home))
+		doubts_add(doubts, &doubt);
+}
+
+void neighbour_check(struct scene *scene, struct doubts *doubts)
+{
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (pair->status == PAIR_ADJACENT && !joint_of(scene, pair)->checked && is_small(scene, pair->a) &&
+		    is_small(scene, pair->b))
+			check_pair(scene, pair, doubts);
+	}
+}

@@ -1,0 +1,14 @@
+/* neighbour_check.h - finds neighbours that are excused from the proof, but meet when their joint moves. */
+#ifndef FIVECHECK_SCENE_NEIGHBOUR_CHECK_H
+#define FIVECHECK_SCENE_NEIGHBOUR_CHECK_H
+
+#include "machine/doubt.h"
+#include "scene/scene.h"
+
+/*
+ * Adds a doubt for each pair that is excused as neighbours (PAIR_ADJACENT) if somewhere in the travel of their joint
+ * one of them stands deeper in the other than at home. A few positions are looked at, and some points of each body.
+ */
+void neighbour_check(struct scene *scene, struct doubts *doubts);
+
+#endif

@@ -1,0 +1,132 @@
+/* test_neighbour_check.c - excused neighbours that meet when their joint moves, in closed forms. */
+#include "scene/neighbour_check.h"
+
+#include "base/units.h"
+#include "model_case.h"
+#include "suite.h"
+
+/*
+ * A bed with a wall at X 200, and a slide of X that stands on the bed. At X its face is `x - 150` mm deep in the wall,
+ * and with an end of the travel at 230 mm 80 mm deep.
+ */
+static void start(struct model *model, double most)
+{
+	model_init(model);
+	model_box(model, ROLE_MACHINE, LINK_BASE, (vec3){200, -200, 0}, (vec3){500, 200, 400});
+	model_box(model, ROLE_MACHINE, LINK_X, (vec3){-50, -50, 100}, (vec3){50, 50, 200});
+	model->machine.axes[LINK_X - 1].limit_max = most;
+}
+
+static void excuse(struct model *model, enum pair_status status)
+{
+	struct scene_pair pair = {.a = 0, .b = 1, .status = status};
+
+	chain_init(&pair.chain, &model->machine, model->bodies[0].link, model->bodies[1].link);
+	model->scene->pairs = mem_realloc(model->scene->pairs, 1, sizeof(*model->scene->pairs));
+	model->scene->pairs[0] = pair;
+	model->scene->pair_count = 1;
+}
+
+/* Expects the doubt with its depth (mm) and the position of the joint; a depth of 0: none. */
+static void expect(struct model *model, double depth, double position)
+{
+	struct doubts doubts = {0};
+	const struct doubt *doubt;
+
+	neighbour_check(model->scene, &doubts);
+	doubt = model_doubt(&doubts, DOUBT_NEIGHBOURS_MEET);
+	ck_assert_uint_eq(doubts.count, depth > 0);
+	if (doubt) {
+		require(fabs(doubt->value - depth) < 1e-3, "%g mm, not %g", doubt->value, depth);
+		require(fabs(doubt->limit - position) < 1e-9, "at %g, not %g", doubt->limit, position);
+		ck_assert_int_eq(doubt->body, 0);
+		ck_assert_int_eq(doubt->against, 1);
+	}
+	doubts_release(&doubts);
+}
+
+/* The end of the travel decides; some machines draw their guideways a little through each other. */
+START_TEST(linear)
+{
+	static const struct {
+		double most, depth;
+	} cases[] = {{140, 0}, {160, 0}, {174, 0}, {176, 26}, {230, 80}};
+	struct random random = random_case(1, 0);
+
+	for (int i = 0; i < COUNT(cases); i++) {
+		for (int k = 0; k < 5; k++) {
+			const xform by = random_place(&random, 2000);
+			struct model model;
+
+			start(&model, cases[i].most);
+			if (k)
+				model_move(&model, &by);
+			excuse(&model, PAIR_ADJACENT);
+			expect(&model, cases[i].depth, cases[i].most);
+			model_release(&model);
+		}
+	}
+}
+END_TEST
+
+/* Only what is excused is doubted, and not what the file says is right. */
+START_TEST(not_judged)
+{
+	static const enum pair_status others[] = {PAIR_CHECKED, PAIR_WAIVED, PAIR_OUT_OF_REACH};
+	struct model model;
+
+	start(&model, 230);
+	for (int i = 0; i < COUNT(others); i++) {
+		excuse(&model, others[i]);
+		expect(&model, 0, 0);
+	}
+	excuse(&model, PAIR_ADJACENT);
+	model.machine.axes[LINK_X - 1].checked = "a bellows";
+	expect(&model, 0, 0);
+	model_release(&model);
+}
+END_TEST
+
+/* What is drawn as deep at home tells nothing new: 30 mm at home, 50 at the end. */
+START_TEST(as_deep_at_home)
+{
+	struct model model;
+
+	start(&model, 200);
+	model.machine.axes[LINK_X - 1].home = 180;
+	excuse(&model, PAIR_ADJACENT);
+	expect(&model, 0, 0);
+	model.machine.axes[LINK_X - 1].home = 160;
+	expect(&model, 50, 200);
+	model_release(&model);
+}
+END_TEST
+
+/*
+ * An endless rotary axis is turned once: an arm of C, 300 mm long and 40 mm wide, points into a post at -90 degrees. The
+ * middles of the two triangles of its end are 60 - 20/3 mm from the flanks of the post, and `behind` from its far side.
+ */
+START_TEST(endless_rotary)
+{
+	static const double behinds[] = {20, 100};
+
+	for (int i = 0; i < COUNT(behinds); i++) {
+		struct model model;
+
+		model_init(&model);
+		model.machine.axes[LINK_C - 1].parent = LINK_BASE;
+		model_box(&model, ROLE_MACHINE, LINK_BASE, (vec3){-60, 200, 0}, (vec3){60, 300 + behinds[i], 200});
+		model_box(&model, ROLE_MACHINE, LINK_C, (vec3){0, -20, 50}, (vec3){300, 20, 90});
+		excuse(&model, PAIR_ADJACENT);
+		expect(&model, i ? 60 - 20.0 / 3 : 0, radians(-90));
+		model_release(&model);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {linear, not_judged, as_deep_at_home, endless_rotary};
+
+	return RUN_TESTS("neighbour_check", tests);
+}
