@@ -282,6 +282,12 @@ START_TEST(rotary_ways)
 	ck_assert(!klartext_run(&c, "L C+90 FMAX\nL C+350 FMAX\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "M126 is not in force"));
 	case_release(&c);
+	/* Where the display is reduced, M94 has nothing to reduce. */
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+	ck_assert(klartext_run(&c, "L IC+720 FMAX\nM126\nL C+10 FMAX M94\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 720\nrapid 0 0 0 0 730\n");
+	case_release(&c);
 	klartext_case(&c);
 	ck_assert(klartext_run(&c, "M126\nL C+350 FMAX\n"));
 	ck_assert_ptr_nonnull(

@@ -289,7 +289,9 @@ static bool check_values(struct interp *interp, int column, const struct klartex
 
 bool klartext_cycle_check_values(struct interp *interp, int column, bool heights)
 {
-	static const char *const all[] = {NULL}, *const but_heights[] = {"Q200", "Q203", "Q204", NULL};
+	/* Dwells do not matter to the path; the heights are those of a pattern. */
+	static const char *const all[] = {"Q210", "Q211", NULL};
+	static const char *const but_heights[] = {"Q200", "Q203", "Q204", "Q210", "Q211", NULL};
 
 	const struct klartext *klartext = klartext_of(interp);
 

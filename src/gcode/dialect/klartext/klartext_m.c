@@ -187,7 +187,9 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 static bool reduce(struct interp *interp, const struct klartext_m *m)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		if (!interp->config->has_axis[slot] || (m->way > 0 && !((unsigned)m->way & 1U << slot)))
+		/* With wrap the display is always reduced. */
+		if (!interp->config->has_axis[slot] || interp->config->wrap[slot] != WRAP_NONE ||
+		    (m->way > 0 && !((unsigned)m->way & 1U << slot)))
 			continue;
 		if (fabs(interp->state.position.v[slot] - interp->state.offset.v[slot]) >= 360)
 			return fault(&interp->at, m->column,
