@@ -27,6 +27,7 @@ static const struct klartext_program lexis[] = {
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
 	/* M118 without limits ends handwheel moves. */
 	{"L X+1 FMAX M118\nM118 X0 Y0\n", "rapid 1 0 0 0 0\n"},
+	{"MONITORING HEATMAP START FOR \"SPINDLE\"\nL X+1 FMAX\nMONITORING HEATMAP STOP\n", "rapid 1 0 0 0 0\n"},
 	{"FUNCTION COUNT RESET\nFUNCTION COUNT TARGET10\nL X+1 FMAX\nFUNCTION COUNT INC\n", "rapid 1 0 0 0 0\n"},
 	{"7 /L X+1 FMAX\n8 / L X+2 FMAX\n/ 9 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},

@@ -6,8 +6,9 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:10: error: a path tolerance cannot be negative"},
 	{"M99\n",
 	 "p.nc:2:1: error: no cycle has been defined that could be called"},
-	{"L M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
-	 "p.nc:4:1: error: a cycle while M128 is in force is not supported yet"},
+	{"L A+30 FMAX\nL M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:5:1: error: a cycle while M128 is in force and the tool does not lie along Z is not supported; write PLANE in "
+	 "place of M128"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 200 lacks Q201"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",

@@ -284,6 +284,10 @@ static const struct klartext_program cycles[] = {
 	 "rapid 0 10 9 0 0\nrapid 0 10 2 0 0\nfeed 0 10 -4 0 0\nrapid 0 10 2 0 0\nrapid 0 10 9 0 0\n"
 	 "rapid 10 10 9 0 0\nrapid 10 10 2 0 0\nfeed 10 10 -4 0 0\nrapid 10 10 2 0 0\nrapid 10 10 9 0 0\n"
 	 "rapid 7 10 9 0 0\n"},
+	/* With M128 a cycle works along Z as long as the tool lies there. */
+	{"L M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=2\nL X+1 FMAX M99\n",
+	 "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 0 tcp\nrapid 1 0 2 0 0 tcp\nfeed 1 0 -4 0 0 tcp\n"
+	 "rapid 1 0 2 0 0 tcp\n"},
 	/* Another dwell than that of the definition, as some posts write it in a block of its own, changes no way. */
 	{"10 CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q210=0 Q203=+0 Q204=2 Q211=0\n20 Q211=.001\n"
 	 "30 L X+1 FMAX\n40 CYCL CALL\n",

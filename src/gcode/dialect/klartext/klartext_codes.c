@@ -71,6 +71,7 @@ static const struct code_word words[] = {
     {"BEGIN PGM", CODE_READ, "start of the program, MM or INCH"},
     {"END PGM", CODE_READ, "end of the program"},
     {"BLK FORM", CODE_IGNORED, "blank of the graphics"},
+    {"MONITORING", CODE_IGNORED, "monitoring of components and of the process"},
     {"TOOL DEF", CODE_READ, "tool definition; L must agree with the setup"},
     {"TOOL CALL", CODE_READ, "tool by number or name, with S, F, DL, DR"},
     {"L", CODE_READ, "straight line"},

@@ -14,6 +14,7 @@
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
+#include "gcode/dialect/klartext/klartext_orient.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
 #include "gcode/dialect/klartext/klartext_pocket.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
@@ -353,6 +354,19 @@ static bool call_program(struct interp *interp, int column)
 			       : fault(&interp->at, column, "CYCL DEF 12 has not named a program");
 }
 
+/* A cycle works along Z. With M128 the tool may lie otherwise: what the control does then is not in the manuals. */
+static bool check_along_z(struct interp *interp, int column)
+{
+	bool along = true;
+
+	if (interp->state.tcp == TCP_BY_MCODE && !klartext_orient_along_z(interp, column, &along))
+		return false;
+	return along ||
+	       fault(&interp->at, column,
+		     "a cycle while M128 is in force and the tool does not lie along Z is not supported; write "
+		     "PLANE in place of M128");
+}
+
 bool klartext_cycle_carry_out(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
@@ -364,8 +378,8 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 		return true;
 	if (klartext_comp_is_selected(interp))
 		return fault(&interp->at, column, "a cycle under radius compensation is not supported; R0 comes first");
-	if (interp->state.tcp == TCP_BY_MCODE)
-		return fault(&interp->at, column, "a cycle while M128 is in force is not supported yet");
+	if (!check_along_z(interp, column))
+		return false;
 	if (klartext->waits)
 		return fault(&interp->at, column,
 			     "a cycle before the rotary axes stand where PLANE ... STAY needs them");

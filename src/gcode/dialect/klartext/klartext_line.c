@@ -163,6 +163,7 @@ static const struct statement {
     {"BEGIN", begin, true, true},
     {"END", end, true, true},
     {"BLK", ignore, true, true},
+    {"MONITORING", ignore, true, true},
     {"APPR", klartext_approach_read, false, true},
     {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},

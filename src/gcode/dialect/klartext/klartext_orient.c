@@ -110,3 +110,16 @@ bool klartext_orient_target(struct interp *interp, const struct klartext_words *
 	target->turns = true;
 	return true;
 }
+
+bool klartext_orient_along_z(struct interp *interp, int column, bool *along)
+{
+	const axis_values zero = tool_length_rotary_zero(interp);
+	const vec3 z = klartext_frame_direction(interp, (vec3){0, 0, 1});
+	vec3 tool;
+
+	if (!interp->kinematics->direction(interp->kinematics->context, line_loc(&interp->at, column), &zero,
+					   &interp->state.canonical, &tool))
+		return false;
+	*along = vec3_norm(vec3_sub(tool, z)) <= DIRECTION_REACHED;
+	return true;
+}

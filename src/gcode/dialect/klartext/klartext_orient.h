@@ -13,4 +13,7 @@ bool klartext_orient_target(struct interp *interp, const struct klartext_words *
 bool klartext_orient_is_no_farther(const axis_values *from, const struct kinematics_solution *a,
 				   const struct kinematics_solution *b);
 
+/* Does the tool lie along Z of the program's coordinates? False: the kinematics has none, which was reported. */
+bool klartext_orient_along_z(struct interp *interp, int column, bool *along);
+
 #endif
