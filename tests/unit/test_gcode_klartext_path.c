@@ -168,6 +168,9 @@ static const struct klartext_program planes[] = {
 	/* By positions of the axes: the coordinates do not turn with the table. */
 	{"PLANE AXIAL A+30 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "rapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
+	/* An increment counts from where the axis stands. */
+	{"L A+10 FMAX\nPLANE AXIAL IA+20 IC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
+	 "rapid 0 0 0 10 0\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
 	{"PLANE AXIAL A+0 C+90 STAY\nL C+90 FMAX\nL X+10 Y+0 FMAX\nPLANE RESET STAY\n",
 	 "rapid 0 0 0 0 90\ntcp on length 0 zero A0 C0\nrapid 0 -10 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 STAY\nL A+Q120 C+Q122 FMAX\nL X+1 Y+2 Z+3 FMAX\n",

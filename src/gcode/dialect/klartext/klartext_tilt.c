@@ -155,27 +155,33 @@ static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
 	return true;
 }
 
-/* "PLANE AXIAL A+45 C-30". */
+/* "PLANE AXIAL A+45 IC-30": an increment counts from where the axis stands. */
 static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 {
-	const struct interp *interp = lexer->context;
+	const struct state *state = &((const struct interp *)lexer->context)->state;
+	const bool *has_axis = ((const struct interp *)lexer->context)->config->has_axis;
 
-	for (char byte = klartext_upper(lexer_peek(lexer)); byte == 'A' || byte == 'B' || byte == 'C' || byte == 'I';
-	     byte = klartext_upper(lexer_peek(lexer))) {
-		const int column = klartext_column(lexer), slot = byte == 'A' ? SLOT_A : byte == 'B' ? SLOT_B : SLOT_C;
+	for (;;) {
+		const int column = klartext_column(lexer);
 		struct lexer ahead = *lexer;
+		const bool increment = klartext_upper(lexer_peek(&ahead)) == 'I';
+		int slot;
 
+		if (increment)
+			lexer_take(&ahead);
+		slot = klartext_upper(lexer_peek(&ahead)) - 'A' + SLOT_A;
+		if (slot < SLOT_A || slot > SLOT_C)
+			break;
 		lexer_take(&ahead);
-		if (byte == 'I')
-			return fault(lexer->at, column, "an increment of PLANE AXIAL is not supported yet");
 		/* ABST and COORD are other words. */
 		if (!klartext_value_follows(&ahead))
 			break;
-		if (!interp->config->has_axis[slot])
-			return fault(lexer->at, column, "the machine has no %c axis", byte);
+		if (!has_axis[slot])
+			return fault(lexer->at, column, "the machine has no %c axis", AXIS_LETTERS[slot]);
 		*lexer = ahead;
 		if (!klartext_value(lexer, &tilt->angle[slot]))
 			return false;
+		tilt->angle[slot] += increment ? state->position.v[slot] - state->offset.v[slot] : 0;
 		tilt->axes |= 1U << slot;
 	}
 	return tilt->axes || fault(lexer->at, klartext_column(lexer), "PLANE AXIAL needs A, B or C");
