@@ -44,6 +44,24 @@ static const struct klartext_program regions[] = {
 	 "rapid X -30..32 Y -29..33 Z 102..200\n"
 	 "feed X -30..32 Y -29..33 Z 80..102\n"
 	 "rapid X -30..32 Y -29..33 Z 102..150\n"},
+	/* It lies where its parameters say: a second call adds nothing for where the first one has left the tool. */
+	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS "M99\n",
+	 "tool 1\n"
+	 "rapid X -30..32 Y -29..33 Z 102..200\n"
+	 "feed X -30..32 Y -29..33 Z 80..102\n"
+	 "rapid X -30..32 Y -29..33 Z 102..150\n"
+	 "feed X -30..32 Y -29..33 Z 80..102\n"
+	 "rapid X -30..32 Y -29..33 Z 102..150\n"},
+	/* So does a contour, and the way there begins anywhere over the slot before. */
+	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS CONTOURS
+	 "CYCL DEF 22 ROUGH-OUT Q10=5 Q11=100 Q12=350\nM99\nM30\n"
+	 "LBL 1\nL X+100 Y+100 RR\nL X+140\nL Y+130\nL X+100\nL Y+100\nLBL 0\nLBL 2\nL X+110 Y+110 RR\nL X+120\nLBL 0\n",
+	 "tool 1\n"
+	 "rapid X -30..32 Y -29..33 Z 102..200\n"
+	 "feed X -30..32 Y -29..33 Z 80..102\n"
+	 "rapid X -30..135 Y -29..125 Z 102..150\n"
+	 "feed X 105..135 Y 105..125 Z 85..102\n"
+	 "rapid X 105..135 Y 105..125 Z 102..150\n"},
 	{START "CYCL DEF 262 THREAD Q335=20 Q239=1.5" HEIGHTS,
 	 "tool 1\n"
 	 "rapid X 5..15 Y 15..25 Z 100.5..201.5\n"

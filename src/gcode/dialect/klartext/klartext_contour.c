@@ -315,7 +315,7 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	    tool && mills ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->delta_radius)) : 0;
 	const double more =
 	    fmax(0, -klartext_parameter_length_or(&data, 3, 0)) + fmax(0, -klartext_parameter_length_or(call, 14, 0));
-	struct klartext_region region = {.centre = klartext_frame_point(interp)};
+	struct klartext_region region = {.centre = klartext_frame_point(interp), .fixed = true};
 	struct outline outline;
 
 	if (!check(call, &data) || !check_outside(call, &data, radius) || !find_heights(&data, &region) ||

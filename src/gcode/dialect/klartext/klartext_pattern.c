@@ -122,17 +122,6 @@ static bool go_within(const struct visit *visit, double half_x, double half_y, d
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 
-/* How far beside its place the tool may stand, along the programmed X and Y: a region leaves it anywhere over it. */
-static void find_aside(const struct interp *interp, double aside[2])
-{
-	const double *loose = interp->comp.loose;
-	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
-
-	for (int i = 0; i < 2; i++)
-		aside[i] = most > 0 && klartext_of(interp)->left_open ? vec3_norm(klartext_of(interp)->open.half[i])
-									: most;
-}
-
 /*
  * The way from point to point in any order: all of the rectangle about them and the tool, at the height between them.
  * Behind the last point the tool stands over any of them at a height of `end`, and as far aside as the cycle leaves it.
@@ -151,7 +140,7 @@ static bool cover_rectangle(const struct visit *visit, bool ends, double end)
 		low = vec3_min(low, points->items[i]);
 		high = vec3_max(high, points->items[i]);
 	}
-	find_aside(interp, aside);
+	klartext_region_find_aside(interp, aside);
 	if (!go_to(visit, (vec3){(low.x + high.x) / 2, (low.y + high.y) / 2, visit->height}))
 		return false;
 	memset(interp->comp.loose, 0, sizeof(interp->comp.loose));

@@ -126,6 +126,7 @@ static bool circular_slot(const struct klartext_call_of *call, struct klartext_r
 			     "CYCL DEF 254 with Q367 other than 0 is not supported yet");
 	region->centre.x = x;
 	region->centre.y = y;
+	region->fixed = true;
 	disc(region, diameter + width, tool_radius(call));
 	return true;
 }
@@ -295,6 +296,7 @@ static bool face(const struct klartext_call_of *call, struct klartext_region *re
 		return false;
 	if (clearance < 0)
 		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
+	region->fixed = true;
 	region->centre.x = start[0] + side[0] / 2;
 	region->centre.y = start[1] + side[1] / 2;
 	for (int i = 0; i < 2; i++)

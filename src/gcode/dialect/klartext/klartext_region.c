@@ -36,20 +36,35 @@ void klartext_region_leave_open(struct interp *interp, double half_x, double hal
 	klartext_of(interp)->open = klartext_frame_turned_box(interp, half);
 }
 
-/* Where the tool stands may be open already: then so is where the region lies. */
+void klartext_region_find_aside(const struct interp *interp, double aside[2])
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const double *loose = interp->comp.loose;
+	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
+
+	for (int i = 0; i < 2; i++) {
+		const vec3 along = klartext_frame_direction(interp, (vec3){i == 0, i == 1, 0});
+
+		aside[i] = most > 0 && klartext->left_open ? 0 : most;
+		for (int side = 0; most > 0 && klartext->left_open && side < 3; side++)
+			aside[i] += fabs(vec3_dot(along, klartext->open.half[side]));
+	}
+}
+
+/* Where the tool stands may be open already: then so is where a region about it lies. */
 static void widen(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double *loose = call->interp->comp.loose;
 	const double open = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
-	region->half[0] += open;
-	region->half[1] += open;
+	region->half[0] += region->fixed ? 0 : open;
+	region->half[1] += region->fixed ? 0 : open;
 	region->beyond += klartext_of(call->interp)->left_open ? 0 : loose[SLOT_Z];
 	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
 }
 
 /* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
-static bool approach(const struct klartext_call_of *call, const struct klartext_region *region)
+static bool approach(const struct klartext_call_of *call, const struct klartext_region *region, const double aside[2])
 {
 	const struct klartext_region nowhere = {.half = {0, 0}};
 	struct klartext_region all = *region;
@@ -58,8 +73,8 @@ static bool approach(const struct klartext_call_of *call, const struct klartext_
 	double middle[2];
 
 	for (int i = 0; i < 2; i++) {
-		const double low = fmin(here[i], centre[i] - region->half[i]);
-		const double high = fmax(here[i], centre[i] + region->half[i]);
+		const double low = fmin(here[i] - aside[i], centre[i] - region->half[i]);
+		const double high = fmax(here[i] + aside[i], centre[i] + region->half[i]);
 
 		middle[i] = (low + high) / 2;
 		all.half[i] = (high - low) / 2;
@@ -77,11 +92,13 @@ bool klartext_region_carry_out(const struct klartext_call_of *call, const struct
 	const struct klartext_region within = {.half = {NARROW, NARROW}};
 	struct klartext_region region = *given;
 	vec3 at = region.centre;
+	double aside[2];
 
+	klartext_region_find_aside(call->interp, aside);
 	widen(call, &region);
 	at.z = region.top;
 	/* The approach covers the way to the middle of the region, and the way down all of the way up. */
-	if (!approach(call, &region) || !go(call, &within, at, 0))
+	if (!approach(call, &region, aside) || !go(call, &within, at, 0))
 		return false;
 	at.z = region.bottom;
 	if (!go(call, &region, at, region.feed))

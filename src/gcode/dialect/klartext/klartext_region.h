@@ -14,6 +14,7 @@ struct klartext_region {
 	double beyond; /* how far it may go over and under them */
 	double feed; /* mm/s */
 	bool nothing; /* a depth of 0: the cycle is not carried out */
+	bool fixed; /* the centre does not depend on where the tool stands */
 };
 
 /*
@@ -22,6 +23,9 @@ struct klartext_region {
  * more.
  */
 bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *region);
+
+/* How far beside its place the tool may stand along the programmed X and Y: a region leaves it anywhere over it. mm. */
+void klartext_region_find_aside(const struct interp *interp, double aside[2]);
 
 /* The tool may stand anywhere in a rectangle of these half sides about its place, until X and Y are commanded. mm. */
 void klartext_region_leave_open(struct interp *interp, double half_x, double half_y);

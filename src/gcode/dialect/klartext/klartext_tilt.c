@@ -71,9 +71,10 @@ static bool read_projected(struct lexer *lexer, mat3 *tilt)
 	if (!need(lexer, "PROPR", &principal) || !need(lexer, "PROMIN", &minor) || !need(lexer, "ROT", &rotation))
 		return false;
 	if (fabs(principal) > 0)
-		return fault(lexer->at, column,
-			     "PLANE PROJECTED with PROPR other than 0: to which side it counts is not known here; write "
-			     "the plane as PLANE SPATIAL or PLANE VECTOR");
+		return fault(
+		    lexer->at, column,
+		    "PLANE PROJECTED with PROPR other than 0: to which side it counts is not known here; write "
+		    "the plane as PLANE SPATIAL or PLANE VECTOR");
 	if (!(fabs(minor) < 90))
 		return fault(lexer->at, column, "PROMIN is between -90 and 90 degrees");
 	*tilt = turned(unit_x, minor);
