@@ -199,6 +199,26 @@ START_TEST(position_of_unknown_edge)
 }
 END_TEST
 
+/* What needs the edge says which parameter decides, and what answers. */
+START_TEST(unknown_edge)
+{
+	static const char *const blocks[] = {"TRAORI", "CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)", "G41 G1 X5", "R1=$P_TOOL",
+					     "R1=$P_TOOLL[1]", "R1=$P_TOOLR", "X1"};
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.config.controller.edge_after_tool_change = EDGE_AFTER_TOOL_CHANGE_UNKNOWN;
+	strbuf_addf(&program, "F6 G500 T1 M6\n%s\n", blocks[_i]);
+	ck_assert_msg(!case_run(&c, strbuf_text(&program)), "%s", blocks[_i]);
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "error: a parameter of the control (MD20270) decides which D holds after "
+						       "M6: write D, or say edge_after_tool_change="),
+		      "%s: %s", blocks[_i], strbuf_text(&c.messages));
+	strbuf_release(&program);
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
@@ -206,5 +226,6 @@ int main(void)
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
 	tcase_add_test(tcase, frames_after_cycle800);
 	tcase_add_test(tcase, position_of_unknown_edge);
+	tcase_add_loop_test(tcase, unknown_edge, 0, 7);
 	return run_suite("gcode_sinumerik_cycle", tcase);
 }

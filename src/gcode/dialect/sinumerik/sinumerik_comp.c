@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -66,8 +67,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	double diameter = tool ? tool->diameter : 0;
 
 	*radius = 0;
-	if (sinumerik->edge_unsure)
-		return fault(&interp->at, column, "tool radius compensation needs the tool's edge: write D before it");
+	if (!sinumerik_place_check_edge(interp, column))
+		return false;
 	if (sinumerik->edge == 0 || number == 0)
 		return true;
 	for (size_t i = 0; i < interp->config->edge_count; i++) {

@@ -215,9 +215,9 @@ static bool system_value(struct expr *expr, const char *name, int column, struct
 		return sinumerik_name_need(expr->lexer, '[', name) &&
 		       sinumerik_expr_whole(expr->context, expr->lexer, "the number of a length", 1, 3, &index) &&
 		       sinumerik_name_need(expr->lexer, ']', "the number of a length") &&
-		       sinumerik_system_tool(expr->context, name, index, column, &value->number);
+		       sinumerik_system_tool(expr->context, index, column, &value->number);
 	if (!strcmp(name, "$P_TOOLR"))
-		return sinumerik_system_tool(expr->context, name, 0, column, &value->number);
+		return sinumerik_system_tool(expr->context, 0, column, &value->number);
 	if (!sinumerik_system_follows(name, index_is_axis(expr->lexer)))
 		return control_value(expr, name, column, &value->number);
 	if (sinumerik_name_take_byte(expr->lexer, '[') &&

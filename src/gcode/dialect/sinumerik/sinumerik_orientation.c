@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
@@ -73,8 +74,8 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 		return true;
 	if (sinumerik->tool_frame)
 		return fault(&interp->at, column, "TRAFOOF while TOROT or TOFRAME is in force; TOROTOF first");
-	if (sinumerik->edge_unsure && on)
-		return fault(&interp->at, column, "TRAORI needs the tool's edge: write D before it");
+	if (on && !sinumerik_place_check_edge(interp, column))
+		return false;
 	sinumerik_frame_place(interp);
 	sinumerik_open_place_turned(interp);
 	if (!tool_length_switch_tcp(interp, column, on ? TCP_BY_LENGTH : TCP_OFF))

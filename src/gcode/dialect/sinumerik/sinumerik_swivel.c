@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -413,8 +414,8 @@ static bool check(const struct swivel *s, long status, long direction)
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
-	if (sinumerik->edge_unsure)
-		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
+	if (!sinumerik_place_check_edge(s->interp, s->column))
+		return false;
 	if (state->work_assigned)
 		return work_offset_use_fault(s->interp, s->column);
 	if (status < 0 || status % 10 > 1)

@@ -100,8 +100,8 @@ bool sinumerik_system_read(struct interp *interp, const char *name, int slot, in
 
 	if (slot >= 0)
 		return read_position(interp, name, slot, column, value);
-	if (!strcmp(name, "$P_TOOL") && sinumerik->edge_unsure)
-		return fault(&interp->at, column, "$P_TOOL behind a change of tools: write D before it");
+	if (!strcmp(name, "$P_TOOL") && !sinumerik_place_check_edge(interp, column))
+		return false;
 	*value = is_zero(name) ? 0 : !strcmp(name, "$P_TOOL") ? sinumerik->edge : interp->state.tool;
 	return true;
 }
@@ -131,12 +131,12 @@ bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, in
 	return true;
 }
 
-bool sinumerik_system_tool(struct interp *interp, const char *name, int length, int column, double *value)
+bool sinumerik_system_tool(struct interp *interp, int length, int column, double *value)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (sinumerik->edge_unsure)
-		return fault(&interp->at, column, "%s needs the tool's edge: write D before it", name);
+	if (!sinumerik_place_check_edge(interp, column))
+		return false;
 	*value = 0;
 	/* The setup has the length along the tool, and no others. */
 	if (length > 1 || sinumerik->edge == 0 || interp->state.tool == 0)

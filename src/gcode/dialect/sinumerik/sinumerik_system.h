@@ -29,6 +29,6 @@ int sinumerik_system_of_offset(int n);
 bool sinumerik_system_offset(struct interp *interp, int n, int slot, const char *component, int column, double *value);
 
 /* $P_TOOLL[length] or, with length 0, $P_TOOLR: of the edge in force. False: reported. */
-bool sinumerik_system_tool(struct interp *interp, const char *name, int length, int column, double *value);
+bool sinumerik_system_tool(struct interp *interp, int length, int column, double *value);
 
 #endif
