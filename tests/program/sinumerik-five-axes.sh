@@ -2,6 +2,7 @@
 # points, computed back from the axis positions by chains of their own (five_axes.py).
 need python3
 cat >check.py <<'PYTHON'
+import math
 import random
 
 from five_axes import (FAMILIES, X, Y, Z, add, dot, ends, machine, place, subtract, tilting_axis, tip, tool_direction,
@@ -78,6 +79,27 @@ class Checked:
             self.traori = max(self.traori, off(by_increment, add(start, [25 * x for x in tool])),
                               off(to_coordinate, add(start, [way * x for x in tool])), off(back, start))
 
+    def check_frames(self):
+        """Programmable frames under TRAORI carry the tip; A3= B3= C3= are turned with them, and words of axes are not."""
+        axis, letter = random.choice(((X, 'X'), (Y, 'Y'), (Z, 'Z')))
+        shift, angle, scale = some(3, 20), random.uniform(-70, 70), random.uniform(0.5, 2)
+        before, behind, direction = some(3, 40), some(3, 40), (random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1)
+
+        def carried(v):
+            return turned_by([v[0] * scale, -v[1] * scale, v[2] * scale], [(axis, angle)])
+
+        rows = self.run('T1 D1 M6\nG54 G17 G71 G90\nTRAORI ORIAXES\nTRANS X%g Y%g Z%g\n' % tuple(shift) +
+                        'AROT %s%.17g\nAMIRROR Y0\nASCALE X%.17g Y%.17g Z%.17g\n' % (letter, angle, scale, scale, scale) +
+                        'G0 X%g Y%g Z%g ' % tuple(before) + words(self.random_angles()) +
+                        '\nX%g Y%g Z%g A3=%.17g B3=%.17g C3=%.17g\nM30\n' % (*behind, *direction), 9)
+        if rows:
+            along = carried(direction)
+            length = math.sqrt(dot(along, along))
+            self.traori = max(self.traori, *(off(tip(rows[line], self.rotary), place(add(shift, carried(point))))
+                                             for line, point in ((8, before), (9, behind))))
+            self.direction = max(self.direction,
+                                 off(tool_direction(rows[9], self.rotary), [x / length for x in along]))
+
     def check_angles(self, word, order):
         """A2= B2= C2= of the tool's direction."""
         angles = dict(zip('ABC', some(3, 40)))
@@ -95,6 +117,7 @@ for name, rotary in FAMILIES.items():
         checked.check_swivelled()
     for _ in range(4):
         checked.check_torot()
+        checked.check_frames()
     for word, order in (('ORIEULER', ((Z, 'A'), (X, 'B'), (Z, 'C'))), ('ORIRPY', ((Z, 'C'), (Y, 'B'), (X, 'A'))),
                         ('ORIRPY2', ((X, 'A'), (Y, 'B'), (Z, 'C')))):
         for _ in range(2):
