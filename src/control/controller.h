@@ -202,6 +202,7 @@ struct controller {
 	enum cycle_11_axes cycle_11_axes;
 	enum orientation_interpolation orientation_interpolation;
 	enum edge_after_tool_change edge_after_tool_change;
+	enum answer t_changes_tool;	/* T by itself changes the tool; or M6 does */
 	enum answer frames_outlive_cycle800;	/* programmable frames, where CYCLE800() takes its plane back */
 	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */
 	enum answer length_along_z;	/* the tool's length acts along Z whatever the plane */

@@ -219,6 +219,38 @@ START_TEST(unknown_edge)
 }
 END_TEST
 
+struct t_case {
+	enum answer changes;
+	const char *program, *moves;	/* NULL: it is asked */
+};
+
+/* MD22550: does T by itself change the tool? */
+START_TEST(t_without_m6)
+{
+	static const struct t_case rows[] = {
+		{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\n", NULL},
+		{ANSWER_UNKNOWN, "G500 T1\nG0 C1\nSUPA X3 Z5\nM6\nX1 Z1\nT2\nX2\n",
+		 "rapid 0 0 0 0 1\nrapid 3 0 5 0 1\ntool 1\nrapid 1 0 101 0 1\nrapid 2 0 101 0 1\n"},
+		{ANSWER_UNKNOWN, "G500 T0\nG0 X1\n", "rapid 1 0 0 0 0\n"},
+		{ANSWER_NO, "G500 T1 D0\nG0 X1 Z5\n", "rapid 1 0 5 0 0\n"},
+		{ANSWER_YES, "G500 T1 D0\nG0 X1 Z5\nT2\nZ6\nM6\nT=\"MILL10\" D1 Z7\nT0\nZ8\n",
+		 "tool 1\nrapid 1 0 5 0 0\ntool 2\nrapid 1 0 56 0 0\ntool 1\nrapid 1 0 107 0 0\ntool 0\nrapid 1 0 8 0 0\n"},
+	};
+	const struct t_case *row = &rows[_i];
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.config.controller.t_changes_tool = row->changes;
+	ck_assert_msg(case_run(&c, row->program) == (row->moves != NULL), "%s%s", row->program, strbuf_text(&c.messages));
+	if (row->moves)
+		ck_assert_str_eq(strbuf_text(&c.moves), row->moves);
+	else
+		ck_assert_msg(strstr(strbuf_text(&c.messages), "T without M6 so far: a parameter of the control (MD22550)"),
+			      "%s", strbuf_text(&c.messages));
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
@@ -227,5 +259,6 @@ int main(void)
 	tcase_add_test(tcase, frames_after_cycle800);
 	tcase_add_test(tcase, position_of_unknown_edge);
 	tcase_add_loop_test(tcase, unknown_edge, 0, 7);
+	tcase_add_loop_test(tcase, t_without_m6, 0, 5);
 	return run_suite("gcode_sinumerik_cycle", tcase);
 }

@@ -136,6 +136,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->cycle_11_axes = ANSWER("cycle_11_axes", "plane", "all");
 	told->orientation_interpolation = ANSWER("orientation_interpolation", "axes", "vector");
 	told->edge_after_tool_change = ANSWER("edge_after_tool_change", "first", "none", "keeps");
+	told->t_changes_tool = ANSWER("t_changes_tool", "yes", "no");
 	told->frames_outlive_traori = ANSWER("frames_outlive_traori", "yes", "no");
 	told->frames_outlive_cycle800 = ANSWER("frames_outlive_cycle800", "yes", "no");
 	told->length_along_z = ANSWER("tool_length_axis", "z");

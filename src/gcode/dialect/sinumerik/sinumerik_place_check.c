@@ -15,6 +15,22 @@ bool sinumerik_place_check_edge(const struct interp *interp, int column)
 		     "edge_after_tool_change=\"first\" (D1), \"none\" (D0) or \"keeps\" in the machine's <controller>");
 }
 
+/*
+ * MD22550: T changes the tool by itself, or M6 does. A program that has M6 once means the second; before that, T may have
+ * put another tool into the spindle.
+ */
+bool sinumerik_place_check_tool(const struct interp *interp, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct state *state = &interp->state;
+
+	return interp->config->controller.t_changes_tool != ANSWER_UNKNOWN || !sinumerik->t_waits ||
+	       sinumerik->tool_changed || state->selected == state->tool ||
+	       fault(&interp->at, column,
+		     "T without M6 so far: a parameter of the control (MD22550) decides whether T changes the tool by "
+		     "itself: write M6, or say t_changes_tool=\"yes\" or \"no\" in the machine's <controller>");
+}
+
 /* Does any work offset of the setup shift an axis of these letters? X, Y and Z count as one: frames may turn them. */
 static bool is_shifted(const struct interp *interp, uint32_t letters)
 {

@@ -12,6 +12,9 @@
 /* The edge of the tool. */
 bool sinumerik_place_check_edge(const struct interp *interp, int column);
 
+/* The tool: has T changed it, or does it wait for M6? */
+bool sinumerik_place_check_tool(const struct interp *interp, int column);
+
 /* Work offset, frames and plane, for the axes of these letters (letter_bit). */
 bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters, int column);
 

@@ -227,6 +227,8 @@ struct sinumerik {
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */
 	bool plane_unsure;	/* another work offset was selected while CYCLE800 has swivelled */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
+	bool t_waits;	/* T has been given, and no M6 so far: a parameter says whether T changes the tool by itself */
+	bool tool_changed;	/* by M6 */
 	int edge;	/* D */
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */
 	size_t name_count, name_capacity;

@@ -129,7 +129,8 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 		return false;
 	if (linear && (!sinumerik_place_check_edge(interp, column) || !check_length_axis(interp, column)))
 		return false;
-	return machine || sinumerik_place_check_frames(interp, block->letters, column);
+	return machine || ((!linear || sinumerik_place_check_tool(interp, column)) &&
+			   sinumerik_place_check_frames(interp, block->letters, column));
 }
 
 bool sinumerik_target_check_cycle(struct interp *interp, int column)

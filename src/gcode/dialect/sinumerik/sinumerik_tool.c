@@ -171,13 +171,23 @@ static bool change_tool(struct interp *interp, const struct sinumerik_block *blo
 	return edge_of_change(interp, block, column);
 }
 
+/* MD22550: T changes the tool by itself, or M6 does. */
 bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block)
 {
+	const bool by_t = interp->config->controller.t_changes_tool == ANSWER_YES;
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
 	if (!select_tool(interp, block))
 		return false;
-	for (int i = 0; i < block->m_count; i++) {
-		if (block->m[i] == 6 && !change_tool(interp, block, block->m_column[i]))
+	if (by_t && sinumerik_block_has(block, 'T') && !change_tool(interp, block, block->column['T' - 'A']))
+		return false;
+	sinumerik->t_waits = sinumerik->t_waits || sinumerik_block_has(block, 'T');
+	for (int i = 0; i < block->m_count && !by_t; i++) {
+		if (block->m[i] != 6)
+			continue;
+		if (!change_tool(interp, block, block->m_column[i]))
 			return false;
+		sinumerik->tool_changed = true;
 	}
 	return set_programmed_edge(interp, block);
 }
