@@ -117,6 +117,12 @@ static const struct refused_program programs[] = {
 	{"CYCLE63(\"KONTUR\")\n", 1, 1,
 	 "CYCLE63: milling of a contour's pocket is not supported yet; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
+	{"G500 G18\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n", 2, 1,
+	 "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 before it, or 1 in "
+	 "the units of DMODE"},
+	{"G500 G17\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1,,103)\n", 2, 1,
+	 "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 before it, or 1 in "
+	 "the units of DMODE"},
 	{"CYCLE207(1)\n", 1, 1,
 	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in upper or "
 	 "lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's and moves no axis, "
@@ -179,7 +185,8 @@ static const struct refused_program programs[] = {
 	{"CYCLE800(0,\"\",0,185,0,0,0,90,30,0,0,0,0,1)\n", 1, 1,
 	 "two projection angles of CYCLE800 must lie between -90 and 90 degrees"},
 	{"G18 CYCLE800(0,\"\",0,185,0,0,0,10,30,0,0,0,0,1)\n", 1, 5,
-	 "CYCLE800 by projection angles needs G17"},
+	 "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 before it, or 1 in "
+	 "the units of DMODE"},
 	{"CYCLE800(0,\"\",0,192,0,0,0,0,30,0,0,0,0,1)\n", 1, 1,
 	 "MODE=192 of CYCLE800, a plane by positions of the rotary axes, is not supported: in which direction X of "
 	 "the plane then points is not certain; axis by axis (MODE=57 and the like) it is"},

@@ -83,6 +83,9 @@ static const struct program programs[] = {
 	 "tool 1\nrapid 1 2 103 0 0\norient 0 -0.5 0.866025404\nrapid 1 2 103 -30 0\n"
 	 "tcp on length 100 zero A0 C0\nrapid 1 0.232050808 3.59807621 -30 0 tcp\n"
 	 "tcp off length 100 zero A0 C0\nrapid 0 0 100 -30 0\n"},
+	/* G18 is no plane of CYCLE800, unless DMODE names G17. */
+	{"G500 G18\nCYCLE800()\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,-1,,1)\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 0 -30 0\ntcp on length 0 zero A0 C0\n"},
 	/* SUPA over a swivelled table: the tool of 100 mm stands along Z. */
 	{"G54 T1 D1 M6\nCYCLE800(0,\"TC1\",0,57,0,0,0,30,0,0,0,0,0,-1)\nSUPA G0 Z50\nSUPA X3 Z9 D0\n",
 	 "tool 1\norient 0 -0.5 0.866025404\nrapid 0 0 0 -30 0\ntcp on length 100 zero A0 C0\n"

@@ -102,8 +102,6 @@ static bool find_projection(const struct swivel *s, long mode, mat3 *turn)
 	double angles[4] = {0};
 	mat3 in_plane;
 
-	if (s->interp->state.plane != G17)
-		return fault(&s->interp->at, s->column, "CYCLE800 by projection angles needs G17");
 	if (first == 0 || second == 0 || first == second || (last != 3 && !same_double(value(s, C), 0)))
 		return fault(&s->interp->at, s->column,
 			     "MODE=%ld of CYCLE800, projection angles, must name two axes and then Z", mode);
@@ -405,12 +403,13 @@ static bool refuse(const struct swivel *s, const char *what)
 /*
  * ST: 1 adds the plane to the one in force; the tens guide the tip; the hundreds set the tool up. Thousands and ten
  * thousands are for the masks of the editor; the hundred thousands say that DIR is an optimised direction, which
- * matters where both solutions are one (settle_free).
+ * matters where both solutions are one (settle_free). The units of DMODE: the plane of the cycle, 0 the one in force.
  */
 static bool check(const struct swivel *s, long status, long direction)
 {
 	const struct state *state = &s->interp->state;
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
+	const double plane = fmod(fabs(value(s, DMODE)), 10);
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
@@ -418,6 +417,9 @@ static bool check(const struct swivel *s, long status, long direction)
 		return false;
 	if (state->work_assigned)
 		return work_offset_use_fault(s->interp, s->column);
+	if (plane > 1 || (plane == 0 && state->plane != G17))
+		return refuse(s, "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 "
+				 "before it, or 1 in the units of DMODE");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status % 10 && sinumerik->plane_unsure)
