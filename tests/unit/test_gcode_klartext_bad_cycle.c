@@ -4,6 +4,8 @@
 static const struct klartext_fault faults[] = {
 	{"CYCL DEF 32.0\nCYCL DEF 32.1 T-1\n",
 	 "p.nc:3:10: error: a path tolerance cannot be negative"},
+	{"CYCL DEF 200 DRILLING ~\n Q200=2 ~ ;SET-UP CLEARANCE\n",
+	 "p.nc:3:9: error: '~' is the last sign of a line: write the comment before it"},
 	{"M99\n",
 	 "p.nc:2:1: error: no cycle has been defined that could be called"},
 	{"L A+30 FMAX\nL M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",

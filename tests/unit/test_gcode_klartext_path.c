@@ -287,6 +287,10 @@ static const struct klartext_program cycles[] = {
 	 "rapid 0 10 9 0 0\nrapid 0 10 2 0 0\nfeed 0 10 -4 0 0\nrapid 0 10 2 0 0\nrapid 0 10 9 0 0\n"
 	 "rapid 10 10 9 0 0\nrapid 10 10 2 0 0\nfeed 10 10 -4 0 0\nrapid 10 10 2 0 0\nrapid 10 10 9 0 0\n"
 	 "rapid 7 10 9 0 0\n"},
+	/* An empty line and a comment do not end what '~' continues: Q395=1 is the definition's. */
+	{"TOOL CALL 2 Z S100\nCYCL DEF 200 DRILLING ~\n Q200=2 ~\n\n Q201=-4 ~\n Q206=150 ~\n Q202=9 ~\n Q203=+0 ~\n Q204=2 ~\n"
+	 "; the tip goes deeper\n Q395=1\nL X+1 FMAX M99\n",
+	 "tool 2\nrapid 1 0 0 0 0\nrapid 1 0 42 0 0\nfeed 1 0 33.5 0 0\nrapid 1 0 42 0 0\n"},
 	/* With M128 a cycle works along Z as long as the tool lies there. */
 	{"L M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=2\nL X+1 FMAX M99\n",
 	 "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 0 tcp\nrapid 1 0 2 0 0 tcp\nfeed 1 0 -4 0 0 tcp\n"

@@ -272,6 +272,9 @@ static bool is_q_word(struct lexer *lexer)
 static bool read_words(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	while (!klartext_ends(lexer)) {
+		if (lexer_peek(lexer) == '~')
+			return fault(lexer->at, klartext_column(lexer),
+				     "'~' is the last sign of a line: write the comment before it");
 		if (!(cycle->by_q ? read_q(lexer, cycle) : read_old(lexer, cycle)))
 			return false;
 	}

@@ -427,6 +427,24 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 	return klartext_define_end(interp);
 }
 
+/* An empty line, or a comment without a block number, which may stand between the lines of a definition. */
+static bool says_nothing(const char *text)
+{
+	const char first = text[strspn(text, " \t")];
+
+	return first == '\0' || first == ';';
+}
+
+/* A definition in one line, or the last line of one with '~'. */
+static bool ends_definition(const struct interp *interp)
+{
+	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	const bool in_one = definition->count > 0 && definition->line == interp->at.line;
+
+	return definition->open && definition->by_q && !klartext_continues(interp->at.text) &&
+	       (in_one || (definition->continued && !says_nothing(interp->at.text)));
+}
+
 bool klartext_line_run(struct interp *interp, bool *done)
 {
 	struct klartext_cycle *definition = &klartext_of(interp)->definition;
@@ -442,10 +460,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 		return false;
 	klartext_of(interp)->synchronised &= interp->moves == 0;
 	definition->continued |= definition->open && definition->count > 0 && klartext_continues(interp->at.text);
-	/* A definition in one line, or the last line of one with '~'. */
-	if (definition->open && definition->by_q && !klartext_continues(interp->at.text) &&
-	    (definition->continued || (definition->count > 0 && definition->line == interp->at.line)) &&
-	    !klartext_define_end(interp))
+	if (ends_definition(interp) && !klartext_define_end(interp))
 		return false;
 	if (klartext_of(interp)->corner.waits && !bare) {
 		klartext_corner_keep_line(interp);
