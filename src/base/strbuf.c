@@ -10,12 +10,20 @@
 /* Bytes: the room for a text before its length is known. */
 #define SHORT_TEXT 64
 
+char *strbuf_extend(struct strbuf *buf, size_t count)
+{
+	const size_t before = buf->length, after = before + count;
+
+	if (after >= buf->capacity)
+		buf->text = mem_grow(buf->text, &buf->capacity, after + 1, 1);
+	buf->length = after;
+	buf->text[after] = '\0';
+	return buf->text + before;
+}
+
 void strbuf_add(struct strbuf *buf, const char *bytes, size_t count)
 {
-	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + count + 1, 1);
-	memcpy(buf->text + buf->length, bytes, count);
-	buf->length += count;
-	buf->text[buf->length] = '\0';
+	memcpy(strbuf_extend(buf, count), bytes, count);
 }
 
 void strbuf_addf(struct strbuf *buf, const char *format, ...)

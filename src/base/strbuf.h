@@ -13,6 +13,10 @@ struct strbuf {
 };
 
 void strbuf_add(struct strbuf *buf, const char *bytes, size_t count);
+
+/* Makes the string longer by so many bytes, which the caller fills in at the result: none of them a NUL. */
+char *strbuf_extend(struct strbuf *buf, size_t count);
+
 void strbuf_addf(struct strbuf *buf, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void strbuf_addv(struct strbuf *buf, const char *format, va_list args) __attribute__((format(printf, 2, 0)));
 

@@ -182,8 +182,10 @@ static size_t put_in(struct block_log *log, size_t count, const struct pair_clea
 			log->out[at - 1] = *least;
 		return count;
 	}
-	log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
-	memmove(&log->out[at + 1], &log->out[at], (count - at) * sizeof(*log->out));
+	if (count == log->out_capacity)
+		log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
+	if (at < count)
+		memmove(&log->out[at + 1], &log->out[at], (count - at) * sizeof(*log->out));
 	log->out[at] = *least;
 	return count + 1;
 }

@@ -138,13 +138,14 @@ static const struct strbuf *capped_end(struct block_tables *tables, struct pair_
 static void add_clearance(struct block_tables *tables, const struct scene *scene, const struct pair_clearance *least)
 {
 	struct pair_fields *fields = fields_of(tables, scene, least->pair);
+	const struct strbuf *place = &tables->place;
+	const struct strbuf *end = least->capped ? capped_end(tables, fields, least->clearance) : &fields->names;
+	char *row = strbuf_extend(&tables->row, place->length + end->length);
 
-	add_all(&tables->row, &tables->place);
-	if (least->capped) {
-		add_all(&tables->row, capped_end(tables, fields, least->clearance));
+	memcpy(row, place->text, place->length);
+	memcpy(row + place->length, end->text, end->length);
+	if (least->capped)
 		return;
-	}
-	add_all(&tables->row, &fields->names);
 	add_rounded_down(&tables->row, least->clearance);
 	strbuf_add(&tables->row, ",0\n", 3);
 }
