@@ -4,13 +4,13 @@
 
 #include "base/minmax.h"
 
-/* The square of the distance to the segment. */
-static double segment_distance2(vec3 p, vec3 a, vec3 b)
+/* From p's nearest point of the segment to p. */
+static vec3 from_segment(vec3 p, vec3 a, vec3 b)
 {
 	vec3 along = vec3_sub(b, a), to = vec3_sub(p, a);
 	double length2 = vec3_norm2(along), s = length2 > 0 ? vec3_dot(to, along) / length2 : 0;
 
-	return vec3_norm2(vec3_mad(to, -smaller(larger(s, 0), 1), along));
+	return vec3_mad(to, -smaller(larger(s, 0), 1), along);
 }
 
 /* Sines of angles below this are lost in the rounding of a cross product: the normal may then point anywhere. */
@@ -38,18 +38,46 @@ static double triangle_distance2(vec3 p, const mesh_triangle *t, double limit)
 
 		inside &= !beyond;
 		if (beyond || !flat)
-			least = smaller(least, segment_distance2(p, from, to));
+			least = smaller(least, vec3_norm2(from_segment(p, from, to)));
 	}
 	return inside ? height * height / size2 : least;
 }
 
-static double box_distance2(const struct bvh_node *node, int lane, vec3 off)
+/* The point of the triangle that is nearest to p, as triangle_distance2 sees it. */
+static vec3 triangle_nearest_point(vec3 p, const mesh_triangle *t)
 {
-	double x = larger(0, fabs(off.x - (double)node->centre[0][lane]) - (double)node->half[0][lane]);
-	double y = larger(0, fabs(off.y - (double)node->centre[1][lane]) - (double)node->half[1][lane]);
-	double z = larger(0, fabs(off.z - (double)node->centre[2][lane]) - (double)node->half[2][lane]);
+	const vec3 corner[3] = {mesh_corner(t, 0), mesh_corner(t, 1), mesh_corner(t, 2)};
+	const vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
+	const double size2 = vec3_norm2(normal), distance2 = triangle_distance2(p, t, INFINITY);
+	const double height = vec3_dot(vec3_sub(p, corner[0]), normal);
+	vec3 least = from_segment(p, corner[0], corner[1]);
 
-	return x * x + y * y + z * z;
+	/* Beyond no side: the plane's foot. */
+	if (size2 > 0 && distance2 * size2 <= height * height)
+		return vec3_mad(p, -height / size2, normal);
+	for (int k = 1; k < 3; k++) {
+		const vec3 other = from_segment(p, corner[k], corner[(k + 1) % 3]);
+
+		least = vec3_norm2(other) < vec3_norm2(least) ? other : least;
+	}
+	return vec3_sub(p, least);
+}
+
+/* To all lanes' boxes: those out of use are copies of the first. */
+static void box_distances2(const struct bvh_node *node, vec3 off, double distance2[BVH_WIDTH])
+{
+	const double from[3] = {off.x, off.y, off.z};
+
+	for (int lane = 0; lane < BVH_WIDTH; lane++)
+		distance2[lane] = 0;
+	for (int k = 0; k < 3; k++) {
+		for (int lane = 0; lane < BVH_WIDTH; lane++) {
+			const double beyond =
+			    larger(0, fabs(from[k] - (double)node->centre[k][lane]) - (double)node->half[k][lane]);
+
+			distance2[lane] += beyond * beyond;
+		}
+	}
 }
 
 struct search {
@@ -80,8 +108,7 @@ static void try_node(struct search *search, const struct bvh_node *node)
 	double least[BVH_WIDTH];
 
 	search->visits += node->used;
-	for (int lane = 0; lane < node->used; lane++)
-		least[lane] = box_distance2(node, lane, off);
+	box_distances2(node, off, least);
 	for (int turn = 0; turn < node->used; turn++) {
 		int nearest = 0;
 
@@ -122,6 +149,10 @@ bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, dou
 	*visits += search.visits;
 	if (!(search.best < limit))
 		return false;
-	*nearest = (struct nearest_triangle){sqrt(search.best), search.triangle};
+	*nearest = (struct nearest_triangle){
+		.distance = sqrt(search.best),
+		.triangle = search.triangle,
+		.at = triangle_nearest_point(point, &bvh->mesh.triangles[search.triangle]),
+	};
 	return true;
 }

@@ -15,6 +15,7 @@ double mesh_point_distance(const struct bvh *bvh, vec3 point);
 struct nearest_triangle {
 	double distance;	/* mm, to within rounding */
 	uint32_t triangle;
+	vec3 at;	/* its point that is so far from that point */
 };
 
 /*

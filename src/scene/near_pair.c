@@ -21,13 +21,14 @@ struct near_pair {
 	double distance;	/* mm */
 	vec3 on_a, on_b;
 	bool measured;	/* the points are nearest to each other; else each is as near to the other triangle at least */
+	bool is_new;	/* points or triangles are not those that are remembered */
 };
 
 static struct near_pair measure(const struct body_pair *pair, const xform *pose)
 {
 	const struct coherence *coherence = pair->coherence;
 	tri a = tri_of(&pair->a->mesh, coherence->near_a), b = tri_of(&pair->b->mesh, coherence->near_b);
-	struct near_pair near = {.measured = true};
+	struct near_pair near = {.measured = true, .is_new = true};
 
 	b = tri_transform(&b, pose);
 	near.distance = tri_distance(&a, &b, &near.on_a, &near.on_b);
@@ -64,6 +65,7 @@ static struct near_pair recall(const struct body_pair *pair, const xform *pose)
 	if (!points->known || points->a != coherence->near_a || points->b != coherence->near_b) {
 		near = measure(pair, pose);
 		remember(pair, pose, &near);
+		near.is_new = false;
 		return near;
 	}
 	near.on_a = points->on_a;
@@ -91,7 +93,16 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 		return false;
 	*(of_a ? &pair->coherence->near_a : &pair->coherence->near_b) = nearest.triangle;
 	pair->coherence->points.a_replaced = of_a;
-	*near = measure(pair, pose);
+	if (nearest.distance > enough) {
+		*near = measure(pair, pose);
+		return true;
+	}
+	*near = (struct near_pair){
+		.distance = nearest.distance,
+		.on_a = of_a ? nearest.at : near->on_a,
+		.on_b = of_a ? near->on_b : xform_apply(pose, nearest.at),
+		.is_new = true,
+	};
 	return true;
 }
 
@@ -125,7 +136,7 @@ double near_pair_improve(const struct body_pair *pair, const xform *pose, double
 	for (int round = 0; round < ROUNDS && near.distance > enough; round++)
 		if (!replace_either(pair, pose, &near, enough, visits) && !renew_points(pair, pose, &near))
 			break;
-	if (near.measured)
+	if (near.is_new)
 		remember(pair, pose, &near);
 	return near.distance;
 }

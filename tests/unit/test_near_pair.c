@@ -24,7 +24,7 @@ START_TEST(nearest_to_a_point)
 		struct bvh *bvh = bvh_new(&mesh);
 		const vec3 point = random_place(&random, 60).translation;
 		const double within = random_size(&random, 1, 200);
-		struct nearest_triangle nearest = {-1, 0};
+		struct nearest_triangle nearest = {.distance = -1};
 		double least = INFINITY;
 		long visits = 0;
 

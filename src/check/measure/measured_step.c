@@ -210,6 +210,11 @@ static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct
 		look_at(pair, sweep, measured, &motion->q0, kept);
 }
 
+static bool is_far(const struct measured_pair *pair, const struct measured_step *measured)
+{
+	return measured->seen > 2 * pair->bound;
+}
+
 /*
  * Bodies that slide past each other in large steps have the same plane between them in step after step, but it lasts
  * for less than one. The last step's is measured again where this one ends. Only if that is not enough, triangles are
@@ -220,11 +225,17 @@ static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struc
 			  const struct plane_motion *motion, double kept)
 {
 	struct plane_cells *planes = &pair->planes;
-	double proved = plane_cells_carry_whole(planes, &motion->q1, motion, needed_of(pair, measured), NULL);
+	double proved;
 	vec3 along;
 
+	if (kept > 0 && !is_far(pair, measured)) {
+		look_at(pair, sweep, measured, &motion->q1, kept);
+		if (kept > wanted_of(pair, measured))
+			return kept;
+	}
+	proved = plane_cells_carry_whole(planes, &motion->q1, motion, needed_of(pair, measured), NULL);
 	proved = larger(kept, proved - measured->path);
-	if (proved > wanted_of(pair, measured) || !(proved > 0))
+	if (proved > wanted_of(pair, measured) || !(proved > 0) || is_far(pair, measured))
 		return proved;
 	look_at_ends(pair, sweep, measured, motion, proved);
 	if (proved > wanted_of(pair, measured))
