@@ -1,6 +1,7 @@
 /* level_kernels.h - all kernels for one level of SIMD; LANES_LEVEL and AT_LEVEL say which (boxes_kernel.h). */
 #include "geom/boxes_kernel.h"
 #include "geom/item_kernel.h"
+#include "geom/nearness_kernel.h"
 #include "geom/reach_kernel.h"
 #include "geom/simd_kernels.h"
 #include "geom/support_kernel.h"
@@ -8,6 +9,7 @@
 const struct simd_kernels AT_LEVEL(simd_kernels) = {
 	.boxes_apart = AT_LEVEL(boxes_apart),
 	.support = AT_LEVEL(support),
+	.boxes_near = AT_LEVEL(boxes_near),
 	.boxes_reach = AT_LEVEL(boxes_reach),
 	.points_reach = AT_LEVEL(points_reach),
 	.bvh_items_bounds = AT_LEVEL(bvh_items_bounds),

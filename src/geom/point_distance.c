@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/minmax.h"
+#include "geom/simd_kernels.h"
 
 /* From p's nearest point of the segment to p. */
 static vec3 from_segment(vec3 p, vec3 a, vec3 b)
@@ -63,32 +64,36 @@ static vec3 triangle_nearest_point(vec3 p, const mesh_triangle *t)
 	return vec3_sub(p, least);
 }
 
-/* To all lanes' boxes: those out of use are copies of the first. */
-static void box_distances2(const struct bvh_node *node, vec3 off, double distance2[BVH_WIDTH])
-{
-	const double from[3] = {off.x, off.y, off.z};
-
-	for (int lane = 0; lane < BVH_WIDTH; lane++)
-		distance2[lane] = 0;
-	for (int k = 0; k < 3; k++) {
-		for (int lane = 0; lane < BVH_WIDTH; lane++) {
-			const double beyond =
-			    larger(0, fabs(from[k] - (double)node->centre[k][lane]) - (double)node->half[k][lane]);
-
-			distance2[lane] += beyond * beyond;
-		}
-	}
-}
-
 struct search {
 	const struct bvh *bvh;
+	const struct simd_kernels *kernels;
 	vec3 point;
+	float from[3], slack;	/* as boxes_near_fn asks for them */
 	double best;	/* the square of the distance of the nearest triangle so far */
 	double enough;	/* the square of a distance that ends the search once a triangle is so near */
 	bool done;
 	uint32_t triangle;
 	long visits;	/* boxes looked at */
 };
+
+/* More than 8 roundings of float. */
+#define SLACK_SHARE 0x1p-20
+
+/* A search for a triangle within the square root of `best` mm. */
+static struct search search_of(const struct bvh *bvh, vec3 point, double best, double enough)
+{
+	const vec3 off = vec3_sub(point, bvh->origin);
+
+	return (struct search){
+		.bvh = bvh,
+		.kernels = simd_kernels_at_level(bvh->simd_level),
+		.point = point,
+		.from = {(float)off.x, (float)off.y, (float)off.z},
+		.slack = (float)(SLACK_SHARE * (vec3_norm(off) + 2 * vec3_norm(bvh->half))),
+		.best = best,
+		.enough = enough,
+	};
+}
 
 static void try_triangle(struct search *search, uint32_t triangle)
 {
@@ -101,24 +106,32 @@ static void try_triangle(struct search *search, uint32_t triangle)
 	search->triangle = triangle;
 }
 
+/* The nearest child that is open. */
+static int nearest_of(unsigned open, const float near2[BVH_WIDTH])
+{
+	int nearest = -1;
+
+	for (int lane = 0; open >> lane; lane++) {
+		if ((open >> lane & 1) && (nearest < 0 || near2[lane] < near2[nearest]))
+			nearest = lane;
+	}
+	return nearest;
+}
+
 /* Nearest child first; as deep as the tree. */
 static void try_node(struct search *search, const struct bvh_node *node)
 {
-	vec3 off = vec3_sub(search->point, search->bvh->origin);
-	double least[BVH_WIDTH];
+	float near2[BVH_WIDTH];
+	unsigned open = search->kernels->boxes_near(node, search->from, search->slack,
+						    (float)(search->best * (1 + SLACK_SHARE)), near2);
 
 	search->visits += node->used;
-	box_distances2(node, off, least);
-	for (int turn = 0; turn < node->used; turn++) {
-		int nearest = 0;
+	while (open && !search->done) {
+		const int nearest = nearest_of(open, near2);
 
-		for (int lane = 1; lane < node->used; lane++) {
-			if (least[lane] < least[nearest])
-				nearest = lane;
-		}
-		if (!(least[nearest] < search->best) || search->done)
+		if (!((double)near2[nearest] < search->best))
 			break;
-		least[nearest] = INFINITY;
+		open &= ~(1u << nearest);
 		for (uint32_t i = 0; i < node->count[nearest]; i++)
 			try_triangle(search, node->first[nearest] + i);
 		if (!node->count[nearest])
@@ -128,7 +141,7 @@ static void try_node(struct search *search, const struct bvh_node *node)
 
 double mesh_point_distance(const struct bvh *bvh, vec3 point)
 {
-	struct search search = {.bvh = bvh, .point = point, .best = INFINITY, .enough = -1};
+	struct search search = search_of(bvh, point, INFINITY, -1);
 
 	try_node(&search, &bvh->nodes[0]);
 	return sqrt(search.best);
@@ -143,7 +156,7 @@ bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, dou
 			   struct nearest_triangle *nearest, long *visits)
 {
 	const double limit = within * within;
-	struct search search = {.bvh = bvh, .point = point, .best = limit, .enough = enough * enough};
+	struct search search = search_of(bvh, point, limit, enough * enough);
 
 	try_node(&search, &bvh->nodes[0]);
 	*visits += search.visits;

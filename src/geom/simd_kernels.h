@@ -26,6 +26,13 @@ typedef float support_fn(const mesh_triangle *triangles, size_t count, const flo
 typedef unsigned boxes_reach_fn(const struct bvh_node *node, const float n[3], float enough, float *reach);
 
 /*
+ * near2[i] becomes at most the square of the distance in mm of p, which is from the tree's origin, from the node's i-th
+ * box. `slack` mm: at least 8 roundings of float times the largest coordinate of p and of the boxes. Bit i of the
+ * result: it is at most within2, and the child is in use.
+ */
+typedef unsigned boxes_near_fn(const struct bvh_node *node, const float p[3], float slack, float within2, float *near2);
+
+/*
  * The greatest n.p over points in groups of eight, at least one group: x of the first eight, y, z, x of the next. Off
  * by less than 6 roundings of float times |n| and the largest |p|.
  */
@@ -44,6 +51,7 @@ typedef void bvh_items_bounds_fn(const struct bvh_item *items, size_t count, str
 struct simd_kernels {
 	boxes_apart_fn *boxes_apart;
 	support_fn *support;
+	boxes_near_fn *boxes_near;
 	boxes_reach_fn *boxes_reach;
 	points_reach_fn *points_reach;
 	bvh_items_bounds_fn *bvh_items_bounds;

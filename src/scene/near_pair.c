@@ -129,6 +129,17 @@ static bool renew_points(const struct body_pair *pair, const xform *pose, struct
 	return moved2 > MOVED_SHARE * MOVED_SHARE * near->distance * near->distance;
 }
 
+double near_pair_step(const struct body_pair *pair, const xform *pose, double enough, long *visits)
+{
+	struct near_pair near = recall(pair, pose);
+
+	if (near.distance > enough)
+		replace_either(pair, pose, &near, enough, visits);
+	if (near.is_new)
+		remember(pair, pose, &near);
+	return near.distance;
+}
+
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits)
 {
 	struct near_pair near = recall(pair, pose);

@@ -18,6 +18,8 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose);
  */
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 
+double near_pair_step(const struct body_pair *pair, const xform *pose, double enough, long *visits);
+
 /*
  * From the one triangle's nearest point to the other's, as they were measured last, with the bodies at the pose now: a
  * unit vector in the coordinates of A's link; 0: they touch.

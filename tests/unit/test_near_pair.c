@@ -2,6 +2,7 @@
 #include "scene/near_pair.h"
 
 #include "geom/point_distance.h"
+#include "geom/simd_level.h"
 #include "scene/coherence.h"
 #include "solids.h"
 #include "suite.h"
@@ -28,6 +29,7 @@ START_TEST(nearest_to_a_point)
 		double least = INFINITY;
 		long visits = 0;
 
+		bvh->simd_level = (int)(n % (simd_level() + 1));
 		for (size_t i = 0; i < bvh->mesh.count; i++)
 			least = fmin(least, to_triangle(bvh, i, point));
 		if (mesh_nearest_triangle(bvh, point, within, 0, &nearest, &visits)) {
@@ -39,6 +41,9 @@ START_TEST(nearest_to_a_point)
 				nearest.distance, least);
 			require(fabs(to_triangle(bvh, nearest.triangle, point) - least) < 1e-9,
 				"case %ld: another triangle", n);
+			require(fabs(vec3_norm(vec3_sub(nearest.at, point)) - least) < 1e-9 &&
+					fabs(to_triangle(bvh, nearest.triangle, nearest.at)) < 1e-9,
+				"case %ld: not the triangle's nearest point", n);
 			require(mesh_nearest_triangle(bvh, point, within, enough, &any, &visits) &&
 					any.distance <= fmax(enough, least) + 1e-9 &&
 					fabs(to_triangle(bvh, any.triangle, point) - any.distance) < 1e-9,

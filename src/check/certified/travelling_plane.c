@@ -164,14 +164,11 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 		const int slot = chain->joints[i].slot;
 		const double dq0 = motion->q0.v[slot] - plane->at[i], dq1 = motion->q1.v[slot] - plane->at[i];
 		const double lost0 = first_order(plane, i, dq0), lost1 = first_order(plane, i, dq1);
-		const double error = motion->chord_error.v[slot];
 
 		lost[0] += lost0;
 		lost[1] += lost1;
 		separate += larger(lost0, lost1);
-		way[i] = larger(fabs(dq0), fabs(dq1)) + error;
-		off += plane->rate[i] * error;
-		size += plane->rate[i] * way[i];
+		way[i] = larger(fabs(dq0), fabs(dq1));
 	}
 	/*
 	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums
@@ -180,6 +177,13 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 	first = plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate);
 	if (!(first > beyond))
 		return -INFINITY;
+	for (size_t i = 0; i < chain->count; i++) {
+		const double error = motion->chord_error.v[chain->joints[i].slot];
+
+		way[i] += error;
+		off += plane->rate[i] * error;
+		size += plane->rate[i] * way[i];
+	}
 	for (size_t i = plane->link; i-- > 0;)
 		add_joint(&of_a, plane, i, chain->joints[i].rotary, way[i]);
 	for (size_t i = plane->link; i < chain->count; i++)

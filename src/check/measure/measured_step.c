@@ -229,7 +229,10 @@ static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struc
 	vec3 along;
 
 	if (kept > 0 && !is_far(pair, measured)) {
-		look_at(pair, sweep, measured, &motion->q1, kept);
+	const double useful =
+	    kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
+	measured->seen = smaller(measured->seen,
+				 near_pair_step(&pair->bodies, pose_at(pair, &motion->q1), useful, &sweep->visits));
 		if (kept > wanted_of(pair, measured))
 			return kept;
 	}
