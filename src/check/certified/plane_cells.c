@@ -269,6 +269,13 @@ double plane_cells_carry_whole(struct plane_cells *cells, const axis_values *q, 
 	return rest;
 }
 
+double plane_cells_gap_of_whole(const struct plane_cells *cells)
+{
+	const struct plane_cell *whole = cells->cell_count ? &cells->cells[0] : NULL;
+
+	return whole && whole->count ? whole->kept[whole->newest].plane.gap : -INFINITY;
+}
+
 double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			       double needed)
 {

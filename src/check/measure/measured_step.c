@@ -164,6 +164,12 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 	return nearest;
 }
 
+/* Does the plane that was measured last leave enough there? Then it is the motion that is too long for it. */
+static bool is_good_at_an_end(const struct measured_pair *pair, const struct measured_step *measured)
+{
+	return plane_cells_gap_of_whole(&pair->planes) > needed_of(pair, measured);
+}
+
 /*
  * Do travelling planes prove nearly all that there can be for this part of the step, of which they prove `kept` as it
  * is? What there can be becomes less as nearer triangles are found: those that were nearest before have moved apart as
@@ -181,7 +187,8 @@ static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct
 		return true;
 	if (!(wanted_of(pair, measured) > 0))
 		return false;
-	if (new_planes_prove(pair, measured, part, &nearest))
+	if (!(part->straight && halvings && is_good_at_an_end(pair, measured)) &&
+	    new_planes_prove(pair, measured, part, &nearest))
 		return true;
 	if (!part->straight || !halvings)
 		return false;
@@ -190,8 +197,12 @@ static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct
 		struct plane_motion shorter = *part;
 
 		*(half ? &shorter.q0 : &shorter.q1) = middle;
-		if (!planes_prove(pair, sweep, measured, &shorter, kept_for(pair, measured, &shorter, PLANES_ALL),
-				  halvings - 1))
+		kept = kept_for(pair, measured, &shorter, PLANES_ALL);
+		if (!(kept > wanted_of(pair, measured)))
+			kept = larger(kept, plane_cells_carry_whole(&pair->planes, &shorter.q1, &shorter,
+								    needed_of(pair, measured), NULL) -
+						measured->path);
+		if (!planes_prove(pair, sweep, measured, &shorter, kept, halvings - 1))
 			return false;
 	}
 	return true;
