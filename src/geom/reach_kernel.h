@@ -5,8 +5,7 @@
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
-static LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float enough,
-					    float reach[BVH_WIDTH])
+static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float reach[BVH_WIDTH])
 {
 	lanes all = lanes_all(0);
 
@@ -17,7 +16,6 @@ static LANES_TARGET unsigned AT_LEVEL(boxes_reach)(const struct bvh_node *node, 
 		all = lanes_add(all, lanes_add(middle, half));
 	}
 	lanes_store(reach, all);
-	return lanes_reaching(all, lanes_all(enough)) & ((1u << node->used) - 1);
 }
 
 static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])

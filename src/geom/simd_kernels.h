@@ -19,11 +19,10 @@ typedef void boxes_apart_fn(const struct box_motion *motion, int side, const str
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
 /*
- * reach[i] becomes the greatest n.p over the points p of the node's i-th box, from the tree's origin. Bit i of the
- * result: it is at least `enough`, and the child is in use. Off by less than 8 roundings of float times |n| and the
- * largest |p|.
+ * reach[i] becomes the greatest n.p over the points p of the node's i-th box, from the tree's origin. Off by less than
+ * 8 roundings of float times |n| and the largest |p|.
  */
-typedef unsigned boxes_reach_fn(const struct bvh_node *node, const float n[3], float enough, float *reach);
+typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float *reach);
 
 /*
  * near2[i] becomes at most the square of the distance in mm of p, which is from the tree's origin, from the node's i-th

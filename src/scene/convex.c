@@ -80,8 +80,7 @@ struct farthest {
 	vec3 m;
 	float direction[3];	/* m */
 	double slack;	/* mm times |m|, as all that follow: what reaches at most so much farther is not looked for */
-	bool coarse;	/* more than rounding */
-	double closed;	/* how far boxes reach that were not looked into; counted if coarse */
+	double closed;	/* how far boxes reach that were not looked into */
 	double most;	/* of what reaches farthest */
 	vec3 at;	/* a triangle's corner; or anywhere in the run */
 	const struct corner_run *run;	/* or NULL */
@@ -115,13 +114,14 @@ static void try_run(struct farthest *f, const struct corner_run *run)
 
 static void try_child(struct farthest *f, const struct bvh_node *node, int i);
 
-/* In a coarse search, notes how far the children reach that are not looked into. */
-static void close_children(struct farthest *f, const float reach[BVH_WIDTH], unsigned closed)
+/* The lane that reaches farthest. */
+static int farthest_of(const float reach[BVH_WIDTH], int used)
 {
-	if (!f->coarse)
-		return;
-	for (int i = 0; closed >> i; i++)
-		f->closed = closed >> i & 1 ? larger(f->closed, reach[i]) : f->closed;
+	int best = 0;
+
+	for (int i = 1; i < used; i++)
+		best = reach[i] > reach[best] ? i : best;
+	return best;
 }
 
 /*
@@ -132,29 +132,23 @@ static void try_node(struct farthest *f, uint32_t at)
 {
 	const struct bvh_node *node = &f->bvh->nodes[at];
 	float reach[BVH_WIDTH];
-	unsigned open, closed;
-	int best = 0;
 
 	f->visits += node->used;
 	if (f->corners->runs && f->corners->runs[at].groups) {
 		try_run(f, &f->corners->runs[at]);
 		return;
 	}
-	open = f->corners->kernels->boxes_reach(node, f->direction, (float)(f->most + f->slack), reach);
-	closed = ((1u << node->used) - 1) & ~open;
-	for (int i = 1; open >> i; i++)
-		best = reach[i] > reach[best] ? i : best;
-	if (open)
+	f->corners->kernels->boxes_reach(node, f->direction, reach);
+	for (int turn = 0; turn < node->used; turn++) {
+		const int best = farthest_of(reach, node->used);
+
+		if (!(reach[best] > f->most + f->slack)) {
+			f->closed = larger(f->closed, reach[best]);
+			return;
+		}
 		try_child(f, node, best);
-	for (int i = 0; open >> i; i++) {
-		if (i == best || !(open >> i & 1))
-			continue;
-		if (reach[i] > f->most + f->slack)
-			try_child(f, node, i);
-		else
-			closed |= 1u << i;
+		reach[best] = -INFINITY;
 	}
-	close_children(f, reach, closed);
 }
 
 static void try_child(struct farthest *f, const struct bvh_node *node, int i)
@@ -175,7 +169,6 @@ static double support_of_mesh(const struct mesh_part *part, vec3 m, double slack
 		.m = m,
 		.direction = {(float)m.x, (float)m.y, (float)m.z},
 		.slack = rounding + norm * slack,
-		.coarse = slack > 0,
 		.closed = -INFINITY,
 		.most = -INFINITY,
 	};
@@ -189,7 +182,7 @@ static double support_of_mesh(const struct mesh_part *part, vec3 m, double slack
 		f.at = corner_runs_farthest(part->corners, f.run, f.direction);
 	if (at)
 		*at = vec3_add(f.at, bvh->origin);
-	return vec3_dot(m, bvh->origin) + (f.coarse ? larger(f.most, f.closed) : f.most) + 3 * rounding;
+	return vec3_dot(m, bvh->origin) + (slack > 0 ? larger(f.most, f.closed) : f.most) + 3 * rounding;
 }
 
 double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits)
