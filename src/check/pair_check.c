@@ -328,6 +328,36 @@ static bool box_clears(struct block_clearance *block, const struct batch *batch,
 	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
 
+/* All that is of interest of the blocks of a chunk, which begins with step i. */
+static void add_clear_chunk(struct pair_check *check, const struct batch *batch, const struct measure_plan *plan,
+			    size_t i)
+{
+	const size_t to = i + CHUNK_STEPS < batch->step_count ? i + CHUNK_STEPS : batch->step_count;
+	long last = check->clearance_count ? check->clearances[check->clearance_count - 1].block : -1;
+
+	check->clearances = mem_grow(check->clearances, &check->clearance_capacity,
+				     check->clearance_count + CHUNK_STEPS, sizeof(*check->clearances));
+	for (; i < to; i++) {
+		const long block = batch->steps[i].block;
+
+		if (block == last)
+			continue;
+		last = block;
+		check->clearances[check->clearance_count++] =
+		    (struct pair_check_clearance){block, plan->most[i], plan->most[i], false};
+		check->methods->block.pair.bound = plan->most[i];
+	}
+}
+
+/* Must the steps of a chunk be looked at one by one, although each has what is of interest? */
+static bool needs_each_step(const struct pair_check *check, const struct check_options *options)
+{
+	const struct block_clearance *block = &check->methods->block;
+
+	return !options->least_clearances &&
+	       (check->past_limits_only || block->maybe_inside || (check->clearance_count && !(block->pair.bound > 0)));
+}
+
 static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
 {
 	if (!options->least_clearances)
@@ -394,7 +424,9 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 		}
 		if (i % CHUNK_STEPS == 0)
 			chunk_is_clear = box_clears(block, batch, BOX_CHUNK, i, plan->most, proved);
-		if (i % CHUNK_STEPS == 0 && chunk_is_clear && options->least_clearances) {
+		if (i % CHUNK_STEPS == 0 && chunk_is_clear && !needs_each_step(check, options)) {
+			if (!options->least_clearances)
+				add_clear_chunk(check, batch, plan, i);
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
