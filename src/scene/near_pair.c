@@ -97,6 +97,7 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 		*near = measure(pair, pose);
 		return true;
 	}
+	/* Near enough as it is: the other point stays. */
 	*near = (struct near_pair){
 		.distance = nearest.distance,
 		.on_a = of_a ? nearest.at : near->on_a,
@@ -129,12 +130,14 @@ static bool renew_points(const struct body_pair *pair, const xform *pose, struct
 	return moved2 > MOVED_SHARE * MOVED_SHARE * near->distance * near->distance;
 }
 
-double near_pair_step(const struct body_pair *pair, const xform *pose, double enough, long *visits)
+static double improve(const struct body_pair *pair, const xform *pose, double enough, int rounds, long *visits)
 {
 	struct near_pair near = recall(pair, pose);
 
-	if (near.distance > enough)
-		replace_either(pair, pose, &near, enough, visits);
+	for (int round = 0; round < rounds && near.distance > enough; round++)
+		if (!replace_either(pair, pose, &near, enough, visits) &&
+		    (rounds == 1 || !renew_points(pair, pose, &near)))
+			break;
 	if (near.is_new)
 		remember(pair, pose, &near);
 	return near.distance;
@@ -142,14 +145,12 @@ double near_pair_step(const struct body_pair *pair, const xform *pose, double en
 
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits)
 {
-	struct near_pair near = recall(pair, pose);
+	return improve(pair, pose, enough, ROUNDS, visits);
+}
 
-	for (int round = 0; round < ROUNDS && near.distance > enough; round++)
-		if (!replace_either(pair, pose, &near, enough, visits) && !renew_points(pair, pose, &near))
-			break;
-	if (near.is_new)
-		remember(pair, pose, &near);
-	return near.distance;
+double near_pair_improve_once(const struct body_pair *pair, const xform *pose, double enough, long *visits)
+{
+	return improve(pair, pose, enough, 1, visits);
 }
 
 vec3 near_pair_direction(const struct body_pair *pair, const xform *pose)

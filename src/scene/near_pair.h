@@ -18,7 +18,8 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose);
  */
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 
-double near_pair_step(const struct body_pair *pair, const xform *pose, double enough, long *visits);
+/* The same with one round of the search: each side is replaced once at most. */
+double near_pair_improve_once(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 
 /*
  * From the one triangle's nearest point to the other's, as they were measured last, with the bodies at the pose now: a

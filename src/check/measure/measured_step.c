@@ -70,15 +70,31 @@ static const xform *pose_at(struct measured_pair *pair, const axis_values *q)
 	return &posed->pose;
 }
 
+/*
+ * mm: with triangles this close there is no more than nearly all of what planes have proved (`kept`), so that nearer
+ * ones are of no use.
+ */
+static double useful_distance(const struct measured_pair *pair, const struct measured_step *measured, double kept)
+{
+	return kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
+}
+
 /* Looks for triangles that are near each other at q. If planes have proved `kept`, others than those are of no use. */
 static void look_at(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 		    const axis_values *q, double kept)
 {
-	const double useful =
-	    kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
-
 	measured->seen = smaller(measured->seen,
-				 near_pair_improve(&pair->bodies, pose_at(pair, q), useful, &sweep->visits));
+				 near_pair_improve(&pair->bodies, pose_at(pair, q),
+						   useful_distance(pair, measured, kept), &sweep->visits));
+}
+
+/* The same at a fraction of the cost: finds those that have come beside the ones that were close before. */
+static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
+			const axis_values *q, double kept)
+{
+	measured->seen = smaller(measured->seen,
+				 near_pair_improve_once(&pair->bodies, pose_at(pair, q),
+							useful_distance(pair, measured, kept), &sweep->visits));
 }
 
 /* mm: what kept planes prove of the motion; they are not asked for more than what is wanted of them. */
@@ -164,11 +180,31 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 	return nearest;
 }
 
-/* Does the plane that was measured last leave enough there? Then it is the motion that is too long for it. */
-static bool is_good_at_an_end(const struct measured_pair *pair, const struct measured_step *measured)
+/* Does the plane that was measured last leave enough there? Then the motion is too long for it, and for others, too. */
+static bool is_good_where_measured(const struct measured_pair *pair, const struct measured_step *measured)
 {
 	return plane_cells_gap_of_whole(&pair->planes) > needed_of(pair, measured);
 }
+
+/* mm: what the plane of the whole bodies proves, measured again at the motion's end; `along` as for plane_cells.h. */
+static double carried_on(struct measured_pair *pair, const struct measured_step *measured,
+			 const struct plane_motion *motion, const vec3 *along)
+{
+	return plane_cells_carry_whole(&pair->planes, &motion->q1, motion, needed_of(pair, measured), along) -
+	       measured->path;
+}
+
+/* mm: what planes prove of a half of a step: kept ones, or else the one of the whole bodies measured again. */
+static double proved_of_half(struct measured_pair *pair, const struct measured_step *measured,
+			     const struct plane_motion *half)
+{
+	const double kept = kept_for(pair, measured, half, PLANES_ALL);
+
+	return kept > wanted_of(pair, measured) ? kept : larger(kept, carried_on(pair, measured, half, NULL));
+}
+
+static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
+			 const struct plane_motion *part, int halvings);
 
 /*
  * Do travelling planes prove nearly all that there can be for this part of the step, of which they prove `kept` as it
@@ -178,7 +214,8 @@ static bool is_good_at_an_end(const struct measured_pair *pair, const struct mea
 static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			 const struct plane_motion *part, double kept, int halvings)
 {
-	axis_values middle, nearest;
+	const bool may_halve = part->straight && halvings > 0;
+	axis_values nearest;
 
 	if (kept > wanted_of(pair, measured))
 		return true;
@@ -187,25 +224,23 @@ static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct
 		return true;
 	if (!(wanted_of(pair, measured) > 0))
 		return false;
-	if (!(part->straight && halvings && is_good_at_an_end(pair, measured)) &&
-	    new_planes_prove(pair, measured, part, &nearest))
+	if (!(may_halve && is_good_where_measured(pair, measured)) && new_planes_prove(pair, measured, part, &nearest))
 		return true;
-	if (!part->straight || !halvings)
-		return false;
-	middle = plane_motion_middle(part);
-	for (int half = 0; half < 2; half++) {
-		struct plane_motion shorter = *part;
+	return may_halve && halves_prove(pair, sweep, measured, part, halvings);
+}
 
-		*(half ? &shorter.q0 : &shorter.q1) = middle;
-		kept = kept_for(pair, measured, &shorter, PLANES_ALL);
-		if (!(kept > wanted_of(pair, measured)))
-			kept = larger(kept, plane_cells_carry_whole(&pair->planes, &shorter.q1, &shorter,
-								    needed_of(pair, measured), NULL) -
-						measured->path);
-		if (!planes_prove(pair, sweep, measured, &shorter, kept, halvings - 1))
-			return false;
-	}
-	return true;
+/* The same for both halves of a part. */
+static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
+			 const struct plane_motion *part, int halvings)
+{
+	struct plane_motion halves[2] = {*part, *part};
+	bool proved = true;
+
+	halves[0].q1 = halves[1].q0 = plane_motion_middle(part);
+	for (int i = 0; i < 2 && proved; i++)
+		proved = planes_prove(pair, sweep, measured, &halves[i], proved_of_half(pair, measured, &halves[i]),
+				      halvings - 1);
+	return proved;
 }
 
 /* What is proved is much less than what there seems to be: the bodies may be far nearer where the step begins. */
@@ -221,42 +256,40 @@ static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct
 		look_at(pair, sweep, measured, &motion->q0, kept);
 }
 
+/* So many times what is of interest: triangles as near as that are hardly found, and would be of no use. */
+#define FAR_TIMES 2
+
 static bool is_far(const struct measured_pair *pair, const struct measured_step *measured)
 {
-	return measured->seen > 2 * pair->bound;
+	return measured->seen > FAR_TIMES * pair->bound;
 }
 
 /*
  * Bodies that slide past each other in large steps have the same plane between them in step after step, but it lasts
- * for less than one. The last step's is measured again where this one ends. Only if that is not enough, triangles are
+ * for less than one. As a rule other triangles have come near since, and show that kept planes prove nearly all that
+ * there is. Else the last step's plane is measured again where this one ends. Only if that is not enough, triangles are
  * looked for that are as near as to show that there is no more, or else in which direction there is. Returns mm: what
  * is proved, of which kept planes prove `kept`.
  */
 static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			  const struct plane_motion *motion, double kept)
 {
-	struct plane_cells *planes = &pair->planes;
+	const bool far = is_far(pair, measured);
 	double proved;
 	vec3 along;
 
-	if (kept > 0 && !is_far(pair, measured)) {
-	const double useful =
-	    kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
-	measured->seen = smaller(measured->seen,
-				 near_pair_step(&pair->bodies, pose_at(pair, &motion->q1), useful, &sweep->visits));
-		if (kept > wanted_of(pair, measured))
-			return kept;
-	}
-	proved = plane_cells_carry_whole(planes, &motion->q1, motion, needed_of(pair, measured), NULL);
-	proved = larger(kept, proved - measured->path);
-	if (proved > wanted_of(pair, measured) || !(proved > 0) || is_far(pair, measured))
+	if (kept > 0 && !far)
+		look_beside(pair, sweep, measured, &motion->q1, kept);
+	if (kept > wanted_of(pair, measured))
+		return kept;
+	proved = larger(kept, carried_on(pair, measured, motion, NULL));
+	if (proved > wanted_of(pair, measured) || !(proved > 0) || far)
 		return proved;
 	look_at_ends(pair, sweep, measured, motion, proved);
 	if (proved > wanted_of(pair, measured))
 		return proved;
 	along = near_pair_direction(&pair->bodies, pose_at(pair, &motion->q1));
-	kept = plane_cells_carry_whole(planes, &motion->q1, motion, needed_of(pair, measured), &along);
-	return larger(proved, kept - measured->path);
+	return larger(proved, carried_on(pair, measured, motion, &along));
 }
 
 /* The same of the planes between parts. */
