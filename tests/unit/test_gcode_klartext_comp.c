@@ -86,6 +86,13 @@ static const struct klartext_program approaches[] = {
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
 	 "feed 65 55 0 0 0\nrapid 90 90 0 0 0\n"},
+	/* M-functions of the end of a block, as the manual's examples have them. */
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100 M8\n" CONTOUR "DEP LT LEN15 F100 M2\nL X+90 Y+90 FMAX\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
+	 "feed 65 55 0 0 0\n"},
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100 M3\n" CONTOUR "DEP LT LEN15 M5 M9\nL X+90 Y+90 FMAX\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
+	 "feed 65 55 0 0 0\nrapid 90 90 0 0 0\n"},
 	{OUTSIDE "L Y-21 F100\nAPPR LN X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LN LEN15\n",
 	 THERE "feed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -5 0 0 0 0\n" ROUND "feed 50 70 0 0 0\n"},
 	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+10 RL F100\n" CONTOUR "DEP CT CCA90 R+10\n",

@@ -102,7 +102,7 @@ static struct klartext_way_words way_words(const struct klartext_words *words)
 					   .first_column = words->first_column};
 }
 
-static bool check_words(struct interp *interp, const struct klartext_words *words, enum klartext_way kind)
+static bool check_words(struct interp *interp, const struct klartext_words *words, enum klartext_way kind, bool departs)
 {
 	if (words->axes & ~(1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z))
 		return fault(&interp->at, words->first_column, "APPR and DEP have coordinates of X, Y and Z alone");
@@ -115,7 +115,7 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 		return fault(&interp->at, words->first_column, "%s needs the radius of its circle in R", kinds[kind]);
 	if (kind == KLARTEXT_WAY_LCT && words->size < 0)
 		return fault(&interp->at, words->size_column, "R of LCT must be more than 0");
-	return klartext_m_check_harmless(interp, words);
+	return klartext_m_check_harmless(interp, words, departs ? "beside DEP" : "beside APPR", departs);
 }
 
 /* The point that the words name. */
@@ -147,7 +147,7 @@ bool klartext_approach_read(struct lexer *lexer)
 	bool polar;
 
 	if (!read_kind(lexer, &kind, &polar) || !klartext_words_read(lexer, &words) ||
-	    !check_words(interp, &words, kind))
+	    !check_words(interp, &words, kind, false))
 		return false;
 	if (klartext_comp_is_selected(interp))
 		return fault(lexer->at, words.first_column, "APPR under radius compensation: DEP or R0 comes first");
@@ -211,7 +211,8 @@ static bool find_approach(struct interp *interp, vec3 direction, struct klartext
 		*last = line_between(&approach->path, helper->contour, point);
 		return true;
 	case KLARTEXT_WAY_LN:
-		helper->contour = vec3_mad(point, words->length + interp->comp.radius, klartext_tangent_across(direction, side));
+		helper->contour =
+		    vec3_mad(point, words->length + interp->comp.radius, klartext_tangent_across(direction, side));
 		*last = line_between(&approach->path, helper->contour, point);
 		return true;
 	default:
@@ -224,8 +225,8 @@ static bool find_approach(struct interp *interp, vec3 direction, struct klartext
 			return false;
 	} else {
 		helper->contour =
-		    vec3_add(circle.centre,
-			     klartext_tangent_turned(vec3_sub(point, circle.centre), -circle.turn * radians(words->centre_angle)));
+		    vec3_add(circle.centre, klartext_tangent_turned(vec3_sub(point, circle.centre),
+								    -circle.turn * radians(words->centre_angle)));
 		helper->contour.z = point.z;
 	}
 	*last = arc_between(&approach->path, helper->contour, point, circle.centre, circle.turn);
@@ -298,8 +299,8 @@ bool klartext_approach_make(struct interp *interp, const struct klartext_path *f
 	vec3 direction;
 	bool good;
 
-	if (!klartext_move_start_direction(first, &direction) || !klartext_tangent_flatten(&direction) || first->rapid ||
-	    (first->arc && !(first->normal.z > 0.5)))
+	if (!klartext_move_start_direction(first, &direction) || !klartext_tangent_flatten(&direction) ||
+	    first->rapid || (first->arc && !(first->normal.z > 0.5)))
 		return klartext_approach_check_none(interp);
 	approach->waits = false;
 	interp->at.line = approach->line;
@@ -373,12 +374,14 @@ static bool leave(struct interp *interp, const struct klartext_way_words *words,
 	struct klartext_tangent_circle circle;
 	vec3 direction, end;
 
-	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) || !klartext_tangent_flatten(&direction))
+	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) ||
+	    !klartext_tangent_flatten(&direction))
 		return fault(&interp->at, words->first_column, "DEP needs a path block of the contour right before it");
 	switch (kind) {
 	case KLARTEXT_WAY_LN:
-		path = line_between(like, here,
-				    vec3_mad(here, words->length + interp->comp.radius, klartext_tangent_across(direction, side)));
+		path = line_between(
+		    like, here,
+		    vec3_mad(here, words->length + interp->comp.radius, klartext_tangent_across(direction, side)));
 		return klartext_comp_leave(interp, &path, words->first_column) && go(interp, &path);
 	case KLARTEXT_WAY_LT:
 		path = line_between(like, here, vec3_mad(here, words->length, direction));
@@ -386,8 +389,8 @@ static bool leave(struct interp *interp, const struct klartext_way_words *words,
 	case KLARTEXT_WAY_CT:
 		if (!klartext_tangent_circle_find(interp, here, direction, words, &circle))
 			return false;
-		end = vec3_add(circle.centre,
-			       klartext_tangent_turned(vec3_sub(here, circle.centre), circle.turn * radians(words->centre_angle)));
+		end = vec3_add(circle.centre, klartext_tangent_turned(vec3_sub(here, circle.centre),
+								      circle.turn * radians(words->centre_angle)));
 		end.z = here.z;
 		path = arc_between(like, here, end, circle.centre, circle.turn);
 		break;
@@ -408,7 +411,7 @@ bool klartext_approach_depart(struct lexer *lexer)
 	bool polar;
 
 	if (!read_kind(lexer, &kind, &polar) || !klartext_words_read(lexer, &words) ||
-	    !check_words(interp, &words, kind))
+	    !check_words(interp, &words, kind, true))
 		return false;
 	if (!klartext_comp_is_selected(interp))
 		return fault(lexer->at, words.first_column,

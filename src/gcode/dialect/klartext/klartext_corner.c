@@ -77,7 +77,7 @@ bool klartext_corner_hold(struct interp *interp, const struct klartext_words *wo
 	if (target->turns || words->axes >> SLOT_A)
 		return fault(&interp->at, words->first_column,
 			     "RND and CHF behind a move of other axes than X, Y and Z are not supported");
-	if (!klartext_m_check_harmless(interp, words))
+	if (!klartext_m_check_harmless(interp, words, "in the block before RND or CHF", false))
 		return false;
 	corner->waits = true;
 	corner->size = corner->feed = 0;

@@ -145,18 +145,24 @@ static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m
 		     m->number);
 }
 
-bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words)
+/* At the end of a block, and without a move. */
+static bool is_end(enum m_action action)
+{
+	return action == M_END || action == M_STAND || action == M_PLAIN;
+}
+
+bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words, const char *where, bool ends)
 {
 	for (int i = 0; i < words->m_count; i++) {
 		enum m_action action;
 
 		if (!find_action(interp, &words->m[i], &action))
 			return false;
-		if (action != M_HARMLESS && action != M_TURN_RIGHT && action != M_TURN_LEFT && action != M_SHORTEST)
-			return fault(
-			    &interp->at, words->m[i].column,
-			    "M%d in the block before RND or CHF is not supported: write it into a block of its own",
-			    words->m[i].number);
+		if (action != M_HARMLESS && action != M_TURN_RIGHT && action != M_TURN_LEFT && action != M_SHORTEST &&
+		    !(ends && is_end(action)))
+			return fault(&interp->at, words->m[i].column,
+				     "M%d %s is not supported: write it into a block of its own", words->m[i].number,
+				     where);
 	}
 	return true;
 }

@@ -12,8 +12,11 @@ bool klartext_m_start(struct interp *interp, const struct klartext_words *words)
 /* What takes effect at the end of the block, cycle calls included. False: the same. */
 bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
 
-/* Does no M-function of the block act at its end, or move an axis? False: reported. */
-bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words);
+/*
+ * Does no M-function of the block act at its end, or move an axis? With `ends` those of the end that move none may
+ * stand there. False: reported, with `where` the block stands.
+ */
+bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words, const char *where, bool ends);
 
 /* M91 or M92 of the block, whose coordinates are then those of the machine; NULL: neither. */
 static inline const struct klartext_m *klartext_m_machine(const struct klartext_words *words)
