@@ -53,9 +53,9 @@ enum { PENDING = 4 };
 
 /*
  * With several threads the batches that were collected are checked in the background, one by one, while this thread
- * reads on and collects the next one: from the start, or from the batch on at which there is a thread to spare. All else
- * is this thread's: it takes the results in order. A batch with results is the last one that is checked until they are
- * taken, so that no more is checked than with one thread.
+ * reads on and collects the next one: from the start, or from the batch on at which there is a thread to spare. All
+ * else is this thread's: it takes the results in order. A batch with results is the last one that is checked until they
+ * are taken, so that no more is checked than with one thread.
  */
 struct checker {
 	struct scene *scene;

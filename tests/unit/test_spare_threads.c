@@ -1,4 +1,4 @@
-/* Threads that others give up: none is lost, and a check that takes one on its way says what it says with one thread. */
+/* Threads that others give up: none is lost, and a check that takes one on its way says the same as without it. */
 #include "base/spare_threads.h"
 
 #include <stdio.h>
@@ -115,13 +115,17 @@ static FILE *program_with(int hit, int fault)
 
 	ck_assert_ptr_nonnull(out);
 	fprintf(out, "G21 G90 G94 F60000\nG0 X80 Z-99\n");
-	for (int i = 0; i < BLOCKS; i++)
-		fprintf(out, i == fault ? "G1 Q1\n" : "G1 X%d Z%.3f C%d\n", 78 + i % 7, i == hit ? -101.0 : -99.9, i * 3);
+	for (int i = 0; i < BLOCKS; i++) {
+		if (i == fault)
+			fprintf(out, "G1 Q1\n");
+		else
+			fprintf(out, "G1 X%d Z%.3f C%d\n", 78 + i % 7, i == hit ? -101.0 : -99.9, i * 3);
+	}
 	rewind(out);
 	return out;
 }
 
-/* One check: `more` threads are to spare after `until` calls of progress. Returns all that was heard, to be released. */
+/* `more` threads are to spare after `until` calls of progress. Returns all that was heard, to be released. */
 static struct strbuf check(struct model *model, FILE *in, bool all, bool watched, int until, int more)
 {
 	struct heard heard = {.until = until, .more = more};
@@ -135,9 +139,10 @@ static struct strbuf check(struct model *model, FILE *in, bool all, bool watched
 
 	rewind(in);
 	result = check_run(model->scene, &options, in, "a.nc", &sink, &diag, &stats, NULL);
-	strbuf_addf(&heard.text, "result %d, %ld blocks, %ld findings, %ld budgets, %ld planes, %ld queries, %ld events\n",
+	strbuf_addf(&heard.text,
+		    "result %d, %ld blocks, %ld findings, %ld budgets, %ld planes, %ld queries, %d events\n",
 		    (int)result, stats.blocks_checked, stats.findings, stats.budgets, stats.planes, stats.queries,
-		    (long)heard.events);
+		    heard.events);
 	/* What was taken is there again. */
 	while (heard.until < 0 && more > 0) {
 		ck_assert(spare_threads_take(&heard.spare));
