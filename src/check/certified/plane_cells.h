@@ -63,7 +63,7 @@ double plane_cells_carry_whole(struct plane_cells *cells, const axis_values *q, 
 double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			       double needed);
 
-/* mm: what the plane between the whole bodies that was of use last leaves where it was measured; -INFINITY: none was. */
+/* mm: what the plane of the whole bodies that was of use last leaves where it was measured; -INFINITY: none was. */
 double plane_cells_gap_of_whole(const struct plane_cells *cells);
 
 /*

@@ -338,7 +338,7 @@ bool measured_step_by_planes(struct measured_step *measured, struct measured_pai
 	double kept, wanted;
 
 	measured->path = plane_motion_path(&motion, &pair->bodies, &measured->errors);
-	/* Every other step has seen the triangles where this one begins: then they need not be looked at where it ends. */
+	/* Every other step has seen the triangles where it begins: then they need not be looked at where it ends. */
 	if (pair->is_near)
 		distance_at(pair, measured, seen_at(pair, &motion.q0) ? &motion.q0 : &motion.q1);
 	kept = kept_for(pair, measured, &motion, pair->by_parts ? PLANES_ALL : PLANES_OF_WHOLE);
