@@ -278,6 +278,35 @@ static bool check_call(struct block *block, const struct line_place *at, const s
 	return true;
 }
 
+/* Another code of the block that would take the P of an additional work offset as well, and go elsewhere by it. */
+static int other_with_p(const struct block *block)
+{
+	static const int codes[] = {G10, G30, G53_1, G53_6, G54_2, G54_4, G150};
+
+	if (code_tilts(block->g[G_ROTATION]))
+		return block->g[G_ROTATION];
+	if (block->g[G_SCALING] == G51)
+		return G51;
+	for (size_t i = 0; i < sizeof(codes) / sizeof(codes[0]); i++) {
+		if (block->g[G_NONMODAL] == codes[i])
+			return codes[i];
+	}
+	return CODE_NONE;
+}
+
+/* The P of G54.1, and of G54 where it may have one, cannot be another code's, too. */
+static bool check_offset_number(const struct block *block, const struct line_place *at, const struct dialect *dialect)
+{
+	const int system = block->g[G_SYSTEM], other = other_with_p(block);
+	const bool numbered = system == G54_1 || system == G154 ||
+			      (system == G54 && dialect->traits.g54_has_number == ANSWER_YES);
+
+	return !numbered || other == CODE_NONE || !block_has(block, 'P') ||
+	       fault(at, block_column(block, 'P'),
+		     "P belongs to G%g and to G%g: which of them has it is not known; write two blocks", system / 10.0,
+		     other / 10.0);
+}
+
 /* Axis words of such a code name the axes that are no longer mirrored or scaled, and move nothing. */
 static bool check_idle(const struct block *block, const struct line_place *at)
 {
@@ -332,6 +361,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		return false;
 	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
 		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
+	if (block->g[G_SYSTEM] != CODE_NONE && !check_offset_number(block, at, dialect))
+		return false;
 	if (block_is_call(block, dialect) && !check_call(block, at, dialect))
 		return false;
 	unused = block->letters & ~block_used_letters(block, dialect);
