@@ -69,6 +69,10 @@ static const struct {
 	{F, "G91 G0 X1.\nM98 P00020100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{F, "G91 G0 X1.\nM98 P20100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{BOTH, "M98 P1\nM30\nO0001\nG0 X1.\nM98 P2\nX3.\nM99\nO2\nX2.\nM99\n", "1 2 3"},
+	{BOTH, "M8 M98 P100\nM30\nO100\nG0 X2.\nM99\n", "2"},
+	/* The P of G54 is one of an additional work offset, of which there are 48. */
+	{F, "G10 L2 P1 X10.\nG90 G54 G0 X1. M98 P100 L2\nM30\nO100\nG0 X2.\nM99\n", "11 12 12"},
+	{F, "G10 L2 P1 X10.\nG54 M98 P49\nM30\nO49\nG0 X2.\nM99\n", "12"},
 	/* B-64484EN, M98 with a sequence number: a block of the program in hand, up to M99 */
 	{F, "M98 Q7\nX5.\nM98 Q7 L2\nM30\nN7 G91 G0 X1.\nG90\nM99\n", "1 5 6 7"},
 	{F, "M98 P9\nM30\nN7 G0 X8.\nM99\nO9\nM98 Q7\nM99\nN7 G0 X3.\nM99\n", "3"},

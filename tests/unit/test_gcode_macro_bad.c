@@ -74,6 +74,9 @@ static const struct {
 	 "value=\"\"/> in the machine's <controller> says what it holds\n    #1=#10100\n "
 	 "      ^\n"},
 	{F, "#1=LN[0]\n", "p.nc:1:4: error: LN of 0: only positive numbers have one\n    #1=LN[0]\n       ^\n"},
+	{F, "G54 M98 P48\nO48\nM99\n",
+	 "p.nc:1:9: error: P belongs to M98 and to another code of the block; write two blocks\n    G54 M98 P48\n"
+	 "            ^\n"},
 	{F, "#1=POW[2]\n", "p.nc:1:9: error: POW needs two values, POW[a,b]\n    #1=POW[2]\n            ^\n"},
 	{F, "#1=POW[-1,.5]\n",
 	 "p.nc:1:4: error: POW of -1 and 0.5: a number that is not positive may have no such power\n"

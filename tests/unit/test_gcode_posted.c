@@ -335,6 +335,11 @@ START_TEST(words_of_builder_codes)
 	c.config.controller.mcodes = mcodes;
 	c.config.controller.mcode_count = 1;
 	expect_fault(&c, "G0\nX1. R2. M298\n", "no code in the block uses the word R");
+	/* The P is the call's. */
+	init(&c, &dialect_fanuc);
+	c.config.controller.mcodes = mcodes;
+	c.config.controller.mcode_count = 1;
+	case_expect(&c, "M298 M98 P5\nM30\nO5\nG0 X1.\nM99\n", "rapid 1 0 0 0 0\n");
 }
 END_TEST
 

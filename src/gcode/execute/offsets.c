@@ -9,6 +9,7 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
+#include "gcode/text/block_letters.h"
 
 /* The block's word for a slot in mm or degrees. */
 static bool slot_word(const struct interp *interp, int slot, double *value)
@@ -41,7 +42,7 @@ static bool find_system(struct interp *interp, int code, int *system)
 
 	if (code == G54_1 || code == G154)
 		return find_additional(interp, code, system);
-	if (code == G54 && block_has(&interp->block, 'P') && traits->g54_has_number != ANSWER_NO)
+	if (code == G54 && block_has(&interp->block, 'P') && block_numbers_offset(&interp->block, interp->config->dialect))
 		return is_answered(interp, block_column(&interp->block, 'P'), traits->g54_has_number,
 				   "whether G54 with P selects an additional work offset") &&
 		       find_additional(interp, code, system);

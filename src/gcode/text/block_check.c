@@ -297,14 +297,12 @@ static int other_with_p(const struct block *block)
 /* The P of G54.1, and of G54 where it may have one, cannot be another code's, too. */
 static bool check_offset_number(const struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
-	const int system = block->g[G_SYSTEM], other = other_with_p(block);
-	const bool numbered = system == G54_1 || system == G154 ||
-			      (system == G54 && dialect->traits.g54_has_number == ANSWER_YES);
+	const int other = other_with_p(block);
 
-	return !numbered || other == CODE_NONE || !block_has(block, 'P') ||
+	return other == CODE_NONE || !block_has(block, 'P') || !block_numbers_offset(block, dialect) ||
 	       fault(at, block_column(block, 'P'),
-		     "P belongs to G%g and to G%g: which of them has it is not known; write two blocks", system / 10.0,
-		     other / 10.0);
+		     "P belongs to G%g and to G%g: which of them has it is not known; write two blocks",
+		     block->g[G_SYSTEM] / 10.0, other / 10.0);
 }
 
 /* Axis words of such a code name the axes that are no longer mirrored or scaled, and move nothing. */

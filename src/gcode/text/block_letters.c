@@ -9,6 +9,17 @@ bool block_is_call(const struct block *block, const struct dialect *dialect)
 	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
 }
 
+bool block_numbers_offset(const struct block *block, const struct dialect *dialect)
+{
+	const int system = block->g[G_SYSTEM];
+
+	if (system == G54_1 || system == G154)
+		return true;
+	return system == G54 && dialect->traits.g54_has_number != ANSWER_NO &&
+	       !(block_is_call(block, dialect) && block_has(block, 'P') &&
+		 block_value(block, 'P') > dialect->traits.additional_offsets);
+}
+
 /* What the words of canned cycles are: execute/canned_cycle.c. */
 static uint32_t cycle_letters(int code, const struct dialect *dialect)
 {
@@ -147,12 +158,12 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 }
 
 /* Work offsets, turned and scaled coordinates. */
-static uint32_t coordinate_letters(const struct block *block, const struct dialect_traits *traits)
+static uint32_t coordinate_letters(const struct block *block, const struct dialect *dialect)
 {
-	const int system = block->g[G_SYSTEM], rotation = block->g[G_ROTATION];
+	const int rotation = block->g[G_ROTATION];
 	uint32_t used = 0;
 
-	if (system == G54_1 || system == G154 || (system == G54 && traits->g54_has_number != ANSWER_NO))
+	if (block_numbers_offset(block, dialect))
 		used |= letter_bit('P');
 	/* With those of the forms that execute/coordinate_rotation.c refuses. */
 	if (rotation == G68 || code_tilts(rotation))
@@ -188,12 +199,16 @@ static uint32_t spindle_letters(const struct block *block, const struct dialect_
 	       (block->m[M_SPINDLE] == 19 ? letter_bits(traits->m19_has_time == ANSWER_YES ? "PQR" : "PR") : 0);
 }
 
-static uint32_t m_letters(const struct block *block, const struct dialect_traits *traits)
+/* Beside a call, P, Q and L are the call's: what M-codes that move nothing make of them changes nothing. */
+static uint32_t m_letters(const struct block *block, const struct dialect *dialect)
 {
+	const struct dialect_traits *traits = &dialect->traits;
 	uint32_t used = override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
 
 	if (block->m[M_TOOL] == 61)
 		used |= letter_bit('Q');
+	if (block_is_call(block, dialect))
+		return used;
 	if (block->m[M_COOLANT] == 8 && traits->m8_has_pressure == ANSWER_YES)
 		used |= letter_bit('P');
 	if (block->m_ignored)
@@ -209,6 +224,6 @@ uint32_t block_used_letters(const struct block *block, const struct dialect *dia
 	const struct dialect_traits *traits = &dialect->traits;
 
 	return AXIS_BITS | letter_bits("FST") | motion_letters(block, dialect) | nonmodal_letters(block, dialect) |
-	       coordinate_letters(block, traits) | tool_letters(block, traits) | path_letters(block, traits) |
-	       spindle_letters(block, traits) | m_letters(block, traits);
+	       coordinate_letters(block, dialect) | tool_letters(block, traits) | path_letters(block, traits) |
+	       spindle_letters(block, traits) | m_letters(block, dialect);
 }
