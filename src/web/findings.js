@@ -217,9 +217,17 @@ export class FindingsView {
 			const now = i === this.state.finding;
 			card.classList.toggle('now', now);
 			card.setAttribute('aria-current', String(now));
-			if (now) card.scrollIntoView({block: 'nearest'});
+			if (now) seen(card);
 		});
 	}
+}
+
+/** Brings a card into view within its list; scrollIntoView would move a page around the report, too. @param {HTMLElement} card */
+function seen(card) {
+	const list = card.parentElement;
+	if (!list) return;
+	const [own, all] = [card, list].map((element) => element.getBoundingClientRect());
+	list.scrollTop += Math.min(own.top - all.top, Math.max(0, own.bottom - all.bottom));
 }
 
 /** Of a finding with the stock: does it hold for all that can be left? @param {boolean} certain */

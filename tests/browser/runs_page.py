@@ -117,7 +117,15 @@ def what_changed(bench):
         same("what would be checked", page.run("document.querySelector('#ready').textContent"), "Ready to check clear.nc, collision.nc.")
         page.press("Enter")
         page.run("await until('checked', 1)")
-        true("the first result is seen", page.run("document.querySelector('.program').getBoundingClientRect().top < innerHeight"))
+        page.run("await until('report-shown', 2)")
+        top = "((card) => Math.round(card.getBoundingClientRect().top))(document.querySelectorAll('.program')[%d])"
+        true("the first result is seen", 0 <= page.run(top % 0) < options.get("height", 800) / 2)
+        same("what is not clear", page.run("[document.querySelector('.counts').textContent, document.querySelector('.ways').textContent]"),
+             ["2 of 2 programs checked: 1 clear, 1 found", "Not clear:collision.nc"])
+        page.picture(os.path.join(bench.keep, f"page-checked-{options.get('width', 1280)}.png"))
+        page.run("document.querySelector('.ways button').focus()")
+        page.press("Enter")
+        same("the way to it", page.run(f"[{top % 1}, document.activeElement.dataset.path]"), [0, "examples/cb-head/collision.nc"])
         bench.done(page, f"page-opened-{options.get('width', 1280)}")
 
 

@@ -93,12 +93,11 @@ export class Checks {
 
 	/** @param {Run[]} runs */
 	async checkAll(runs) {
-		const list = runs.length > MOST_CARDS ? new VerdictList(runs.length) : undefined, waiting = runs.values();
+		const list = runs.length > 1 ? new VerdictList(runs.length, runs.length > MOST_CARDS) : undefined, waiting = runs.values();
 		if (list)
 			this.place.append(list.part);
 		runs.slice(0, MOST_CARDS).forEach((run, i) => this.show(run, new ProgramResult(run.program, i < FIRST_REPORTS, run.group.result?.name)));
-		if (this.cards.length)
-			reveal(this.cards[0].card);
+		reveal(this.place, 'start');
 		const lane = async () => {
 			for (const run of waiting) {
 				const card = run.card ?? new ProgramResult(run.program, false, run.group.result?.name);
@@ -108,9 +107,9 @@ export class Checks {
 					await this.checkOne(run, card);
 				const verdict = card.card.dataset.verdict ?? 'incomplete';
 				run.group.result?.tell(verdict);
-				list?.tell(run.group.job.name, run.program, verdict);
 				if (!run.card && verdict !== 'clear' && !this.cancelled && this.cards.length < 2 * MOST_CARDS)
 					this.show(run, card);
+				list?.tell(run.group.job.name, run.program, verdict, run.card?.card);
 			}
 		};
 		await Promise.all(Array.from({length: BEGUN}, lane));

@@ -15,7 +15,7 @@ import {readReport} from './viewer/report.js';
 
 /** A few blocks for each example; the last move is worth a change. */
 const BLOCKS = /** @type {Record<string, string>} */ ({
-	'ac-trunnion': 'G21 G90 G94 G54\nT1 M6\nS12000 M3\nG53 G0 Z0\nG53 G0 X200 Y0\nG0 A-30 C90\nG53 G0 Z-150\nG53 G1 X150 F5000\nG53 G1 Z-180\nG53 G0 Z0\nM2\n',
+	'ac-trunnion': 'G21 G90 G94 G54 G61\nT1 M6\nS12000 M3\nG53 G0 Z0\nG53 G0 X200 Y0\nG0 A-30 C90\nG53 G0 Z-150\nG53 G1 X150 F5000\nG53 G1 Z-180\nG53 G0 Z0\nM2\n',
 });
 
 /** Bytes of a program that can be checked at every key. */

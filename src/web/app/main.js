@@ -40,7 +40,10 @@ class Page {
 			this.setFiles([]);
 			byId('choose').focus();
 		});
-		byId('options').addEventListener('change', () => this.outdate());
+		byId('options').addEventListener('change', () => {
+			this.outdate();
+			this.showButtons();
+		});
 		byId('options').addEventListener('submit', (event) => event.preventDefault());
 		for (const id of ['choose', 'choose-folder']) {
 			const input = /** @type {HTMLInputElement} */ (byId(id));
@@ -229,6 +232,11 @@ class Page {
 		return this.of('program').length ? '' : 'A program is missing: drop the NC program, too.';
 	}
 
+	/** What stands there is about these files and options. */
+	isChecked() {
+		return byId('results').childElementCount > 0 && byId('outdated').hidden;
+	}
+
 	/** What a check would be of. */
 	ready() {
 		const programs = this.of('program').map(({path}) => nameOf(path)), first = programs.slice(0, 3).join(', ');
@@ -238,7 +246,7 @@ class Page {
 	showButtons() {
 		const why = this.whyNot();
 		byId('why-not').textContent = why;
-		byId('ready').textContent = why || this.running ? '' : this.ready();
+		byId('ready').textContent = why || this.running || this.isChecked() ? '' : this.ready();
 		const check = /** @type {HTMLButtonElement} */ (byId('check')), cancel = byId('cancel'), focus = document.activeElement;
 		check.disabled = why !== '' || this.running;
 		cancel.hidden = !this.running;

@@ -24,7 +24,10 @@ export function byId(id) {
 	return found;
 }
 
-/** Brings into view what has changed; at once for who wants no motion. @param {Element} what */
-export function reveal(what) {
-	what.scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'instant' : 'smooth'});
+/**
+ * Brings into view what has changed; at once for who wants no motion.
+ * @param {Element} what @param {ScrollLogicalPosition} [block] where it is to stand
+ */
+export function reveal(what, block = 'nearest') {
+	what.scrollIntoView({block, behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'instant' : 'smooth'});
 }
