@@ -15,6 +15,10 @@ for wrong in path_tolerance=0 path_tolerence=1 least_input=0.001 path_tolerance=
 	'tcp_zero="/><x a="'; do
 	status make "--controller=$wrong"
 done
+status make --controller=rapid=any
+status make --controller=path_tolerance=0.02 --controller=path_tolerance=0.03
 for wrong in Z=1 B=0 Q=1 x; do
 	status make --tool-change=$wrong
 done
+status make --tool-change=Z=0 --tool-change=none
+status make --tool-change=none --tool-change=Z=0

@@ -73,7 +73,8 @@ struct machine_plan {
 	struct machine_plan_chain head, table;	/* linear axes; after machine_plan_finish all axes */
 	bool has_table, has_head;
 	struct machine_plan_axis axes[SLOT_COUNT];
-	bool has_spindle, has_workholding, has_tool_change;
+	bool has_spindle, has_workholding;
+	bool has_tool_change, changes_anywhere;	/* the latter: --tool-change=none */
 	vec3 spindle, spindle_direction, workholding;
 	struct machine_plan_body *bodies;	/* owned */
 	size_t body_count, body_capacity;

@@ -190,6 +190,39 @@ static bool check_tilted(const struct machine_plan *plan, struct diag *diag)
 	return false;
 }
 
+static bool check_tool_change(const struct machine_plan *plan, struct diag *diag)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!plan->changes_anywhere || !plan->axes[slot].has_change)
+			continue;
+		diag_error(diag, nowhere, "--tool-change: none is given, and a place of %c as well", AXIS_LETTERS[slot]);
+		return false;
+	}
+	return true;
+}
+
+/* What a name means is judged by the reader of machine files; that it is said once, here. */
+static bool check_answers(const struct machine_plan *plan, struct diag *diag)
+{
+	for (size_t i = 0; i < plan->answer_count; i++) {
+		const char *name = plan->answers[i].name;
+
+		if (!strcmp(name, "dialect") || !strcmp(name, "rapid")) {
+			diag_error(diag, nowhere, "--controller: %s has an option of its own, --%s=%s", name, name,
+				   plan->answers[i].value);
+			return false;
+		}
+		for (size_t k = 0; k < i; k++) {
+			if (strcmp(plan->answers[k].name, name) != 0)
+				continue;
+			diag_error(diag, nowhere, "--controller: %s is given twice, as %s and %s", name,
+				   plan->answers[k].value, plan->answers[i].value);
+			return false;
+		}
+	}
+	return true;
+}
+
 bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -197,6 +230,8 @@ bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 			return false;
 	}
 	if (!join_linear(plan, diag) || !check_inclinations(plan, diag) || !check_tilted(plan, diag))
+		return false;
+	if (!check_tool_change(plan, diag) || !check_answers(plan, diag))
 		return false;
 	join_rotary(plan);
 	add_usual_bodies(plan);

@@ -107,6 +107,17 @@ static bool set_answer(struct machine_plan *plan, const char *text)
 	return true;
 }
 
+/* none, or the places of axes; machine_plan_finish refuses both. */
+static bool set_tool_change(struct machine_plan *plan, const char *text)
+{
+	bool none = !strcmp(text, "none");
+
+	if (!none && !set_list(plan, PLAN_TOOL_CHANGE, text))
+		return false;
+	plan->changes_anywhere = plan->changes_anywhere || none;
+	return plan->has_tool_change = true;
+}
+
 static bool set_choice(int *out, const char *const *choices, const char *text)
 {
 	for (int i = 0; choices[i]; i++) {
@@ -159,7 +170,7 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 	case PLAN_BODY:
 		return set_body(plan, text);
 	case PLAN_TOOL_CHANGE:
-		return plan->has_tool_change = !strcmp(text, "none") || set_list(plan, key, text);
+		return set_tool_change(plan, text);
 	case PLAN_CONTROLLER:
 		return set_answer(plan, text);
 	case PLAN_NAME:
