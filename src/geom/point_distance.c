@@ -17,6 +17,12 @@ static vec3 from_segment(vec3 p, vec3 a, vec3 b)
 /* Sines of angles below this are lost in the rounding of a cross product: the normal may then point anywhere. */
 #define LEAST_SINE 1e-6
 
+/* Is the foot of p in the triangle's plane beyond the side? */
+static bool is_beyond(vec3 p, vec3 from, vec3 to, vec3 normal)
+{
+	return vec3_dot(vec3_cross(vec3_sub(to, from), vec3_sub(p, from)), normal) < 0;
+}
+
 /*
  * The nearest point is in the plane's foot if that is inside all three sides, else on a side beyond which the foot is.
  * A square that is not below `limit` is of no use: any such may be given.
@@ -35,7 +41,7 @@ static double triangle_distance2(vec3 p, const mesh_triangle *t, double limit)
 		return INFINITY;
 	for (int k = 0; k < 3; k++) {
 		const vec3 from = corner[k], to = corner[(k + 1) % 3];
-		const bool beyond = vec3_dot(vec3_cross(vec3_sub(to, from), vec3_sub(p, from)), normal) < 0;
+		const bool beyond = is_beyond(p, from, to, normal);
 
 		inside &= !beyond;
 		if (beyond || !flat)
@@ -49,19 +55,17 @@ static vec3 triangle_nearest_point(vec3 p, const mesh_triangle *t)
 {
 	const vec3 corner[3] = {mesh_corner(t, 0), mesh_corner(t, 1), mesh_corner(t, 2)};
 	const vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
-	const double size2 = vec3_norm2(normal), distance2 = triangle_distance2(p, t, INFINITY);
-	const double height = vec3_dot(vec3_sub(p, corner[0]), normal);
+	const double size2 = vec3_norm2(normal), height = vec3_dot(vec3_sub(p, corner[0]), normal);
 	vec3 least = from_segment(p, corner[0], corner[1]);
+	bool inside = size2 > 0;
 
-	/* Beyond no side: the plane's foot. */
-	if (size2 > 0 && distance2 * size2 <= height * height)
-		return vec3_mad(p, -height / size2, normal);
-	for (int k = 1; k < 3; k++) {
-		const vec3 other = from_segment(p, corner[k], corner[(k + 1) % 3]);
+	for (int k = 0; k < 3; k++) {
+		const vec3 from = corner[k], to = corner[(k + 1) % 3], other = from_segment(p, from, to);
 
+		inside &= !is_beyond(p, from, to, normal);
 		least = vec3_norm2(other) < vec3_norm2(least) ? other : least;
 	}
-	return vec3_sub(p, least);
+	return inside ? vec3_mad(p, -height / size2, normal) : vec3_sub(p, least);
 }
 
 struct search {

@@ -58,6 +58,31 @@ START_TEST(nearest_to_a_point)
 }
 END_TEST
 
+/* Above the middle of a triangle the nearest point is the foot, however the rounding falls out. */
+START_TEST(nearest_above_a_triangle)
+{
+	const long cases = random_cases(2000);
+
+	for (long n = 0; n < cases; n++) {
+		struct random random = random_case(3, n);
+		struct mesh mesh = random_solid(&random, 20);
+		struct bvh *bvh = bvh_new(&mesh);
+		const tri t = tri_of(&bvh->mesh, (size_t)random_below(&random, (int)bvh->mesh.count));
+		const vec3 middle = vec3_scale(1.0 / 3, vec3_add(t.p[0], vec3_add(t.p[1], t.p[2])));
+		const vec3 normal = vec3_cross(vec3_sub(t.p[1], t.p[0]), vec3_sub(t.p[2], t.p[0]));
+		const vec3 point = vec3_mad(middle, random_size(&random, 0.001, 10), vec3_unit(normal));
+		struct nearest_triangle nearest;
+		long visits = 0;
+
+		require(mesh_nearest_triangle(bvh, point, 100, 0, &nearest, &visits), "case %ld: none", n);
+		require(fabs(vec3_norm(vec3_sub(nearest.at, point)) - nearest.distance) < 1e-9,
+			"case %ld: a point %g mm away, not %g", n, vec3_norm(vec3_sub(nearest.at, point)),
+			nearest.distance);
+		bvh_free(bvh);
+	}
+}
+END_TEST
+
 /* A body that stands still and another that moves in x, y and z beside it. */
 static void duo_beside(struct duo *duo, struct random *random)
 {
@@ -118,6 +143,7 @@ int main(void)
 	TCase *tcase = tcase_create("near_pair");
 
 	tcase_add_test(tcase, nearest_to_a_point);
+	tcase_add_test(tcase, nearest_above_a_triangle);
 	tcase_add_test(tcase, near_each_other);
 	return run_suite("near_pair", tcase);
 }
