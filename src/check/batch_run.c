@@ -259,6 +259,9 @@ static void take_spare_thread(struct checker *c)
 		return;
 	c->borrowed++;
 	checker_settle(c);
+	/* What was begun behind the batch that ended the check is not settled: the background may still be at it. */
+	if (c->stopped)
+		return;
 	scheduler_add_thread(&c->scheduler);
 	start_background(c);
 }

@@ -59,6 +59,7 @@ struct heard {
 	struct spare_threads spare;
 	int until;	/* so many calls of progress, then there are spare threads */
 	int more;	/* so many */
+	bool ends;	/* the check is interrupted at the call after that */
 	int events;
 };
 
@@ -86,7 +87,7 @@ static bool on_progress(void *context, long lines)
 	(void)lines;
 	if (heard->until-- == 0)
 		spare_threads_give(&heard->spare, heard->more);
-	return true;
+	return !heard->ends || heard->until > -2;
 }
 
 static bool on_event(void *context, const struct motion_event *event)
@@ -188,9 +189,38 @@ START_TEST(findings_and_faults_stay_the_same)
 }
 END_TEST
 
+/* It may be the taking of a spare thread that settles the batch after which the check stops: others are still begun. */
+START_TEST(an_interrupted_check_gives_its_threads_back)
+{
+	struct model model;
+	FILE *in = program_with(-1, -1);
+
+	place_bodies(&model);
+	for (int until = 0; until < ASKED_MOST; until++) {
+		struct heard heard = {.until = until, .more = 1, .ends = true};
+		const struct check_options options = {.tolerance = 0.001, .threads = 3, .spare = &heard.spare};
+		const struct check_sink sink = {&heard, on_finding, on_progress, NULL};
+		struct diag diag = {.handle = on_diag, .context = &heard};
+		struct check_stats stats;
+
+		rewind(in);
+		ck_assert_int_eq(check_run(model.scene, &options, in, "a.nc", &sink, &diag, &stats, NULL),
+				 CHECK_INCOMPLETE);
+		ck_assert_msg(strstr(strbuf_text(&heard.text), "interrupted after line"), "%s",
+			      strbuf_text(&heard.text));
+		ck_assert(spare_threads_take(&heard.spare));
+		ck_assert(!spare_threads_take(&heard.spare));
+		strbuf_release(&heard.text);
+	}
+	model_release(&model);
+	fclose(in);
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {none_is_lost, a_clear_check_stays_clear, findings_and_faults_stay_the_same};
+	const TTest *const tests[] = {none_is_lost, a_clear_check_stays_clear, findings_and_faults_stay_the_same,
+				      an_interrupted_check_gives_its_threads_back};
 
 	return RUN_TESTS("spare_threads", tests);
 }
