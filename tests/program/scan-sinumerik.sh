@@ -1,7 +1,8 @@
-# Of Sinumerik's words scan counts cycles by their names, and no short word as the start of a longer one (PO of POCKET3).
+# Of Sinumerik's words scan counts cycles by their names, and none as the start of another (PO of POCKET3, SETM of SETMS).
 program part.mpf <<'NC'
 G54 G17 G90 F100
 TRANS X1
+SETMS(1)
 POCKET3(50,0,1,-10,40,30,5,50,50,0)
 MCALL CYCLE83(10,0,1,-5)
 CP X1

@@ -78,22 +78,50 @@ static bool is_name_byte(char byte)
 	return isalpha((unsigned char)byte) || byte == '_';
 }
 
-/* A word of letters and digits, with others than these on both sides of it. */
+/* The squeezed text of a word, if it is one of letters and digits alone. */
+static bool is_plain(const struct code_word *word, char text[LINE_SHAPE_MAX])
+{
+	line_shape_squeeze(word->word, text);
+	for (const char *at = text; *at; at++) {
+		if (!isalnum((unsigned char)*at))
+			return false;
+	}
+	return true;
+}
+
+/* Does the word begin here, with others than letters and digits on both sides of it? */
+static bool stands_at(const char *block, const char *at, const char *text)
+{
+	const size_t length = strlen(text);
+
+	return !strncmp(at, text, length) && !is_start(text, at + length) && !is_coordinate(text, at[length]) &&
+	       (at == block || !is_name_byte(at[-1])) &&
+	       !(isdigit((unsigned char)at[length]) && isdigit((unsigned char)text[length - 1]));
+}
+
+/* SETMS is no SETM: does a word that begins so and goes on stand here? */
+static bool longer_stands(const struct dialect *dialect, const char *block, const char *at, const char *text)
+{
+	char longer[LINE_SHAPE_MAX];
+
+	for (int i = 0; i < CODE_SETS_MAX && dialect->words[i]; i++) {
+		for (size_t k = 0; k < dialect->words[i]->count; k++) {
+			if (is_plain(&dialect->words[i]->rows[k], longer) && strlen(longer) > strlen(text) &&
+			    stands_at(block, at, longer))
+				return true;
+		}
+	}
+	return false;
+}
+
 static void count_word(struct scan_codes *codes, const char *block, const struct code_word *word)
 {
 	char text[LINE_SHAPE_MAX];
 
-	line_shape_squeeze(word->word, text);
-	for (const char *at = text; *at; at++) {
-		if (!isalnum((unsigned char)*at))
-			return;
-	}
+	if (!is_plain(word, text))
+		return;
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
-		char after = at[strlen(text)];
-
-		if (!is_start(text, at + strlen(text)) && !is_coordinate(text, after) &&
-		    (at == block || !is_name_byte(at[-1])) &&
-		    !(isdigit((unsigned char)after) && isdigit((unsigned char)text[strlen(text) - 1]))) {
+		if (stands_at(block, at, text) && !longer_stands(codes->dialect, block, at, text)) {
 			count(codes, 0, 0, word);
 			return;
 		}
