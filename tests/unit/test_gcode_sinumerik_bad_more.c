@@ -387,6 +387,9 @@ static const struct refused_program programs[] = {
 	{"ID=1 WHEN $A_IN[1]==1 DO M5\n", 1, 26,
 	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
 	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER 1==1 DO $A_OUT[1]=1POS[X]=5\n", 1, 35,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
 	{"WHENEVER 1==1 DO M8 POS[X]=5\n", 1, 21,
 	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
 	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},

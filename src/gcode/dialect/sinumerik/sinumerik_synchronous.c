@@ -43,7 +43,16 @@ static bool is_operator(char byte)
 	return byte != '\0' && strchr("+-*/<>=,", byte);
 }
 
-/* Behind a value: at a blank that no operator is beside and no bracket is around, or at the end of the block. */
+/* The '=' of an assignment, and not one of ==, <= and >=. */
+static bool assigns(const char *text, size_t at)
+{
+	return text[at] == '=' && text[at + 1] != '=' && !strchr("<>=", text[at - 1]);
+}
+
+/*
+ * Behind a value: at a blank that no operator is beside and no bracket is around, or at the end of the block; or at the
+ * '=' of a further action that stands right behind it ("1POS[X]=5"), which is no action by itself.
+ */
 static size_t skip_value(const char *text, size_t at)
 {
 	bool quoted = false;
@@ -52,6 +61,8 @@ static size_t skip_value(const char *text, size_t at)
 	for (at = skip_blanks(text, at); text[at] && (quoted || text[at] != ';'); at++) {
 		quoted = quoted != (text[at] == '"');
 		depth += quoted ? 0 : strchr("([", text[at]) ? 1 : strchr(")]", text[at]) ? -1 : 0;
+		if (!quoted && depth == 0 && assigns(text, at))
+			return at;
 		if (quoted || depth > 0 || (text[at + 1] != ' ' && text[at + 1] != '\t'))
 			continue;
 		if (!is_operator(text[at]) && !is_operator(text[skip_blanks(text, at + 1)]))
