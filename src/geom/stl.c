@@ -106,6 +106,26 @@ static bool decode_record(mesh_triangle *t, const char *record)
 	return finite;
 }
 
+/* How many triangles at the end have all corners at the origin. */
+static size_t zeros_at_end(const struct mesh *mesh)
+{
+	static const mesh_triangle zeros;
+	size_t count = 0;
+
+	while (count < mesh->count && memcmp(&mesh->triangles[mesh->count - 1 - count], &zeros, sizeof(zeros)) == 0)
+		count++;
+	return count;
+}
+
+/* One such triangle may be meant. More are room that was taken for the file and never written. */
+static bool is_written_to_end(struct reader *r, const struct mesh *mesh)
+{
+	size_t zeros = zeros_at_end(mesh);
+
+	return zeros < 2 || fail(r, "the last %zu of its %zu triangles are zeros: it was not written or copied to its end",
+				 zeros, mesh->count);
+}
+
 static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
 {
 	if (count == 0)
@@ -126,7 +146,7 @@ static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
 		mesh->count++;
 		r->at += RECORD_SIZE;
 	}
-	return true;
+	return is_written_to_end(r, mesh);
 }
 
 /* ---- ASCII ---- */

@@ -13,7 +13,8 @@
 /*
  * Reads the triangles of a file; binary and ASCII are told apart by the
  * content, not by the word "solid". What is missing, not a regular file,
- * truncated, oversized, empty of triangles, or not finite is reported with the
+ * truncated, oversized, empty of triangles, not written to its end (two or more
+ * triangles of zeros there in a binary file), or not finite is reported with the
  * byte or line where it stands; then *out is untouched and the result false.
  * Coordinates are as in the file, the nearest floats; the rounding accounts for the
  * rounding of decimals (binary files: 0), in the file's unit.

@@ -1,4 +1,4 @@
-# A mesh that is no mesh: missing, a folder, a device, a pipe, cut off, lying about its size, 2 GB of nothing.
+# A mesh that is no mesh: missing, a folder, a device, a pipe, cut off, lying about its size, 2 GB of nothing, all zeros.
 small_machine
 echo 'G0 X10' >a.nc
 mkdir folder
@@ -16,11 +16,12 @@ binary '\002\000\000\000' 99 >cut
 binary '\001\000\000\000' 51 >trailing
 binary '\000\000\000\000' 0 >none
 binary '\001\000\000\000' 50 >zeros
+binary '\002\000\000\000' 100 >unwritten
 truncate -s 2147483684 sparse
 printf 'solid \001\002 in name only, and nothing behind' >name
 : >empty
 printf 'solid\r\nfacet normal 0 0 0\r\nouter loop\r\nvertex 1e3 0 0\r\nvertex 0 1e39 0' >range
-for mesh in missing folder /dev/null pipe lie cut trailing none zeros sparse name empty range; do
+for mesh in missing folder /dev/null pipe lie cut trailing none zeros unwritten sparse name empty range; do
 	sed "s,head.stl,$mesh," m.xml >bad.xml
 	status soon "$FIVECHECK" -q bad.xml a.nc 2>&1 | cut -c1-160
 done

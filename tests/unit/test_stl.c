@@ -148,6 +148,28 @@ START_TEST(binary_that_lies)
 }
 END_TEST
 
+/* As a copy leaves it that was broken off after it had taken the room. */
+START_TEST(binary_of_zeros)
+{
+	size_t size;
+	unsigned char *bytes = binary_stl(40, 40, "x", &size);
+	struct strbuf said = {0};
+	struct mesh mesh;
+
+	memset(bytes + size - 50, 0, 50);
+	ck_assert_msg(read_bytes(&mesh, bytes, size, &said), "one may be meant: %s", strbuf_text(&said));
+	mesh_release(&mesh);
+	memset(bytes + size - 17 * 50, 0, 17 * 50);
+	expect_error(bytes, size,
+		     "t.stl: error: the last 17 of its 40 triangles are zeros: it was not written or copied to its end\n");
+	memset(bytes + 84, 0, size - 84);
+	expect_error(bytes, size,
+		     "t.stl: error: the last 40 of its 40 triangles are zeros: it was not written or copied to its end\n");
+	free(bytes);
+	strbuf_release(&said);
+}
+END_TEST
+
 START_TEST(binary_not_finite)
 {
 	static const uint32_t bad[] = {0x7f800000, 0xff800000, 0x7fc00000, 0xffffffff, 0x7f800001};
@@ -426,6 +448,7 @@ int main(void)
 		return EXIT_FAILURE;
 	tcase_add_test(tcase, binary_is_read_to_the_bit);
 	tcase_add_test(tcase, binary_that_lies);
+	tcase_add_test(tcase, binary_of_zeros);
 	tcase_add_test(tcase, binary_not_finite);
 	tcase_add_test(tcase, ascii_in_its_variants);
 	tcase_add_test(tcase, ascii_that_is_broken);
