@@ -93,7 +93,7 @@ export class Client {
 			this.spare = undefined;
 		try {
 			const done = await this.unlessCancelled(new Promise((resolve, reject) => {
-				worker.onerror = (event) => reject(new Error(event.message || 'the worker has ended'));
+				worker.onerror = (event) => reject(new Error(event.message || 'worker.js cannot be loaded, or has ended: load the page again'));
 				worker.onmessage = ({data}) => {
 					if (data.event) listener.onEvent?.(data.event);
 					if (data.message) listener.onMessage?.(data.message);

@@ -60,11 +60,16 @@ function statusOf(status) {
 
 /** Where a module is, its bytes, or the module. @typedef {string | URL | BufferSource | WebAssembly.Module} Source */
 
+/** Streams, but where the server gives a module the type of something else. @param {Response} answer */
+export async function compileAnswer(answer) {
+	return answer.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
+}
+
 /** @param {Source} source */
 async function compiled(source) {
 	if (source instanceof WebAssembly.Module)
 		return source;
-	return typeof source === 'string' || source instanceof URL ? WebAssembly.compileStreaming(fetch(source)) : WebAssembly.compile(source);
+	return typeof source === 'string' || source instanceof URL ? compileAnswer(await fetch(source)) : WebAssembly.compile(source);
 }
 
 /** Takes bytes, gives whole lines. */

@@ -3,7 +3,7 @@
  * modules.js - the modules of the checker, of which a page loads what its jobs need: fivecheck.wasm, with the controls whose
  * programs are ISO codes, and its parts.
  */
-import {FIRST, PARTS} from './fivecheck.js';
+import {FIRST, PARTS, compileAnswer} from './fivecheck.js';
 
 /** What may hide a word from a look at the text: character references and entities. */
 const HIDDEN = /&#|<!DOCTYPE/;
@@ -26,6 +26,20 @@ async function textOf(file) {
 	return file instanceof Blob ? file.text() : file;
 }
 
+/**
+ * What the server answers with.
+ * @param {string | URL} address @param {string} name that a failure is told by
+ * @returns {Promise<Response>} whose status is good
+ */
+export async function fetched(address, name) {
+	const response = await fetch(address).catch(({message}) => {
+		throw new Error(`${name} cannot be loaded: ${message}`);
+	});
+	if (!response.ok)
+		throw new Error(`${name} cannot be loaded: the server answers ${response.status}`);
+	return response;
+}
+
 export class Modules {
 	/** @param {string | URL} folder the page's */
 	constructor(folder) {
@@ -37,17 +51,24 @@ export class Modules {
 		this.load(FIRST);
 	}
 
-	/** @param {string} name @returns {Promise<Response>} whose status is good */
-	async fetch(name) {
-		const response = await fetch(new URL(name, this.folder));
-		if (!response.ok)
-			throw new Error(`${name} cannot be loaded: the server answers ${response.status}`);
-		return response;
+	/** @param {string} name */
+	fetch(name) {
+		return fetched(new URL(name, this.folder), name);
+	}
+
+	/** @param {string} name */
+	async compile(name) {
+		if (!globalThis.WebAssembly)
+			throw new Error('This browser has no WebAssembly, or a setting of it forbids it here: allow it for this page, or take another browser');
+		const answer = await this.fetch(name);
+		return compileAnswer(answer).catch(({message}) => {
+			throw new Error(`${name} cannot be loaded: ${message}. Load the page again; if that does not help, its server is at fault.`);
+		});
 	}
 
 	/** Each is loaded once, and again after a failure. @param {string} name */
 	load(name) {
-		const module = this.loaded.get(name) ?? WebAssembly.compileStreaming(this.fetch(name));
+		const module = this.loaded.get(name) ?? this.compile(name);
 		this.loaded.set(name, module);
 		module.catch(() => this.loaded.delete(name));
 		return module;

@@ -21,7 +21,7 @@ export class SessionClient {
 			if (failed) reject?.(new Error(failed));
 			else resolve?.(answer);
 		};
-		this.worker.onerror = ({message}) => this.fail(new Error(message || 'the worker has ended'));
+		this.worker.onerror = ({message}) => this.fail(new Error(message || 'session_worker.js cannot be loaded, or has ended: load the page again'));
 		this.opened = modules.then((compiled) => this.ask({open: {modules: compiled, files, job}}));
 	}
 
