@@ -3,6 +3,8 @@
  * job_files.js - what the files that a user dropped are: the machine, its meshes, the setup, the programs.
  */
 import {Files} from './files.js';
+import {fetched} from './modules.js';
+import {element} from './page.js';
 
 /** Enough of a file to see what it is, and as much of an XML file as names other files. */
 const HEAD = 65536, MOST = 1 << 24;
@@ -73,10 +75,21 @@ export async function jobFile(path, blob) {
 
 /** A file of an example of the page. @param {string} path */
 export async function exampleFile(path) {
-	const response = await fetch(`examples/${path}`);
-	if (!response.ok)
-		throw new Error(`${path} cannot be loaded: the server answers ${response.status}`);
-	return jobFile(path, await response.blob());
+	return jobFile(path, await (await fetched(`examples/${path}`, path)).blob());
+}
+
+/**
+ * The files of each example of the page.
+ * @param {HTMLElement} place where it is told if they cannot be loaded
+ * @returns {Promise<Record<string, string[]>>}
+ */
+export async function examplesOf(place) {
+	try {
+		return await (await fetched('examples/index.json', 'index.json')).json();
+	} catch (error) {
+		place.append(element('span', {className: 'lack'}, `The examples cannot be loaded (${/** @type {Error} */ (error).message}); your own files work all the same.`));
+		return {};
+	}
 }
 
 /** Those that cannot be read: a browser reads no file that was changed after it was dropped. @param {[string, Blob][]} files */

@@ -2,7 +2,7 @@
 /** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
 import {Client} from './client.js';
 import {Editor} from './editor.js';
-import {exampleFile, jobFile, missingFiles, withMeshes} from './job_files.js';
+import {exampleFile, examplesOf, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {keepOffline} from './offline.js';
 import {byId, element} from './page.js';
@@ -74,7 +74,7 @@ class LearnPage {
 	}
 
 	async offerExamples() {
-		const examples = await (await fetch('examples/index.json')).json();
+		const examples = await examplesOf(byId('examples'));
 		for (const [name, paths] of Object.entries(examples)) {
 			const button = element('button', {type: 'button'}, name);
 			button.addEventListener('click', () => this.told(this.openExample(name, paths)));

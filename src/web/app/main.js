@@ -5,7 +5,7 @@ import {moreOptions, optionsIn} from './check_options.js';
 import {Checks} from './checks.js';
 import {Client} from './client.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, inOrder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
+import {atHome, exampleFile, examplesOf, inOrder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {keepOffline} from './offline.js';
 import {byId, element, reveal} from './page.js';
@@ -83,7 +83,7 @@ class Page {
 	}
 
 	async offerExamples() {
-		const examples = await (await fetch('examples/index.json')).json();
+		const examples = await examplesOf(byId('examples'));
 		for (const [name, paths] of Object.entries(examples)) {
 			const button = element('button', {type: 'button', dataset: {example: name}}, name, element('small', {}, EXAMPLES[name] ?? ''));
 			button.addEventListener('click', () => this.openExample(paths));
