@@ -6,8 +6,9 @@ const QUIET = 2000;
 
 /** Registers the service worker, but not while the page is at work. @param {() => boolean} busy */
 export function keepOffline(busy) {
+	// Where nothing may be stored, as in some private windows, the page works all the same.
 	/** @returns {unknown} */
-	const look = () => busy() ? setTimeout(look, QUIET) : navigator.serviceWorker.register('service_worker.js');
+	const look = () => busy() ? setTimeout(look, QUIET) : navigator.serviceWorker.register('service_worker.js').catch(() => undefined);
 	if ('serviceWorker' in navigator)
 		setTimeout(look, QUIET);
 }

@@ -56,12 +56,13 @@ async function handOver({cache, destination}) {
 
 /** @param {Request} request @param {string} name */
 async function answer(request, name) {
-	const cache = await caches.open(CACHE), kept = await cache.match(name);
+	// A browser that keeps nothing any more still loads.
+	const cache = await caches.open(CACHE).catch(() => undefined), kept = await cache?.match(name);
 	if (kept)
 		return kept;
 	const fresh = await fetch(request);
 	// The files of an example are kept once it was opened.
-	if (fresh.ok)
+	if (cache && fresh.ok)
 		await cache.put(name, fresh.clone()).catch(() => undefined);  // there may be no room
 	return fresh;
 }
