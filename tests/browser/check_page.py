@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bench import PHONE, TESTS, WEAK_TEXT, browser_of, carry_out, same, test, true  # noqa: E402
 from page_bench import VERDICTS, WORDS, Bench, Site  # noqa: E402
 import access_page  # noqa: E402, F401
+import adverse_page  # noqa: E402, F401
 import builds_page  # noqa: E402, F401
 import embed_page  # noqa: E402, F401
 import figures_page  # noqa: E402, F401

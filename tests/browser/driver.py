@@ -208,6 +208,13 @@ class Page:
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
 
+    def wait_for(self, script):
+        """Until an expression holds; also while one page takes the place of another."""
+        while True:
+            with contextlib.suppress(BrowserError):
+                if self.run(f"await new Promise((done) => requestAnimationFrame(() => done({script})))"):
+                    return
+
     def frames(self):
         """Waits until two frames have been drawn."""
         self.run("await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")

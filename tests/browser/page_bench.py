@@ -18,6 +18,8 @@ class Site:
         self.asked = []
         self.missing = set()  # paths that are not there for now
         self.held = {}  # paths whose answer waits for an event
+        self.types = {}  # types that paths are served with, though they have another one
+        self.policy = None  # a Content-Security-Policy for all
         site = self
 
         class Handler(http.server.SimpleHTTPRequestHandler):
@@ -30,6 +32,14 @@ class Site:
                 if self.path not in site.missing:
                     return super().send_head()
                 return self.send_error(404)
+
+            def guess_type(self, path):
+                return site.types.get(self.path) or super().guess_type(path)
+
+            def end_headers(self):
+                if site.policy:
+                    self.send_header("Content-Security-Policy", site.policy)
+                super().end_headers()
 
             def log_message(self, *_):
                 site.asked.append((self.command, self.path, int(self.headers.get("Content-Length") or 0)))
