@@ -114,7 +114,9 @@ static bool find_module(const struct reading *r, const struct module **module)
 
 	*module = NULL;
 	if (!length)
-		return fault(r, "[KINS] has no KINEMATICS: this is no ini file of a machine of release 2.5 or later");
+		return fault(r, "[KINS] has no KINEMATICS: if this is the ini file of a machine, add [KINS] with KINEMATICS "
+				"= the module that its HAL files load (trivkins, say), and rename [AXIS_0] of older "
+				"releases to [JOINT_0] and so on");
 	for (size_t i = 0; i < sizeof(modules) / sizeof(*modules); i++)
 		if (is_word(text, length, modules[i].name))
 			*module = &modules[i];
@@ -248,6 +250,15 @@ static bool read_travel(struct reading *r, const char *section, double scale, st
 	return true;
 }
 
+/* A linear axis without an end never leaves its travel, so that no position is refused. */
+static void warn_endless(struct reading *r, char letter)
+{
+	import_machine_todo(r->machine, "Add limit_min and limit_max of the axis %c.", letter);
+	diag_warning(r->diag, place(r),
+		     "neither the [JOINT_n] of the axis %c nor [AXIS_%c] has MIN_LIMIT and MAX_LIMIT: its travel has no "
+		     "end; add its limits", letter, letter);
+}
+
 static bool read_axis(struct reading *r, char letter, bool identity, struct axis_description *axis)
 {
 	const double scale = axis->rotary ? radians(1) : r->unit;
@@ -277,6 +288,8 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 		axis->limit_min = -INFINITY;
 	if (axis->limit_max >= linear_limit)
 		axis->limit_max = INFINITY;
+	if (good && !axis->rotary && isinf(axis->limit_min) && isinf(axis->limit_max))
+		warn_endless(r, letter);
 	return good && (axis->limit_min < axis->limit_max ||
 			fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
 }
