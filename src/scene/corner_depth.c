@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/minmax.h"
 #include "geom/point_distance.h"
 #include "machine/chain.h"
 
@@ -16,11 +17,20 @@ static vec3 point_of(const mesh_triangle *t, int k)
 	return k < 3 ? mesh_corner(t, k) : vec3_scale(1.0 / 3, sum);
 }
 
-static bool is_in_box(const struct bvh *solid, vec3 p)
+/* mm: how far inside the solid's box the point lies, which is as deep as it can be in the solid; below 0: outside. */
+static double room_in_box(const struct bvh *solid, vec3 p)
 {
 	vec3 off = vec3_sub(p, solid->origin);
 
-	return fabs(off.x) < solid->half.x && fabs(off.y) < solid->half.y && fabs(off.z) < solid->half.z;
+	return fmin(solid->half.x - fabs(off.x), fmin(solid->half.y - fabs(off.y), solid->half.z - fabs(off.z)));
+}
+
+/* On which side of the body's surface the point lies that has so much room in its box. */
+static enum inside side_of(struct scene *scene, int body, vec3 p, double room)
+{
+	if (!(room > 0))
+		return INSIDE_NO;
+	return mesh_inside(scene->bodies[body].bvh, scene_body_topology(scene, body), p);
 }
 
 /* The pose of a body's mesh when the axes are at q. */
@@ -31,10 +41,9 @@ static xform pose_of(const struct scene *scene, int body, const axis_values *q)
 	return xform_mul(&link, &scene->bodies[body].body->placement);
 }
 
-double corner_depth(struct scene *scene, int inner, int outer, const axis_values *q, enum inside side)
+double corner_depth(struct scene *scene, int inner, int outer, const axis_values *q, enum inside side, double beyond)
 {
 	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
-	const struct topology *topology = scene_body_topology(scene, outer);
 	const xform own = pose_of(scene, inner, q), base = pose_of(scene, outer, q), back = xform_inverse(&base);
 	const xform pose = xform_mul(&back, &own);
 	size_t points = 4 * other->mesh.count, step = points / POINTS_TRIED + 1;
@@ -44,11 +53,15 @@ double corner_depth(struct scene *scene, int inner, int outer, const axis_values
 	step |= 1;
 	for (size_t i = 0; i < points; i += step) {
 		vec3 p = xform_apply(&pose, point_of(&other->mesh.triangles[i / 4], (int)(i % 4)));
-		bool known = side == INSIDE_YES ? is_in_box(solid, p) && mesh_inside(solid, topology, p) == INSIDE_YES
-						: !is_in_box(solid, p) || mesh_inside(solid, topology, p) == INSIDE_NO;
+		const double least = larger(depth, beyond), room = room_in_box(solid, p);
+		double distance;
 
-		if (known)
-			depth = fmax(depth, mesh_point_distance(solid, p));
+		if (side == INSIDE_YES && !(room > least))
+			continue;
+		distance = mesh_point_distance(solid, p);
+		/* Which side a point is on takes longer to find than how far it is from the surface. */
+		if (distance > least && side_of(scene, outer, p, room) == side)
+			depth = distance;
 	}
 	return depth;
 }

@@ -9,8 +9,8 @@
 /*
  * The distance (mm) from the surface of `outer` of that tested point of `inner` which is deepest inside (side
  * INSIDE_YES) or farthest outside (INSIDE_NO), with the axes at `q` (mm, radians); 0: no tested point is on
- * that side. Corners and middles of some triangles are tested.
+ * that side more than `beyond` mm from it, which is decided faster. Corners and middles of some triangles are tested.
  */
-double corner_depth(struct scene *scene, int inner, int outer, const axis_values *q, enum inside side);
+double corner_depth(struct scene *scene, int inner, int outer, const axis_values *q, enum inside side, double beyond);
 
 #endif

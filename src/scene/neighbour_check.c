@@ -32,10 +32,11 @@ static double position_of(const struct axis *axis, int i)
 	return least + (most - least) * i / (POSITIONS - 1);
 }
 
-static double depth_at(struct scene *scene, const struct scene_pair *pair, const axis_values *q)
+/* mm; 0: not more than `beyond`. */
+static double depth_at(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double beyond)
 {
-	return fmax(corner_depth(scene, pair->a, pair->b, q, INSIDE_YES),
-		    corner_depth(scene, pair->b, pair->a, q, INSIDE_YES));
+	return fmax(corner_depth(scene, pair->a, pair->b, q, INSIDE_YES, beyond),
+		    corner_depth(scene, pair->b, pair->a, q, INSIDE_YES, beyond));
 }
 
 static bool is_small(const struct scene *scene, int body)
@@ -55,13 +56,13 @@ static void check_pair(struct scene *scene, const struct scene_pair *pair, struc
 		double depth;
 
 		q.v[axis->slot] = position_of(axis, i);
-		depth = depth_at(scene, pair, &q);
+		depth = depth_at(scene, pair, &q, fmax(DEEPER_BY, doubt.value));
 		if (depth <= doubt.value)
 			continue;
 		doubt.value = depth;
 		doubt.limit = q.v[axis->slot];
 	}
-	if (doubt.value > DEEPER_BY && doubt.value > DEEPER_BY + depth_at(scene, pair, &home))
+	if (doubt.value > DEEPER_BY && doubt.value > DEEPER_BY + depth_at(scene, pair, &home, 0))
 		doubts_add(doubts, &doubt);
 }
 

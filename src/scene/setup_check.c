@@ -131,8 +131,8 @@ static void check_sunk(struct scene *scene, struct doubts *doubts)
 			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
-			doubt.value = fmax(corner_depth(scene, i, k, &zero, INSIDE_YES),
-					   corner_depth(scene, k, i, &zero, INSIDE_YES));
+			doubt.value = fmax(corner_depth(scene, i, k, &zero, INSIDE_YES, 0),
+					   corner_depth(scene, k, i, &zero, INSIDE_YES, 0));
 			doubt.against = k;
 			if (doubt.value > SUNK_BY)
 				doubts_add(doubts, &doubt);
