@@ -113,10 +113,10 @@ static void try_triangle(struct search *search, uint32_t triangle)
 /* The nearest child that is open. */
 static int nearest_of(unsigned open, const float near2[BVH_WIDTH])
 {
-	int nearest = -1;
+	int nearest = 0;
 
-	for (int lane = 0; open >> lane; lane++) {
-		if ((open >> lane & 1) && (nearest < 0 || near2[lane] < near2[nearest]))
+	for (int lane = 1; open >> lane; lane++) {
+		if ((open >> lane & 1) && (!(open >> nearest & 1) || near2[lane] < near2[nearest]))
 			nearest = lane;
 	}
 	return nearest;

@@ -106,13 +106,20 @@ static bool decode_record(mesh_triangle *t, const char *record)
 	return finite;
 }
 
+static bool is_at_origin(const mesh_triangle *t)
+{
+	for (int k = 0; k < 3; k++)
+		if (vec3_norm2(mesh_corner(t, k)) > 0)
+			return false;
+	return true;
+}
+
 /* How many triangles at the end have all corners at the origin. */
 static size_t zeros_at_end(const struct mesh *mesh)
 {
-	static const mesh_triangle zeros;
 	size_t count = 0;
 
-	while (count < mesh->count && memcmp(&mesh->triangles[mesh->count - 1 - count], &zeros, sizeof(zeros)) == 0)
+	while (count < mesh->count && is_at_origin(&mesh->triangles[mesh->count - 1 - count]))
 		count++;
 	return count;
 }
