@@ -243,8 +243,8 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 		loc.column = (int)strlen(text) + 1;
 		diag_error(interp->diag, loc, "line ends are mixed: a carriage return alone, and line feeds");
 		break;
-	case READER_UTF16:
-		diag_error(interp->diag, loc, "the file is UTF-16; save it as plain text");
+	case READER_NO_TEXT:
+		diag_error(interp->diag, loc, "%s", text);
 		break;
 	default:
 		loc.line = 0;

@@ -4,6 +4,7 @@
 #include <strings.h>
 
 #include "base/file_bytes.h"
+#include "base/file_signature.h"
 #include "import/mesh_file.h"
 #include "machine/library/library_file.h"
 #include "machine/library/vericut_text.h"
@@ -108,6 +109,17 @@ static bool tell(enum file_kind *kind, const char *path, const char *text)
 	return library_kind_of(text) != LIBRARY_NONE;
 }
 
+/* Files of this program. */
+static const char *own_advice(const char *text)
+{
+	static const char *const roots[] = {"machine", "setup", "jobs", "waivers"};
+
+	for (size_t i = 0; i < sizeof(roots) / sizeof(*roots); i++)
+		if (is_root(text, roots[i]))
+			return "fivecheck reads this file as it is: it needs no import";
+	return NULL;
+}
+
 /* What is known of a file that cannot be imported, so that its owner knows what to do. */
 static const char *advice(const char *path, const struct file_bytes *file)
 {
@@ -116,13 +128,15 @@ static const char *advice(const char *path, const struct file_bytes *file)
 	/* Also if there is white space alone. */
 	if (skip_space(text) == text + file->count)
 		return "this file is empty";
+	if (own_advice(text))
+		return own_advice(text);
+	if (ends_with(path, ".stl"))
+		return "an STL file needs no import: name it in a machine file or a setup (mesh=\"\")";
 	if (ends_with(path, ".hsmlib"))
 		return "this is a tool library of HSMWorks: save it as JSON (Fusion 360 exports it), which can be "
 		       "imported";
 	if (strstr(text, "(tool_number)"))
 		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
-	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))
-		return "this file is in UTF-16: save it as UTF-8 (a text editor does)";
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
@@ -130,6 +144,8 @@ static const char *advice(const char *path, const struct file_bytes *file)
 	if (!strncmp(text, "PK\003\004", 4))
 		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, and a GTC "
 		       "package .p21 files, which can be imported";
+	if (file_signature_advice(text, file->count))
+		return file_signature_advice(text, file->count);
 	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file, a "
 	       "machine of FreeCAD (.fcm), MTConnect or URDF; a tool library of VERICUT or Fusion 360 (JSON), a "
 	       "catalogue (DIN 4000, ISO 13399), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or a "

@@ -18,6 +18,9 @@ printf '\377\376<\000?\000' | told library.hsmlib
 printf '"Type (tool_type)","Number (tool_number)"\n"flat end mill",3\n' | told library.csv
 printf '' | told empty.mch
 printf '<VcMachineX/>' | told other.mch
+printf '<machine version="1"/>' | told m.xml
+printf 'solid head\n' | told head.STL
+printf '\037\213\010' | told DMU50.mch.gz
 echo "a text form that another file names:"
 printf 'any text\n' >old.mch
 printf 'VERSION 5.4\n' >old.tls

@@ -145,8 +145,11 @@ static void expect_message(const char *bytes, size_t length, const char *message
 START_TEST(faulty_files)
 {
 	expect_message("G0 X1\nX2\0\nX3\n", 13, "p.nc:2:3: error: a NUL byte; is this an NC program?\n");
-	expect_message("\xff\xfeG\0", 4, "p.nc:1: error: the file is UTF-16; save it as plain text\n");
-	expect_message("\xfe\xff\0G", 4, "p.nc:1: error: the file is UTF-16; save it as plain text\n");
+	expect_message("\xff\xfeG\0", 4,
+		       "p.nc:1: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
+	expect_message("\0G\0001\0\n", 6,
+		       "p.nc:1: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
+	expect_message("\x1f\x8b\x08\0\n", 5, "p.nc:1: error: this file is packed by gzip: unpack it first\n");
 	expect_message("G0 X1\nX2\rY3\n", 12,
 		       "p.nc:2:3: error: line ends are mixed: a carriage return alone, and line feeds\n");
 	expect_message("G0 X1\rX2\nY3\n", 12,

@@ -40,6 +40,8 @@ START_TEST(refuses_foreign_bytes)
 	static const char ebcdic[] = "\x4c\x6f\xa7\x94\x93";
 
 	write_bytes("m.xml", utf16, sizeof(utf16));
+	assert_refused("m.xml", "m.xml: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
+	write_bytes("m.xml", "<m\0/>", 5);
 	assert_refused("m.xml", "m.xml: error: there are NUL bytes in it: this is no text, or not UTF-8\n");
 	write_text("m.xml", ebcdic);
 	assert_refused("m.xml", "m.xml:1: error: this is not XML: it does not start with '<'\n");

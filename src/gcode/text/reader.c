@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/file_signature.h"
 #include "base/mem.h"
 #include "gcode/text/pipe_read.h"
 
@@ -148,17 +149,15 @@ static bool skip_feed(struct reader *reader)
 	return true;
 }
 
-/* Steps over a byte order mark. */
-static enum reader_status check_start(struct reader *reader)
+/* Steps over the byte order mark of UTF-8. What to do if the file is no text, else NULL. */
+static const char *check_start(struct reader *reader)
 {
 	const char *start = reader->buffer + reader->begin;
 	const size_t length = reader->end - reader->begin;
 
 	if (length >= 3 && !memcmp(start, "\xef\xbb\xbf", 3))
 		reader->begin += 3;
-	if (length >= 2 && (!memcmp(start, "\xff\xfe", 2) || !memcmp(start, "\xfe\xff", 2)))
-		return READER_UTF16;
-	return READER_LINE;
+	return file_signature_advice(start, length);
 }
 
 /* Takes the line that ends at `at`; *next is the start of the following line. */
@@ -223,6 +222,7 @@ static bool skip_returns(struct reader *reader, size_t *at)
 enum reader_status reader_next(struct reader *reader, const char **text)
 {
 	enum reader_status status = READER_LINE;
+	const char *advice = NULL;
 	size_t at, next;
 
 	reader->buffer[reader->cut] = reader->cut_byte;
@@ -234,17 +234,17 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	if (reader->stopped)
 		return READER_STOPPED;
 	if (reader->line == 0) {
-		status = check_start(reader);
+		advice = check_start(reader);
 		at = find_break(reader, reader->begin);
 	}
-	if (status == READER_LINE && at == reader->end && reader->begin == reader->end)
+	if (!advice && at == reader->end && reader->begin == reader->end)
 		return READER_END;
 	reader->start = reader_position(reader);
 	if (++reader->line > reader->furthest)
 		reader->furthest = reader->line;
-	*text = reader->buffer + reader->begin;
-	if (status != READER_LINE)
-		return status;
+	*text = advice ? advice : reader->buffer + reader->begin;
+	if (advice)
+		return READER_NO_TEXT;
 	if (at - reader->begin > LINE_LENGTH_MAX)
 		return READER_TOO_LONG;
 	next = at;

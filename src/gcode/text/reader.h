@@ -16,7 +16,7 @@ enum reader_status {
 	READER_END,
 	READER_TOO_LONG,
 	READER_NUL_BYTE,
-	READER_UTF16,
+	READER_NO_TEXT,	/* what base/file_signature.h knows */
 	READER_MIXED_ENDS,	/* carriage returns that sometimes end a line and sometimes do not */
 	READER_FAILED,	/* the file could not be read; errno says why */
 	READER_STOPPED	/* reader->waiting said stop */
@@ -57,7 +57,7 @@ void reader_release(struct reader *reader);
  * start of the input, and bytes 0x1A at its end. A line of a pipe is handed out when its end has come; a CR, when
  * what follows it has come, too. With a fault
  * of one line, reader->line is that line, and for READER_NUL_BYTE and
- * READER_MIXED_ENDS *text is what precedes the faulty byte.
+ * READER_MIXED_ENDS *text is what precedes the faulty byte; for READER_NO_TEXT it is advice, which lives on.
  */
 enum reader_status reader_next(struct reader *reader, const char **text);
 

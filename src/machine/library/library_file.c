@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/file_bytes.h"
+#include "base/file_signature.h"
 #include "machine/library/catalog_tool.h"
 #include "machine/library/csv_tools.h"
 #include "machine/library/din4000_tools.h"
@@ -77,24 +78,27 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	}
 	if (vericut_text_refuse(path, text, diag))
 		return false;
-	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2)) {
-		diag_error(diag, (struct srcloc){.file = path},
-			   "this file is in UTF-16: save it as UTF-8 (a text editor does)");
-		return false;
-	}
-	if (!strncmp(text, "PK\003\004", 4)) {
-		diag_error(diag, (struct srcloc){.file = path},
-			   "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which "
-			   "can be read");
-		return false;
-	}
 	diag_error(diag, (struct srcloc){.file = path},
 		   "this is no tool library: those of Fusion 360 (.json) and VERICUT (.tls), a CSV file with a line of "
 		   "column names, a tool table (T1 P1 Z0 D6) and a listing of offsets (G10 L10 P1 R0.) can be read");
 	return false;
 }
 
-/* Text behind a NUL byte would not be read. UTF-16 has such bytes, too, and has its own message. */
+/* Is the file packed, a document, or in an encoding that has NUL bytes? */
+static bool is_no_text(const struct file_bytes *file, const char *path, struct diag *diag)
+{
+	const char *advice = file_signature_advice(file->bytes, file->count);
+
+	if (!advice)
+		return false;
+	if (!strncmp(file->bytes, "PK\003\004", 4))
+		advice = "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which "
+			 "can be read";
+	diag_error(diag, (struct srcloc){.file = path}, "%s", advice);
+	return true;
+}
+
+/* Text behind a NUL byte would not be read. */
 static bool has_nul(const struct file_bytes *file, const char *path, struct diag *diag)
 {
 	const char *bytes = file->bytes;
@@ -116,7 +120,7 @@ bool library_file_read(struct tool_library *tools, const char *path, const struc
 
 	if (!file_bytes_read(&file, path, diag))
 		return false;
-	good = !has_nul(&file, path, diag) &&
+	good = !is_no_text(&file, path, diag) && !has_nul(&file, path, diag) &&
 	       read_text(tools, library_kind_of(file.bytes), file.bytes, path, options, diag);
 	file_bytes_release(&file);
 	return good;

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/file_signature.h"
 #include "base/mem.h"
 
 /* Of them in a tag: one for each attribute, and some in the values. */
@@ -94,7 +95,12 @@ static bool check_encoding(struct xml_reader *xml, const struct scan *start)
 bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 {
 	struct scan scan = {.at = bytes, .end = bytes + length, .line = 1};
+	const char *advice = file_signature_advice(bytes, length);
 
+	if (advice) {
+		xml_error_at(xml, 0, "%s", advice);
+		return false;
+	}
 	if (memchr(bytes, '\0', length)) {
 		xml_error_at(xml, 0, "there are NUL bytes in it: this is no text, or not UTF-8");
 		return false;
