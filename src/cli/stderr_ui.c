@@ -3,6 +3,7 @@
 #include "report/format/format_units.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,13 +55,24 @@ static void print_entry(void *context, const struct diag_entry *entry)
 	strbuf_release(&line);
 }
 
+/* Is it a terminal that obeys control sequences? A host that has none (src/wasi) needs nothing of them. */
+static bool takes_escapes(int fd)
+{
+	const char *term;
+
+	if (!isatty(fd))
+		return false;
+	term = getenv("TERM");
+	return term && strcmp(term, "dumb") != 0;
+}
+
 bool stderr_ui_wants_colour(int fd, enum color_choice choice)
 {
-	const char *never = getenv("NO_COLOR"), *term = getenv("TERM");
+	const char *never = getenv("NO_COLOR");
 
 	if (choice != COLOR_AUTO)
 		return choice == COLOR_ALWAYS;
-	return isatty(fd) && !(never && *never) && term && strcmp(term, "dumb") != 0;
+	return takes_escapes(fd) && !(never && *never);
 }
 
 void stderr_ui_init(struct stderr_ui *ui)
@@ -69,6 +81,7 @@ void stderr_ui_init(struct stderr_ui *ui)
 		.diag = {.handle = print_entry, .context = ui},
 		.colour = stderr_ui_wants_colour(STDERR_FILENO, COLOR_AUTO),
 		.terminal = isatty(STDERR_FILENO),
+		.renews = takes_escapes(STDERR_FILENO),
 	};
 }
 
@@ -102,8 +115,53 @@ static void add_estimate(struct strbuf *out, double seconds)
 		strbuf_addf(out, "%.0f h %02.0f min", floor(minutes / 60), fmod(minutes, 60));
 }
 
-/* "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711"; with one program "part.nc: line 4711, 52000 lines/s". */
-static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now)
+static bool begins_character(char byte)
+{
+	return ((unsigned char)byte & 0xc0) != 0x80;
+}
+
+/* A character of UTF-8 counts as one column. */
+static size_t columns_of(const char *text)
+{
+	size_t columns = 0;
+
+	for (; *text; text++)
+		columns += begins_character(*text);
+	return columns;
+}
+
+/* How many bytes of the text fit into the columns; no character is cut. */
+static int cut(const char *text, size_t columns)
+{
+	size_t length = 0;
+
+	for (; text[length]; length++) {
+		if (begins_character(text[length]) && !columns--)
+			break;
+	}
+	return (int)length;
+}
+
+/* The name; a longer one without its first characters. */
+static void add_name(struct strbuf *out, const char *file, size_t columns)
+{
+	struct strbuf name = {0};
+	size_t have;
+
+	format_units_add_plain(&name, file);
+	have = columns_of(strbuf_text(&name));
+	if (have > columns)
+		strbuf_addf(out, "...%s", strbuf_text(&name) + cut(strbuf_text(&name), have - columns + strlen("...")));
+	else
+		strbuf_addf(out, "%s", strbuf_text(&name));
+	strbuf_release(&name);
+}
+
+/*
+ * "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711"; with one program "part.nc: line 4711, 52000 lines/s". The
+ * name gets so many columns.
+ */
+static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now, size_t columns)
 {
 	bool several = ui->programs > 1;
 	double rate = now->spent > 0 ? (double)(several ? (long)ui->done : now->lines) / now->spent : 0;
@@ -111,7 +169,7 @@ static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct
 	if (several)
 		strbuf_addf(out, "%zu of %zu programs", ui->done, ui->programs);
 	else
-		format_units_add_plain(out, now->file ? now->file : "");
+		add_name(out, now->file ? now->file : "", columns);
 	if (!several)
 		strbuf_addf(out, ": line %ld", now->lines);
 	if (rate > 0)
@@ -124,7 +182,7 @@ static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct
 	}
 	if (several && now->file && now->lines) {
 		strbuf_addf(out, "; ");
-		format_units_add_plain(out, now->file);
+		add_name(out, now->file, columns);
 		strbuf_addf(out, ": line %ld", now->lines);
 	}
 }
@@ -149,39 +207,49 @@ static size_t width(void)
 	return (size_t)size.ws_col - 1;
 }
 
-/* How many bytes of the text fit into the columns; a character of UTF-8 is not cut and counts as one column. */
-static int cut(const char *text, size_t columns)
+/* Fewer columns have no room for a bar. A name is not made shorter than that for want of columns. */
+enum { BAR_LEAST = 72, NAME_LEAST = 12 };
+
+/* A line that fits into the columns, if need be with less of the name. */
+static void add_line(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now, bool bar)
 {
-	size_t length = 0;
+	const size_t room = width();
+	struct strbuf whole = {0};
+	size_t columns, name = now->file ? columns_of(now->file) : 0;
 
-	for (; text[length]; length++) {
-		bool begins = ((unsigned char)text[length] & 0xc0) != 0x80;
+	if (bar && room >= BAR_LEAST)
+		add_bar(out, now->share);
+	add_run(&whole, ui, now, SIZE_MAX);
+	columns = columns_of(strbuf_text(out)) + columns_of(strbuf_text(&whole));
+	if (columns > room)
+		name = columns - room + NAME_LEAST < name ? name - (columns - room) : NAME_LEAST;
+	add_run(out, ui, now, name);
+	strbuf_release(&whole);
+}
 
-		if (begins && !columns--)
-			break;
-	}
-	return (int)length;
+/* Whole lines, instead of one that is renewed. */
+static bool is_plain(const struct stderr_ui *ui)
+{
+	return ui->kind == PROGRESS_PLAIN || !ui->renews;
 }
 
 static void show(struct stderr_ui *ui, const char *file, long lines, double share)
 {
-	/* A line is renewed on a terminal alone; a host that has none (src/wasi) needs nothing of that. */
-	bool plain = ui->kind == PROGRESS_PLAIN || !isatty(STDERR_FILENO);
 	double done = (double)ui->done + fmax(share, 0);
 	struct progress now = {file, lines, done / (double)ui->programs, stderr_ui_seconds() - ui->started};
 	struct strbuf text = {0};
 
-	if (!plain && (ui->programs > 1 || share >= 0))
-		add_bar(&text, now.share);
-	add_run(&text, ui, &now);
-	if (plain)
+	if (is_plain(ui)) {
+		add_run(&text, ui, &now, SIZE_MAX);
 		fprintf(stderr, "fivecheck: %s\n", strbuf_text(&text));
-	else
+	} else {
+		add_line(&text, ui, &now, ui->programs > 1 || share >= 0);
 		fprintf(stderr, "\r%.*s\033[K", cut(strbuf_text(&text), width()), strbuf_text(&text));
+	}
 	fflush(stderr);
 	strbuf_release(&text);
 	ui->shown = stderr_ui_seconds();
-	ui->progress = !plain;
+	ui->progress = !is_plain(ui);
 }
 
 static bool is_wanted(const struct stderr_ui *ui)
@@ -193,7 +261,7 @@ static bool is_wanted(const struct stderr_ui *ui)
 /* Progress that follows other output at once would flicker, and a short run needs none. */
 static bool is_due(const struct stderr_ui *ui)
 {
-	return stderr_ui_seconds() - ui->shown >= (ui->kind == PROGRESS_PLAIN ? 10 : 0.2);
+	return stderr_ui_seconds() - ui->shown >= (is_plain(ui) ? 10 : 0.2);
 }
 
 void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share)

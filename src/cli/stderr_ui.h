@@ -14,7 +14,7 @@ struct stderr_ui {
 	bool quiet;	/* prints errors and the notes that belong to them, no progress */
 	bool after_error;	/* the last entry was an error, or a note that belongs to it */
 	bool colour;
-	bool terminal;
+	bool terminal, renews;	/* a terminal; one that can show a line anew */
 	enum progress_kind kind;
 	size_t programs, done;	/* programs of the run, and how many of them are finished */
 	double started;	/* as stderr_ui_seconds tells it */
@@ -36,7 +36,8 @@ void stderr_ui_finish(struct stderr_ui *ui);
 /*
  * Shows how far a program has been read: the line, and the share of its file (0 to 1; negative: unknown). With several
  * programs it shows the progress of the run, its rate and the time left. On a terminal the line is renewed up to five
- * times a second; plain lines come every ten seconds.
+ * times a second, and fits into its columns; plain lines, also those of a terminal without control sequences, come every
+ * ten seconds.
  */
 void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share);
 

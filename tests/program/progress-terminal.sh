@@ -12,7 +12,7 @@ many() { # blocks until the terminal has shown a line; so many that a line must 
 	done
 }
 cat >run <<'RUN'
-stty cols 60
+stty cols 80
 many | "$FIVECHECK" --parse-only -o out m.xml a.nc b.nc -
 RUN
 export FIVECHECK
@@ -23,7 +23,7 @@ awk '/^many\(\)/, /^}/' "$0" | cat - run >both
 script -q -e -f -c 'sh ./both' log >/dev/null </dev/null
 shown >lines
 grep -c . lines | sed 's/^[1-9][0-9]*$/some/'
-awk 'length($0) > 59' lines
+awk 'length($0) > 79' lines
 grep -v -E '^\[#+ *\] 2 of 3 programs, [0-9.]+/s, [0-9]+ s left; <' lines
 # A name cannot steer the terminal, and one program without an end has no bar.
 cat >run <<'RUN'
