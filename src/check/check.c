@@ -261,9 +261,8 @@ static void finish(struct checker *c, bool complete)
 		return;
 	if (!c->summary.spans && complete) {
 		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
-			     c->options->method == CHECK_NOTHING
-				     ? "the program moves no axis"
-				     : "the program moves no axis; only the start pose was checked");
+			     "%s%s", c->summary.blocks ? "the program moves no axis" : "the program is empty",
+			     c->options->method == CHECK_NOTHING ? "" : "; only the start pose was checked");
 		checker_at_rest(c, false, 0);
 	}
 	record = block_log_complete(&c->log, &rest);

@@ -133,18 +133,44 @@ static void add_choices(struct strbuf *out, const char *const *choices)
 		strbuf_addf(out, "%s%s", !i ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
 }
 
-/* The help text with its choices, broken and indented. */
+/* Columns of a terminal, of the help beside an option, and of its further lines. */
+enum { COLUMNS = 80, HELP_COLUMN = 30, HELP_INDENT = 31 };
+
+/* Adds the words from a column on, and breaks the lines. */
+static void add_words(struct strbuf *out, const char *words)
+{
+	size_t column = HELP_COLUMN;
+
+	for (const char *word = words; *word; word += strspn(word, " ")) {
+		const size_t length = strcspn(word, " ");
+
+		if (word > words && column + 1 + length > COLUMNS) {
+			strbuf_addf(out, "\n%*s", HELP_INDENT, "");
+			column = HELP_INDENT;
+		} else if (word > words) {
+			strbuf_add(out, " ", 1);
+			column++;
+		}
+		strbuf_add(out, word, length);
+		column += length;
+		word += length;
+	}
+	strbuf_add(out, "\n", 1);
+}
+
+/* The help text with its choices. */
 static void add_help(struct strbuf *out, const struct option_row *row)
 {
-	for (const char *c = row->help; *c; c++) {
-		if (*c == '\n')
-			strbuf_addf(out, "\n%31s", " ");
-		else if (*c == '%' && c[1] == 's' && c++)
-			add_choices(out, row->choices);
-		else
-			strbuf_add(out, c, 1);
+	const char *choices = strstr(row->help, "%s");
+	struct strbuf words = {0};
+
+	strbuf_add(&words, row->help, choices ? (size_t)(choices - row->help) : strlen(row->help));
+	if (choices) {
+		add_choices(&words, row->choices);
+		strbuf_addf(&words, "%s", choices + 2);
 	}
-	strbuf_addf(out, "\n");
+	add_words(out, strbuf_text(&words));
+	strbuf_release(&words);
 }
 
 void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count)
@@ -159,9 +185,9 @@ void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t
 			strbuf_addf(&name, "  -%c, --%s", row->key, row->name);
 		if (row->argument)
 			strbuf_addf(&name, "=%s", row->argument);
-		strbuf_addf(out, "%-30s", name.text);
-		if (name.length > 29)
-			strbuf_addf(out, "\n%30s", "");
+		strbuf_addf(out, "%-*s", HELP_COLUMN, name.text);
+		if (name.length >= HELP_COLUMN)
+			strbuf_addf(out, "\n%*s", HELP_COLUMN, "");
 		add_help(out, row);
 		strbuf_release(&name);
 	}

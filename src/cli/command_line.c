@@ -386,12 +386,12 @@ void command_line_help(struct strbuf *out, const struct command *commands)
 	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n"
 			 "       fivecheck [OPTIONS] JOBS.xml\n");
 	for (const struct command *command = commands; command->name; command++)
-		strbuf_addf(out, "       fivecheck %-10s %-8s %s\n", command->name, command->operands,
+		strbuf_addf(out, "       fivecheck %-10s %-7s %s\n", command->name, command->operands,
 			    command->summary);
 	strbuf_addf(out,
-		    "Proves that a machine does not hit itself while it runs the programs, or names the\n"
-		    "first block in which it does. A program named - is read from standard input.\n\n");
+		    "Proves that a machine does not hit itself while it runs the programs, or names\n"
+		    "the first block in which it does. A program named - is standard input.\n\n");
 	argv_parser_help(out, option_table, OPTION_COUNT);
-	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is incomplete\n"
-			 "(usage, unreadable or unsupported input), 3 internal error.\n");
+	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is\n"
+			 "incomplete (usage, unreadable or unsupported input), 3 internal error.\n");
 }

@@ -10,16 +10,17 @@ struct request {
 
 const struct option_row merge_options[MERGE_OPTION_COUNT] = {
 	{'o', "output", "FILE", .kind = VALUE_OUTPUT, .field = offsetof(struct request, output),
-	 .help = "write to FILE, which is replaced when complete; - is\nstandard output"},
+	 .help = "write to FILE, which is replaced when complete; - is standard output"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
 static const struct subcommand subcommand = {
 	.name = "merge",
 	.usage = "Usage: fivecheck merge [OPTIONS] FILE...\n"
-		 "Joins what all shards of a run wrote with --shard K/N --format=ndjson=FILE into the result\n"
-		 "of one run. The exit status is that of the whole run: it is 2 if a shard is missing or was\n"
-		 "cut short, or if the shards did not read the same files with the same options.\n",
+		 "Joins what all shards of a run wrote with --shard K/N --format=ndjson=FILE into\n"
+		 "the result of one run. The exit status is that of the whole run: it is 2 if a\n"
+		 "shard is missing or was cut short, or if the shards did not read the same files\n"
+		 "with the same options.\n",
 	.options = merge_options,
 	.option_count = MERGE_OPTION_COUNT,
 };

@@ -31,7 +31,7 @@ struct option_row {
 	const char *unit;
 	const char *const *choices;	/* ends in NULL */
 	int mode;
-	const char *help;	/* a newline breaks the line; %s stands for "a, b or c", the choices */
+	const char *help;	/* %s stands for "a, b or c", the choices */
 };
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "base/mem.h"
 #include "cli/path_checks.h"
+#include "report/format/format_units.h"
 #include "report/glb/glb.h"
 #include "report/format/uri.h"
 #include "report/html/html_report.h"
@@ -169,8 +170,9 @@ static void pack_meshes(struct program_reports *reports, struct diag *diag)
 	scene_pack_init(&reports->pack, reports->scene, mesh_bytes(options) - reports->stock_bytes);
 	if (reports->pack.left_out)
 		diag_note(diag, (struct srcloc){0},
-			  "the meshes of %zu bodies are left out of the report, which may have %g MB (--report-size)",
-			  reports->pack.left_out, options->report_size);
+			  "the %s of %zu %s left out of the report, which may have %g MB (--report-size)",
+			  format_units_noun(reports->pack.left_out, "mesh", "meshes"), reports->pack.left_out,
+			  format_units_noun(reports->pack.left_out, "body is", "bodies are"), options->report_size);
 }
 
 /* Who waits for the verdict of one program does not wait for the meshes; several programs share them. */

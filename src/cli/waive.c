@@ -24,16 +24,16 @@ const struct option_row waive_options[WAIVE_OPTION_COUNT] = {
 	{KEY_UNTIL, "until", "DATE", .kind = VALUE_TEXT, FIELD(until),
 	 .help = "the last day, like 2026-12-31; required"},
 	{'o', "output", "FILE", .kind = VALUE_OUTPUT, FIELD(output),
-	 .help = "write to FILE, which is replaced when complete; - is\nstandard output"},
+	 .help = "write to FILE, which is replaced when complete; - is standard output"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
 static const struct subcommand subcommand = {
 	.name = "waive",
 	.usage = "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
-		 "Writes a file for --waivers that accepts every finding that failed the run whose results\n"
-		 "are FILE, made with --all --format=ndjson=FILE. The waivers hold for this machine file and\n"
-		 "this setup only.\n",
+		 "Writes a file for --waivers that accepts every finding that failed the run whose\n"
+		 "results are FILE, made with --all --format=ndjson=FILE. The waivers hold for\n"
+		 "this machine file and this setup only.\n",
 	.options = waive_options,
 	.option_count = WAIVE_OPTION_COUNT,
 };

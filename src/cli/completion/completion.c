@@ -15,8 +15,8 @@ const struct option_row completion_table[COMPLETION_OPTION_COUNT] = {
 static const struct subcommand subcommand = {
 	.name = "completion",
 	.usage = "Usage: fivecheck completion bash|zsh|fish\n"
-		 "Prints the completions of a shell. 'make install' installs them. To try them in the\n"
-		 "running shell:\n"
+		 "Prints the completions of a shell. 'make install' installs them. To try them in\n"
+		 "the running shell:\n"
 		 "    eval \"$(fivecheck completion bash)\"\n",
 	.options = completion_table,
 	.option_count = COMPLETION_OPTION_COUNT,

@@ -55,8 +55,6 @@ static void add_help(struct strbuf *out, const struct option_row *row, const cha
 			add_choices(out, row->choices, ", ");
 		else if (*help == '\'')
 			strbuf_addf(out, "%s", quote);
-		else if (*help == '\n')
-			strbuf_addf(out, " ");
 		else
 			strbuf_addf(out, "%s%c", strchr(special, *help) ? "\\" : "", *help);
 	}

@@ -18,6 +18,7 @@
 #include "base/units.h"
 #include "machine/library/library_file.h"
 #include "machine/machine.h"
+#include "report/format/format_units.h"
 #include "report/html/axis_page.h"
 #include "scene/scene.h"
 
@@ -53,22 +54,22 @@ struct request {
 
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	{'o', "output", "FOLDER", .kind = VALUE_TEXT, FIELD(output),
-	 .help = "write machine.xml and its meshes, or setup.xml, into\n"
+	 .help = "write machine.xml and its meshes, or setup.xml, into "
 		 "FOLDER, which is made if it is not there; required"},
 	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT, FIELD(options.meshes),
 	 .help = "search meshes below FOLDER first, then beside FILE"},
 	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG, FIELD(options.skip_missing),
 	 .help = "leave bodies out whose meshes are not there"},
 	{KEY_PICTURES, "pictures", NULL, .kind = VALUE_FLAG, FIELD(pictures),
-	 .help = "also write axes.html into FOLDER: it shows what each\naxis of the machine does"},
+	 .help = "also write axes.html into FOLDER: it shows what each axis of the machine does"},
 	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG, FIELD(number_tools),
 	 .help = "give tools without a number one, in their order"},
 	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.table),
-	 .help = "the axes that carry the work, from the base on, where\nthe file does not say it"},
+	 .help = "the axes that carry the work, from the base on, where the file does not say it"},
 	{KEY_HEAD, "head", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.head),
 	 .help = "the axes that carry the tool, from the base on"},
 	{KEY_DEVICE, "device", "NAME", .kind = VALUE_TEXT, FIELD(options.device),
-	 .help = "the machine to take from a document of MTConnect that\nhas several"},
+	 .help = "the machine to take from a document of MTConnect that has several"},
 	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, FIELD(unit), .choices = unit_names,
 	 .help = "lengths of a file that does not say its units: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, FIELD(dialect), .choices = dialect_names,
@@ -79,12 +80,13 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 static const struct subcommand subcommand = {
 	.name = "import",
 	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
-		 "of a control, a machine of FreeCAD (.fcm), a device of MTConnect or URDF; these,\n"
-		 "setups and a job file from a project of VERICUT 7 (.VcProject); a setup from a tool\n"
-		 "library of VERICUT (.tls) or Fusion 360 (.json), a catalogue (DIN 4000, ISO 13399), a\n"
-		 "table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from another mesh.\n"
-		 "Says what could not be taken over, and what has to be looked at.\n",
+		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini\n"
+		 "file of a control, a machine of FreeCAD (.fcm), a device of MTConnect or URDF;\n"
+		 "these, setups and a job file from a project of VERICUT 7 (.VcProject); a setup\n"
+		 "from a tool library of VERICUT (.tls) or Fusion 360 (.json), a catalogue (DIN\n"
+		 "4000, ISO 13399), a table of tools (CSV, tool.tbl) or a listing of offsets\n"
+		 "(G10); or STL from another mesh. Says what could not be taken over, and what has\n"
+		 "to be looked at.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",
 	.options = import_options,
@@ -99,9 +101,10 @@ static bool load(const struct request *request, const char *path)
 	if (!machine)
 		return false;
 	diag_note(request->diag, nowhere,
-		  "wrote %s with %zu axes and %zu bodies; next: look through it, run 'fivecheck --check-machine %s', "
+		  "wrote %s with %zu %s and %zu %s; next: look through it, run 'fivecheck --check-machine %s', "
 		  "and compare what it says of each axis with the machine",
-		  path, machine->axis_count, machine->body_count, path);
+		  path, machine->axis_count, format_units_noun(machine->axis_count, "axis", "axes"),
+		  machine->body_count, format_units_noun(machine->body_count, "body", "bodies"), path);
 	machine_free(machine);
 	return true;
 }
@@ -219,6 +222,18 @@ static bool read_tools(const struct request *request, struct tool_library *tools
 	return false;
 }
 
+static void note_tools(const char *path, const struct tool_library *tools, struct diag *diag)
+{
+	const size_t count = tools->setup.tool_count, offsets = tools->setup.length_count + tools->setup.offset_count;
+
+	diag_note(diag, nowhere,
+		  "wrote %s with %zu %s and %zu %s, and left %zu %s out; next: add what the job has besides: work "
+		  "offsets, fixtures, the part",
+		  path, count, format_units_noun(count, "tool", "tools"), offsets,
+		  format_units_noun(offsets, "offset", "offsets"), tools->left_out,
+		  format_units_noun(tools->left_out, "tool", "tools"));
+}
+
 static bool import_tools(const struct request *request)
 {
 	struct tool_library tools = {0};
@@ -229,11 +244,7 @@ static bool import_tools(const struct request *request)
 	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, &tools) &&
 	       import_output_write_tools(&tools, request->output, request->file, request->diag);
 	if (good)
-		diag_note(request->diag, nowhere,
-			  "wrote %s with %zu tools and %zu offsets, and left %zu tools out; next: add "
-			  "what the job has besides: work offsets, fixtures, the part",
-			  strbuf_text(&path), tools.setup.tool_count,
-			  tools.setup.length_count + tools.setup.offset_count, tools.left_out);
+		note_tools(strbuf_text(&path), &tools, request->diag);
 	tool_library_release(&tools);
 	strbuf_release(&path);
 	return good;

@@ -4,6 +4,7 @@
 #include "cli/import/import_output.h"
 #include "import/jobs_writer.h"
 #include "machine/job_list.h"
+#include "report/format/format_units.h"
 
 static const struct srcloc nowhere;
 
@@ -24,6 +25,19 @@ bool import_jobs_are_new(const struct import_project *project, const char *folde
 	return good;
 }
 
+static void note_setup(const char *path, const struct import_setup *setup, size_t tools, struct diag *diag)
+{
+	const size_t bodies = setup->bodies.description.body_count;
+
+	diag_note(diag, nowhere,
+		  "wrote %s with %zu %s, %zu work %s and %zu %s, for %zu %s in jobs.xml; next: look through its TODO "
+		  "lines",
+		  path, tools, format_units_noun(tools, "tool", "tools"), setup->offset_count,
+		  format_units_noun(setup->offset_count, "offset", "offsets"), bodies,
+		  format_units_noun(bodies, "body", "bodies"), setup->program_count,
+		  format_units_noun(setup->program_count, "program", "programs"));
+}
+
 /* The checker must read what was written. */
 static bool load(const struct import_project *project, size_t index, const char *folder, struct diag *diag)
 {
@@ -36,11 +50,7 @@ static bool load(const struct import_project *project, size_t index, const char 
 	jobs_writer_setup_name(&path, project, index);
 	model = model_load(strbuf_text(&machine), strbuf_text(&path), NULL, diag);
 	if (model)
-		diag_note(diag, nowhere,
-			  "wrote %s with %zu tools, %zu work offsets and %zu bodies, for %zu programs in jobs.xml; "
-			  "next: look through its TODO lines",
-			  strbuf_text(&path), model->setup->tool_count, setup->offset_count,
-			  setup->bodies.description.body_count, setup->program_count);
+		note_setup(strbuf_text(&path), setup, model->setup->tool_count, diag);
 	strbuf_release(&machine);
 	strbuf_release(&path);
 	model_free(model);

@@ -28,13 +28,14 @@ struct request {
 static const struct subcommand subcommand = {
 	.name = "init",
 	.usage = "Usage: fivecheck init [OPTIONS] FAMILY\n"
-		 "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
-		 "head-table: what the two rotary axes turn; or nutating-table or nutating-head, where one of\n"
-		 "them stands oblique. Give everything in machine coordinates with every axis at 0. On a\n"
-		 "terminal, init asks for what is missing; otherwise that is an error.\n",
-	.examples = "fivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
-		    "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
-		    "    --spindle=0,0,520 --output=machine.xml\n",
+		 "Writes a commented machine file to begin with. The family is table-table,\n"
+		 "head-head or head-table: what the two rotary axes turn; or nutating-table or\n"
+		 "nutating-head, where one of them stands oblique. Give everything in machine\n"
+		 "coordinates with every axis at 0. On a terminal, init asks for what is missing;\n"
+		 "otherwise that is an error.\n",
+	.examples = "fivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250 \\\n"
+		    "    --limits=Z=-400:0,A=-120:30,C=none --location=A=0,0,120 \\\n"
+		    "    --location=C=0,0,120 --spindle=0,0,520 --output=machine.xml\n",
 	.options = init_options,
 	.option_count = INIT_OPTION_COUNT,
 };

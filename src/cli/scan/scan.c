@@ -8,6 +8,7 @@
 #include "cli/scan/scan_questions.h"
 #include "cli/subcommand.h"
 #include "gcode/dialect/dialects.h"
+#include "report/format/format_units.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -20,19 +21,19 @@ struct request {
 
 const struct option_row scan_options[SCAN_OPTION_COUNT] = {
 	{'d', "dialect", "NAME", .kind = VALUE_CHOICE, .field = offsetof(struct request, dialect),
-	 .choices = dialect_choice_names, .help = "%s; auto (the default):\nwhat the programs show for certain"},
+	 .choices = dialect_choice_names, .help = "%s; auto (the default): what the programs show for certain"},
 	{256, "max-blocks", "N", .kind = VALUE_COUNT, .field = offsetof(struct request, max_blocks), .least = 1,
-	 .greatest = 2e9, .help = "give up after N blocks in loops and subprograms\n(3000000)"},
+	 .greatest = 2e9, .help = "give up after N blocks in loops and subprograms (3000000)"},
 	{'o', "output", "FILE", .kind = VALUE_OUTPUT, .field = offsetof(struct request, output),
-	 .help = "write to FILE, which is replaced when complete; - is\nstandard output"},
+	 .help = "write to FILE, which is replaced when complete; - is standard output"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
 static const struct subcommand subcommand = {
 	.name = "scan",
 	.usage = "Usage: fivecheck scan [OPTIONS] PROGRAM...\n"
-		 "Lists the codes that the programs use and what becomes of each, and what the machine file\n"
-		 "must answer before they can be checked. No machine file is needed.\n",
+		 "Lists the codes that the programs use and what becomes of each, and what the\n"
+		 "machine file must answer before they can be checked. No machine file is needed.\n",
 	.options = scan_options,
 	.option_count = SCAN_OPTION_COUNT,
 };
@@ -83,8 +84,9 @@ static bool write_all(struct scan *scan, size_t programs, const char *path, stru
 	strbuf_addf(&text, "\nin the machine file\tneeded first by\n");
 	scan_questions_add(&text, scan->questions);
 	strbuf_addf(&text,
-		    "\n%zu of %zu programs can be read to their ends in the %s dialect, if these answers are given\n",
-		    scan->read, programs, scan->codes.dialect->name);
+		    "\n%zu of %zu %s can be read to their ends in the %s dialect, if these answers are given\n",
+		    scan->read, programs, format_units_noun(programs, "program", "programs"),
+		    scan->codes.dialect->name);
 	good = output_open(&out, path, diag);
 	if (good) {
 		output_text(&out, &text);

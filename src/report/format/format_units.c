@@ -76,6 +76,11 @@ void format_units_add_plain(struct strbuf *out, const char *text)
 	}
 }
 
+const char *format_units_noun(size_t count, const char *one, const char *several)
+{
+	return count == 1 ? one : several;
+}
+
 void format_units_add_count(struct strbuf *out, size_t count, const char *noun)
 {
 	strbuf_addf(out, "%zu %s%s", count, noun, count == 1 ? "" : "s");

@@ -29,6 +29,9 @@ void format_units_add_axes(struct strbuf *out, const struct machine *machine, co
  */
 void format_units_add_plain(struct strbuf *out, const char *text);
 
+/* The noun that goes with the number. */
+const char *format_units_noun(size_t count, const char *one, const char *several);
+
 /* "1 pair", "2 pairs" */
 void format_units_add_count(struct strbuf *out, size_t count, const char *noun);
 
