@@ -61,7 +61,16 @@ static struct pending_batch *pending_of(struct checker *c, size_t number)
 	return &c->pending[c->background ? number % PENDING : 0];
 }
 
-/* Measures clearances after scheduler_run. False: interrupted. */
+/*
+ * Are clearances measured before the batch is checked? What is proved for them need not be checked again. Where only the
+ * least ones are measured, the check tells what is worth it.
+ */
+static bool measures_first(const struct check_options *options)
+{
+	return options->block_clearances && !options->least_clearances;
+}
+
+/* Measures clearances. False: interrupted. */
 static bool measure(struct checker *c, struct pending_batch *pending)
 {
 	const double start = checker_clock();
@@ -91,9 +100,12 @@ static bool run_batch(void *context, size_t number)
 	if (!pending->runs)
 		return true;
 	batch_close(&pending->batch);
-	pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
-	keep_results(pending, &c->scheduler);
-	if (pending->complete && c->options->block_clearances)
+	pending->complete = !measures_first(c->options) || measure(c, pending);
+	if (pending->complete) {
+		pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
+		keep_results(pending, &c->scheduler);
+	}
+	if (pending->complete && c->options->block_clearances && !measures_first(c->options))
 		pending->complete = measure(c, pending);
 	pending->seconds = checker_clock() - start;
 	return pending->complete && !pending->result_count && !c->options->block_clearances;

@@ -71,8 +71,10 @@ void pair_check_release(struct pair_check *check)
 	}
 	free(check->results);
 	free(check->clearances);
+	free(check->open);
 	check->methods = NULL;
 	check->results = NULL;
+	check->open = NULL;
 	check->clearances = NULL;
 }
 
@@ -198,6 +200,21 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 	return end - i;
 }
 
+/* How many steps from i on were measured as clear. *next: the first of check->open that may be behind i. */
+static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_t *next)
+{
+	size_t end;
+
+	if (!check->measured_first || check->maybe_inside)
+		return 0;
+	while (*next < check->open_count && check->open[*next] < i)
+		++*next;
+	end = *next < check->open_count && check->open[*next] < to ? check->open[*next] : to;
+	if (end > i)
+		strategy_forget_position(&check->methods->strategy);
+	return end - i;
+}
+
 /* How many steps from i on need no check one by one. */
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
@@ -217,7 +234,7 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		const struct check_options *options)
 {
 	double proved = strategy_proven(&check->methods->strategy);
-	size_t skipped;
+	size_t skipped, next_open = 0;
 
 	check->result_count = 0;
 	check->nearest_block = -1;
@@ -226,7 +243,9 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		struct contact contact = {0};
 		enum query_answer answer;
 
-		skipped = skip(check, sweep, batch, i, to, options);
+		skipped = skip_measured(check, i, to, &next_open);
+		if (!skipped)
+			skipped = skip(check, sweep, batch, i, to, options);
 		if (skipped)
 			continue;
 
@@ -405,15 +424,37 @@ static void measure_step(struct pair_check *check, struct sweep *sweep, const st
 		clearance->so_far = !measured && proved > 0;
 }
 
+/*
+ * mm: what must be proved of a step so that it need not be checked besides; INFINITY: nothing is enough. With a smaller
+ * cap no step proves as much, and where the smallest clearance is wanted the check itself finds it.
+ */
+static double clear_from(const struct pair_check *check, const struct check_options *options)
+{
+	const double needed = check->scene->pairs[check->pair].clearance + options->tolerance;
+
+	if (options->least_clearances || check->past_limits_only || check->measuring.up_to > 0 ||
+	    !(options->block_clearance_cap > needed))
+		return INFINITY;
+	return needed;
+}
+
+/* Step i has to be checked, as the measurement has not proved enough. */
+static void leave_open(struct pair_check *check, size_t i)
+{
+	check->open = mem_grow(check->open, &check->open_capacity, check->open_count + 1, sizeof(*check->open));
+	check->open[check->open_count++] = i;
+}
+
 long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 			const struct measure_plan *plan, const struct check_options *options)
 {
 	const long before = looked_at(check, sweep);
-	const double proved = proved_so_far(check, options);
+	const double proved = proved_so_far(check, options), enough = clear_from(check, options);
 	struct block_clearance *block = &check->methods->block;
 	bool chunk_is_clear = false, clears = false;
 
-	check->clearance_count = 0;
+	check->clearance_count = check->open_count = 0;
+	check->measured_first = pair_check_has_clearance(check) && !isinf(enough);
 	for (size_t i = 0; i < batch->step_count && pair_check_has_clearance(check); i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
@@ -444,6 +485,8 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 		}
 		if (block->maybe_inside || !(block->pair.bound > 0))
 			measure_inside(check, &step->motion);
+		if (check->measured_first && !(block->pair.bound > enough))
+			leave_open(check, i);
 		check->clearances[check->clearance_count - 1].clearance = block->pair.bound;
 	}
 	return looked_at(check, sweep) - before;

@@ -77,6 +77,13 @@ struct pair_check {
 	size_t result_count, result_capacity;
 	struct pair_check_clearance *clearances;	/* of this batch */
 	size_t clearance_count, clearance_capacity;
+	/*
+	 * The batch was measured before it is checked: then only these steps are checked, in their order. Throughout
+	 * each other one the pair is proved to be farther apart than required, by more than the tolerance.
+	 */
+	bool measured_first;
+	size_t *open;
+	size_t open_count, open_capacity;
 	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 
@@ -119,8 +126,9 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 bool pair_check_has_clearance(const struct pair_check *check);
 
 /*
- * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Call it after
- * pair_check_run; its findings are not needed. Returns how many node pairs were looked at.
+ * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Returns how many node
+ * pairs were looked at. Where every block is measured, call it before pair_check_run, which then leaves out what was
+ * proved; else after it.
  */
 long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 			const struct measure_plan *plan, const struct check_options *options);

@@ -60,8 +60,8 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 
 /*
  * Measures the clearances in the batch's blocks with every active check (pair_check_measure). With
- * options->least_clearances the smallest one of each block is that of the block, and others may be left at the cap.
- * Call it after scheduler_run. False: interrupted.
+ * options->least_clearances the smallest one of each block is that of the block, and others may be left at the cap;
+ * then call it after scheduler_run, else before. False: interrupted.
  */
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
 		     const struct check_options *options);

@@ -1,6 +1,7 @@
 #include "report/tables/block_tables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,14 +47,17 @@ static void add_text(struct strbuf *row, const char *text)
 	strbuf_release(&clean);
 }
 
+/* The most bytes that put_integer writes: a sign, the digits of 64 bits, a point and a 0 before it. */
+enum { INTEGER_BYTES = 24 };
+
 /*
- * An integer with so many of its digits behind a point. A large table has millions of them, and printf takes ten times
- * as long.
+ * Writes an integer with so many of its digits behind a point at `to`; returns where it ends. A large table has
+ * millions of them, and printf takes ten times as long.
  */
-static void add_integer(struct strbuf *row, long long value, int places)
+static char *put_integer(char *to, long long value, int places)
 {
 	unsigned long long rest = value < 0 ? -(unsigned long long)value : (unsigned long long)value;
-	char digits[24];
+	char digits[INTEGER_BYTES];
 	size_t at = sizeof(digits);
 
 	for (int i = 0; i <= places || rest; i++, rest /= 10) {
@@ -61,8 +65,17 @@ static void add_integer(struct strbuf *row, long long value, int places)
 			digits[--at] = '.';
 		digits[--at] = (char)('0' + rest % 10);
 	}
-	strbuf_add(row, "-", value < 0);
-	strbuf_add(row, &digits[at], sizeof(digits) - at);
+	if (value < 0)
+		*to++ = '-';
+	memcpy(to, &digits[at], sizeof(digits) - at);
+	return to + (sizeof(digits) - at);
+}
+
+static void add_integer(struct strbuf *row, long long value)
+{
+	char digits[INTEGER_BYTES];
+
+	strbuf_add(row, digits, (size_t)(put_integer(digits, value, 0) - digits));
 }
 
 static void add_all(struct strbuf *row, const struct strbuf *text)
@@ -87,39 +100,42 @@ static void add_place(struct block_tables *tables, struct strbuf *row, const cha
 {
 	add_all(row, field_of(&tables->program, program));
 	add_all(row, field_of(&tables->file, block->file));
-	add_integer(row, block->line, 0);
+	add_integer(row, block->line);
 	strbuf_add(row, ",", 1);
-	add_integer(row, block->number, 0);
+	add_integer(row, block->number);
 	strbuf_add(row, ",", 1);
 }
 
-/* The fields of the pair, which are written once for the whole table. */
-static struct pair_fields *fields_of(struct block_tables *tables, const struct scene *scene, size_t pair)
+/* Writes what the rows of each pair have in common, once for the whole table. */
+static void name_pairs(struct block_tables *tables, const struct scene *scene)
 {
-	const struct scene_pair *p = &scene->pairs[pair];
-	struct pair_fields *fields;
+	if (tables->pairs)
+		return;
+	tables->pairs = mem_zalloc(scene->pair_count, sizeof(*tables->pairs));
+	tables->pair_count = scene->pair_count;
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		struct strbuf *names = &tables->pairs[i].names;
 
-	if (!tables->pairs) {
-		tables->pairs = mem_zalloc(scene->pair_count, sizeof(*tables->pairs));
-		tables->pair_count = scene->pair_count;
+		add_text(names, scene->bodies[scene->pairs[i].a].body->name);
+		add_text(names, scene->bodies[scene->pairs[i].b].body->name);
+		tables->names_most = names->length > tables->names_most ? names->length : tables->names_most;
 	}
-	fields = &tables->pairs[pair];
-	if (!fields->names.length) {
-		add_text(&fields->names, scene->bodies[p->a].body->name);
-		add_text(&fields->names, scene->bodies[p->b].body->name);
-	}
-	return fields;
 }
 
-/* mm with four digits behind the point, rounded down, so that the printed number is proved, too. */
-static void add_rounded_down(struct strbuf *row, double mm)
+/* The most bytes of a clearance: a number that printf writes with "%.4f" has at most 309 digits before the point. */
+enum { CLEARANCE_BYTES = 320 };
+
+/*
+ * Writes mm with four digits behind the point, rounded down, so that the printed number is proved, too; returns where
+ * it ends.
+ */
+static char *put_rounded_down(char *to, double mm)
 {
 	const double units = floor(mm * 1e4);
 
 	if (units >= 0 && units < 1e15)
-		add_integer(row, (long long)units, 4);
-	else
-		strbuf_addf(row, "%.4f", units / 1e4);
+		return put_integer(to, (long long)units, 4);
+	return to + snprintf(to, CLEARANCE_BYTES, "%.4f", units / 1e4);
 }
 
 /* The end of a row with the cap, from the names on: nearly all rows have the same cap. */
@@ -135,29 +151,40 @@ static const struct strbuf *capped_end(struct block_tables *tables, struct pair_
 	return &fields->capped;
 }
 
-static void add_clearance(struct block_tables *tables, const struct scene *scene, const struct pair_clearance *least)
+/* Writes a text at `to`; returns where it ends. */
+static char *put_text(char *to, const struct strbuf *text)
 {
-	struct pair_fields *fields = fields_of(tables, scene, least->pair);
-	const struct strbuf *place = &tables->place;
-	const struct strbuf *end = least->capped ? capped_end(tables, fields, least->clearance) : &fields->names;
-	char *row = strbuf_extend(&tables->row, place->length + end->length);
+	memcpy(to, text->text, text->length);
+	return to + text->length;
+}
 
-	memcpy(row, place->text, place->length);
-	memcpy(row + place->length, end->text, end->length);
+/* Writes a row at `to`, which has room for it; returns where it ends. */
+static char *put_clearance(char *to, struct block_tables *tables, const struct pair_clearance *least)
+{
+	struct pair_fields *fields = &tables->pairs[least->pair];
+
+	to = put_text(to, &tables->place);
 	if (least->capped)
-		return;
-	add_rounded_down(&tables->row, least->clearance);
-	strbuf_add(&tables->row, ",0\n", 3);
+		return put_text(to, capped_end(tables, fields, least->clearance));
+	to = put_rounded_down(put_text(to, &fields->names), least->clearance);
+	memcpy(to, ",0\n", 3);
+	return to + 3;
 }
 
 static void add_clearances(struct block_tables *tables, const struct scene *scene, const char *program,
 			   const struct check_block *block)
 {
+	char *rows, *to;
+
 	strbuf_clear(&tables->place);
 	add_place(tables, &tables->place, program, block);
+	name_pairs(tables, scene);
+	rows = to = strbuf_extend(&tables->row, block->clearance_count *
+				  (tables->place.length + tables->names_most + CLEARANCE_BYTES));
 	for (size_t i = 0; i < block->clearance_count; i++)
-		add_clearance(tables, scene, &block->clearances[i]);
-	output_text(&tables->clearance, &tables->row);
+		to = put_clearance(to, tables, &block->clearances[i]);
+	output_write(&tables->clearance, rows, (size_t)(to - rows));
+	strbuf_clear(&tables->row);
 }
 
 static void add_times(struct block_tables *tables, const char *program, const struct check_block *block)

@@ -27,8 +27,9 @@ struct block_tables {
 	struct strbuf row, place;	/* of the present row and block */
 	double cap;	/* mm: in the rows' ends that are written already */
 	struct table_field program, file;	/* of the last block */
-	struct pair_fields *pairs;	/* owned: of each pair of the scene; NULL: none yet */
+	struct pair_fields *pairs;	/* owned: of each pair of the scene; NULL: none written yet */
 	size_t pair_count;
+	size_t names_most;	/* bytes: of the longest names */
 };
 
 /*
