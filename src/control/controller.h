@@ -87,6 +87,12 @@ enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERS
 /* When MB of PLANE ... TURN retracts the tool: also where no rotary axis has to turn, or only where one has to. */
 enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
 
+/*
+ * What PLANE without COORD ROT and TABLE ROT turns where a rotary axis is free: the coordinates alone (TNC 640, TNC7), or
+ * the table, as bit 6 of MP7500 says on iTNC 530.
+ */
+enum plane_rotation { PLANE_ROTATION_UNKNOWN, PLANE_ROTATION_COORDINATES, PLANE_ROTATION_TABLE };
+
 /* Whether L and R of TOOL DEF count: with an active tool table they do not. */
 enum tool_def { TOOL_DEF_UNKNOWN, TOOL_DEF_IGNORED };
 
@@ -212,6 +218,7 @@ struct controller {
 	int swivel_axis;
 	enum swivel_pole swivel_pole;
 	enum plane_retract plane_retract;
+	enum plane_rotation plane_rotation;
 	enum tool_def tool_def;
 	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;

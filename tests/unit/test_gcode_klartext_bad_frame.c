@@ -155,8 +155,13 @@ static const struct klartext_fault faults[] = {
 	{"PLANE VECTOR BX+0 BY+0 BZ+0 NX+0 NY+0 NZ+1 TURN FMAX\n",
 	 "p.nc:2:14: error: a vector of length 0 has no direction"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\n",
-	 "p.nc:2:7: error: any angle of C suits this plane: write COORD ROT, which turns the "
-	 "coordinates alone"},
+	 "p.nc:2:7: error: any angle of C suits this plane: whether the table turns or the coordinates alone is a "
+	 "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's <controller> says it, "
+	 "or COORD ROT or TABLE ROT of PLANE"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+30\n",
+	 "p.nc:3:10: error: any angle of C suits this plane: whether the table turns or the coordinates alone is a "
+	 "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's <controller> says it, "
+	 "or COORD ROT or TABLE ROT of PLANE"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+180 TURN FMAX TABLE ROT\n",
 	 "p.nc:2:7: error: TABLE ROT: how far C turns is not known here; turn it in a block before, or write COORD ROT"},
 	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",

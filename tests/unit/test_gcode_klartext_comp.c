@@ -247,6 +247,44 @@ START_TEST(free_axis)
 }
 END_TEST
 
+/* Neither COORD ROT nor TABLE ROT: the machine says whether the table turns by the angle, or the coordinates alone. */
+#define PLANE_OF_C "PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\nL X+10 Y+0 Z+0 FMAX\n"
+#define CYCLE_OF_C "CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+30\nL A+Q120 C+Q122 FMAX\nL X+10 Y+0 Z+0 FMAX\n"
+#define FREE_TCP "tcp on length 0 zero A0 C0\n"
+
+START_TEST(plane_rotation)
+{
+	static const struct {
+		enum plane_rotation rotation;
+		enum swivel_pole pole;
+		const char *program, *moves;
+	} told[] = {
+		{PLANE_ROTATION_COORDINATES, SWIVEL_POLE_UNKNOWN, PLANE_OF_C,
+		 "rapid 0 0 0 0 0\n" FREE_TCP "rapid 8.66025404 5 0 0 0 tcp\n"},
+		{PLANE_ROTATION_UNKNOWN, SWIVEL_POLE_ZERO, PLANE_OF_C,
+		 "rapid 0 0 0 0 0\n" FREE_TCP "rapid 8.66025404 5 0 0 0 tcp\n"},
+		{PLANE_ROTATION_TABLE, SWIVEL_POLE_ZERO, PLANE_OF_C,
+		 "rapid 0 0 0 0 -30\n" FREE_TCP "rapid 8.66025404 5 0 0 -30 tcp\n"},
+		{PLANE_ROTATION_COORDINATES, SWIVEL_POLE_UNKNOWN, CYCLE_OF_C,
+		 FREE_TCP "rapid 0 0 0 0 0 tcp\nrapid 8.66025404 5 0 0 0 tcp\n"},
+		{PLANE_ROTATION_TABLE, SWIVEL_POLE_UNKNOWN, CYCLE_OF_C,
+		 "rapid 0 0 0 0 -30\n" FREE_TCP "rapid 8.66025404 5 0 0 -30 tcp\n"},
+	};
+
+	for (size_t i = 0; i < sizeof(told) / sizeof(told[0]); i++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		c.config.controller.plane_rotation = told[i].rotation;
+		c.config.controller.swivel_pole = told[i].pole;
+		ck_assert_msg(klartext_run(&c, told[i].program), "%s", strbuf_text(&c.messages));
+		ck_assert_int_eq(strncmp(strbuf_text(&c.moves), "orient 0 0 1\n", 13), 0);
+		ck_assert_str_eq(strbuf_text(&c.moves) + 13, told[i].moves);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* MB of PLANE where no rotary axis has to turn: up to the end of Z, or nothing. */
 START_TEST(retract_standing)
 {
@@ -298,6 +336,7 @@ int main(void)
 	tcase_add_loop_test(tcase, approaches_table, 0, COUNT(approaches));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, free_axis);
+	tcase_add_test(tcase, plane_rotation);
 	tcase_add_test(tcase, retract_standing);
 	tcase_add_test(tcase, tool_table_counts);
 	tcase_add_test(tcase, blocks_in_order);

@@ -217,7 +217,7 @@ static bool tilt_by_axes(struct interp *interp, const struct klartext_swivel *re
 bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	struct klartext_swivel request = {
-	    .positioning = KLARTEXT_TURN_STAY, .coord_rot = true, .column = cycle->column};
+	    .positioning = KLARTEXT_TURN_STAY, .column = cycle->column};
 	const enum cycle_19_angles angles = interp->config->controller.cycle_19_angles;
 	struct klartext_tilt tilt = {.axes = 0};
 

@@ -9,6 +9,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_orient.h"
+#include "gcode/dialect/klartext/klartext_swivel_free.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -102,83 +103,13 @@ static bool choose(struct interp *interp, const struct klartext_swivel *request,
 		     texts[0], texts[1]);
 }
 
-/* How far the machine's X, with this axis at this angle, lies along the tilted X. */
-static bool along_tilted_x(struct interp *interp, int column, struct kinematics_turn *turn, int slot, double angle,
-			   const mat3 *tilt, double *found)
-{
-	turn->rotary.v[slot] = radians(angle);
-	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, column), turn))
-		return false;
-	*found = vec3_dot(turn->turn.x, tilt->x);
-	return true;
-}
-
-/*
- * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's, whose
- * X turns with the axis: two positions tell the angle.
- */
-static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *request,
-			   const struct kinematics_solution *chosen, const mat3 *tilt, int slot, slot_values *rotary)
-{
-	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp), .rotary = chosen->rotary};
-	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot];
-	double at_zero, at_quarter, reached, angle;
-
-	if (!along_tilted_x(interp, request->column, &turn, slot, zero, tilt, &at_zero) ||
-	    !along_tilted_x(interp, request->column, &turn, slot, zero + 90, tilt, &at_quarter))
-		return false;
-	angle = math_atan2_degrees(at_quarter, at_zero) + zero;
-	angle = here + remainder(angle - here, 360);
-	if (!along_tilted_x(interp, request->column, &turn, slot, angle, tilt, &reached))
-		return false;
-	if (reached < 1 - DIRECTION_REACHED || fabs(angle - here) > 180 - SAME_DEGREES)
-		return fault(
-		    &interp->at, request->column,
-		    "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
-		    AXIS_LETTERS[slot]);
-	if (interp->config->wrap[slot] == WRAP_NONE && fabs(angle - zero) > 180 + SAME_DEGREES)
-		return fault(
-		    &interp->at, request->column,
-		    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
-		    "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
-		    "file",
-		    AXIS_LETTERS[slot], angle - zero, AXIS_LETTERS[slot]);
-	rotary->v[slot] = angle;
-	return true;
-}
-
-/*
- * A rotary axis that any angle suits, and other turns of an axis. COORD ROT leaves a free axis where it is on some
- * controls and takes it to 0 on others; TABLE ROT turns it.
- */
-static bool check_free(struct interp *interp, const struct klartext_swivel *request,
-		       const struct kinematics_solution *chosen, const mat3 *tilt)
+/* Turns of axes whose way is not certain: half a turn, and an axis that counts whole turns. */
+static bool check_ways(struct interp *interp, const struct klartext_swivel *request,
+		       const struct kinematics_solution *chosen)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
 		double to = state_from_canonical(slot, chosen->rotary.v[slot]);
 
-		if (chosen->free[slot] && request->table_rot)
-			continue;
-		if (chosen->free[slot] && fabs(remainder(here, 360)) > SAME_DEGREES &&
-		    !interp->config->controller.swivel_pole)
-			return fault(&interp->at, request->column,
-				     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
-				     "leaves it there or turns it to 0 depends on its generation: "
-				     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
-				     "%c to 0 in a block before",
-				     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
-		if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO &&
-		    fabs(here) > 180 + SAME_DEGREES)
-			return fault(&interp->at, request->column,
-				     "PLANE turns %c to 0 or to a whole turn: which one the control takes is not known "
-				     "here; turn %c towards 0 in a block before",
-				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
-		if (chosen->free[slot] && !request->coord_rot && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
-			return fault(
-			    &interp->at, request->column,
-			    "any angle of %c suits this plane: write COORD ROT, which turns the coordinates alone",
-			    AXIS_LETTERS[slot]);
 		if (chosen->tie[slot])
 			return fault(&interp->at, request->column,
 				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
@@ -219,7 +150,7 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column),
 					      &orientation, &solutions) ||
-	    !choose(interp, request, &from, &solutions, &chosen) || !check_free(interp, request, chosen, tilt))
+	    !choose(interp, request, &from, &solutions, &chosen) || !check_ways(interp, request, chosen))
 		return false;
 	*rotary = interp->state.position;
 	klartext->rotary = interp->state.canonical;
@@ -229,12 +160,8 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 			continue;
 		if (!chosen->free[slot])
 			rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
-		if (chosen->free[slot] && request->table_rot) {
-			if (!turn_free_axis(interp, request, chosen, tilt, slot, rotary))
-				return false;
-		} else if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO) {
-			rotary->v[slot] = interp->state.offset.v[slot];
-		}
+		else if (!klartext_swivel_free_turn(interp, request, chosen, tilt, slot, &rotary->v[slot]))
+			return false;
 		klartext->rotary.v[slot] = radians(rotary->v[slot]);
 		/* Q120 to Q122: the angles that the control has computed. */
 		klartext_q_set(klartext, 120 + slot - SLOT_A, rotary->v[slot] - interp->state.offset.v[slot]);
