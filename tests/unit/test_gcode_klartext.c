@@ -28,6 +28,7 @@ static const struct klartext_program lexis[] = {
 	/* M118 without limits ends handwheel moves. */
 	{"L X+1 FMAX M118\nM118 X0 Y0\n", "rapid 1 0 0 0 0\n"},
 	{"MONITORING HEATMAP START FOR \"SPINDLE\"\nL X+1 FMAX\nMONITORING HEATMAP STOP\n", "rapid 1 0 0 0 0\n"},
+	{"SECTION MONITORING START AS \"roughing\"\nL X+1 FMAX\nSECTION MONITORING STOP\n", "rapid 1 0 0 0 0\n"},
 	{"FUNCTION COUNT RESET\nFUNCTION COUNT TARGET10\nL X+1 FMAX\nFUNCTION COUNT INC\n", "rapid 1 0 0 0 0\n"},
 	{"7 /L X+1 FMAX\n8 / L X+2 FMAX\n/ 9 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
@@ -102,6 +103,11 @@ START_TEST(units)
 	c.show_feed = true;
 	case_expect(&c, "BEGIN PGM T MM\nTOOL CALL 1 Z S60 F300\nL X+1 F60\nL X+2 F AUTO\nEND PGM T MM\n",
 		    "tool 1 at 0 0\nfeed 1 0 0 0 0 at 1 1\nfeed 2 0 0 0 0 at 5 5\n");
+	/* FU: mm a turn, of 60 turns a minute. */
+	klartext_case(&c);
+	c.show_feed = true;
+	case_expect(&c, "BEGIN PGM T MM\nTOOL CALL 1 Z FU2 S60\nL X+1\nEND PGM T MM\n",
+		    "tool 1 at 0 0\nfeed 1 0 0 0 0 at 2 2\n");
 }
 END_TEST
 

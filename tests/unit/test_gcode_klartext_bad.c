@@ -304,8 +304,12 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:13: error: another tool axis than Z is not supported yet"},
 	{"TOOL CALL 1.25 Z\n",
 	 "p.nc:2:11: error: a tool's number is a whole number from 0 to 32767"},
+	{"TOOL CALL 1 Z FU0.2\n",
+	 "p.nc:2:11: error: a feed per revolution (FU, FZ) without a spindle speed (S)"},
+	{"SECTION START\n",
+	 "p.nc:2:9: error: SECTION needs MONITORING"},
 	{"TOOL CALL 1 Z Q\n",
-	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, DL, DR and DR2"},
+	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, FU, FZ, DL, DR and DR2"},
 	{"TOOL DEF 1 L50\n",
 	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them "
 	 "the control takes depends on whether its tool table is active; make them agree, or say tool_def=\"ignored\" in "

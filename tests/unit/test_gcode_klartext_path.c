@@ -401,6 +401,21 @@ static const struct klartext_program cycles[] = {
 	 "rapid 7 0 0 0 0\nrapid 7 0 2 0 0\nfeed 7 0 -4 0 0\nrapid 7 0 2 0 0\nrapid 7 0 9 0 0\n"},
 };
 
+/* With directions of the tool, and with what is open. */
+static const struct klartext_program directed[] = {
+	/* A circle that may lie in YZ or in ZX: anywhere about its centre; also where CC names Z no more. */
+	{"L X+1 Y+2 Z+10 F100\nCC X+1 Y+2 Z+5\nC X+1 Y+2 Z+0 DR+\nC Z+0 DR-\nCC X+1 Y+2\nC X+1 Y+2 Z+10 DR-\n",
+	 "feed 1 2 10 0 0\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\n"
+	 "feed 1 2 10 0 0 spread 5.016 5.016 10.016\n"},
+	/* LN with a direction: M128 turns the axes; without words of axes, too. */
+	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",
+	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"},
+	/* AXIS SPAT: the same by angles, each of which counts until it changes; M128 takes positions of the axes again. */
+	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL X+1 Y+2 A-30 B+0 C+0 F100\nL A+0\nM128\nL A+5\n",
+	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"
+	 "feed 1 2 0 5 0 tcp\n"},
+};
+
 START_TEST(circles_table)
 {
 	klartext_expect(&circles[_i], false);
@@ -422,6 +437,12 @@ END_TEST
 START_TEST(cycles_table)
 {
 	klartext_expect(&cycles[_i], false);
+}
+END_TEST
+
+START_TEST(directed_table)
+{
+	klartext_expect(&directed[_i], true);
 }
 END_TEST
 
@@ -450,6 +471,7 @@ int main(void)
 	tcase_add_loop_test(tcase, frames_table, 0, COUNT(frames));
 	tcase_add_loop_test(tcase, planes_table, 0, COUNT(planes));
 	tcase_add_loop_test(tcase, cycles_table, 0, COUNT(cycles));
+	tcase_add_loop_test(tcase, directed_table, 0, COUNT(directed));
 	tcase_add_test(tcase, vector_beside_pole);
 	return run_suite("gcode_klartext_path", tcase);
 }

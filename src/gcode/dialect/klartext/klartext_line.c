@@ -91,6 +91,13 @@ static bool ignore(struct lexer *lexer)
 	return true;
 }
 
+/* TNC7 user's manual, "Process monitoring": "SECTION MONITORING START" and "STOP", on older ones "MONITORING SECTION". */
+static bool section(struct lexer *lexer)
+{
+	return klartext_take(lexer, "MONITORING") ||
+	       fault(lexer->at, klartext_column(lexer), "SECTION needs MONITORING");
+}
+
 static bool tool(struct lexer *lexer)
 {
 	if (klartext_take(lexer, "CALL"))
@@ -164,6 +171,7 @@ static const struct statement {
     {"END", end, true, true},
     {"BLK", ignore, true, true},
     {"MONITORING", ignore, true, true},
+    {"SECTION", section, true, true},
     {"APPR", klartext_approach_read, false, true},
     {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},

@@ -7,9 +7,9 @@
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_free_axis.h"
 #include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_orient.h"
-#include "gcode/dialect/klartext/klartext_swivel_free.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -147,6 +147,9 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 	    .direction = tilt->z, .rotary_zero = tool_length_rotary_zero(interp), .rotary = from, .command = "PLANE"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
+	const enum plane_rotation asked = request->table_rot   ? PLANE_ROTATION_TABLE
+					  : request->coord_rot ? PLANE_ROTATION_COORDINATES
+							       : PLANE_ROTATION_UNKNOWN;
 
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column),
 					      &orientation, &solutions) ||
@@ -160,7 +163,7 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 			continue;
 		if (!chosen->free[slot])
 			rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
-		else if (!klartext_swivel_free_turn(interp, request, chosen, tilt, slot, &rotary->v[slot]))
+		else if (!klartext_free_axis_turn(interp, request->column, asked, chosen, tilt, slot, &rotary->v[slot]))
 			return false;
 		klartext->rotary.v[slot] = radians(rotary->v[slot]);
 		/* Q120 to Q122: the angles that the control has computed. */

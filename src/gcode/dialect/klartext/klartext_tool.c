@@ -7,8 +7,9 @@
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_string.h"
-#include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/dialect/klartext/klartext_words.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/tool_length.h"
@@ -20,6 +21,7 @@ struct request {
 	int number;
 	int column;
 	bool has_speed, has_feed;
+	bool per_revolution; /* FU, FZ */
 	double speed, feed;
 	double delta_length, delta_radius; /* DL, DR, mm */
 	bool oversize, has_delta_length, has_delta_radius;
@@ -131,11 +133,33 @@ bool klartext_tool_define(struct lexer *lexer)
 
 /* -------------------------------------------------------------------- call */
 
-static bool read_word(struct lexer *lexer, struct request *request)
+/* DL, DR and DR2, which only counts in blocks that are refused with it. */
+static bool read_oversize(struct lexer *lexer, struct request *request)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	const int column = klartext_column(lexer);
+	const bool length = klartext_take(lexer, "DL");
+	const bool corner = !length && (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2"));
 	double value;
+
+	if (!length && !corner && !klartext_take(lexer, "DR"))
+		return fault(lexer->at, column, "TOOL CALL has a tool, its axis, S, F, FU, FZ, DL, DR and DR2");
+	if (!klartext_value(lexer, &value))
+		return false;
+	if (length) {
+		request->delta_length = value * interp->state.scale;
+		request->has_delta_length = true;
+	} else if (!corner) {
+		request->delta_radius = value * interp->state.scale;
+		request->has_delta_radius = true;
+	}
+	request->oversize |= fabs(value) > 0;
+	return true;
+}
+
+static bool read_word(struct lexer *lexer, struct request *request)
+{
+	const int column = klartext_column(lexer);
 
 	if (klartext_take(lexer, "Z"))
 		return true;
@@ -144,31 +168,16 @@ static bool read_word(struct lexer *lexer, struct request *request)
 		return fault(lexer->at, column, "another tool axis than Z is not supported yet");
 	if (klartext_take(lexer, "S"))
 		return request->has_speed = true, klartext_value(lexer, &request->speed);
-	if (klartext_take(lexer, "F"))
-		return request->has_feed = true, klartext_value(lexer, &request->feed);
-	if (klartext_take(lexer, "DL")) {
-		if (!klartext_value(lexer, &value))
-			return false;
-		request->delta_length = value * interp->state.scale;
-		request->has_delta_length = true;
-		request->oversize |= fabs(value) > 0;
-		return true;
+	if (klartext_take(lexer, "FZ")) {
+		klartext_words_caution_teeth(lexer, column);
+		request->per_revolution = true;
+	} else if (klartext_take(lexer, "FU")) {
+		request->per_revolution = true;
+	} else if (!klartext_take(lexer, "F")) {
+		return read_oversize(lexer, request);
 	}
-	if (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2")) {
-		if (!klartext_value(lexer, &value))
-			return false;
-		request->oversize |= fabs(value) > 0;
-		return true;
-	}
-	if (klartext_take(lexer, "DR")) {
-		if (!klartext_value(lexer, &value))
-			return false;
-		request->delta_radius = value * interp->state.scale;
-		request->has_delta_radius = true;
-		request->oversize |= fabs(value) > 0;
-		return true;
-	}
-	return fault(lexer->at, column, "TOOL CALL has a tool, its axis, S, F, DL, DR and DR2");
+	request->has_feed = true;
+	return klartext_value(lexer, &request->feed);
 }
 
 static bool read_request(struct lexer *lexer, struct request *request)
@@ -298,7 +307,7 @@ static bool change_oversize(struct interp *interp, struct request *request)
 
 /*
  * TNC 430 user's manual, "Tool call": F counts until a positioning block or another TOOL CALL gives a new one, and for
- * F AUTO. mm/min or tenths of an inch a minute.
+ * F AUTO. mm/min or tenths of an inch a minute; FU and FZ times the speed of the spindle.
  */
 static void take_feed(struct interp *interp, double feed)
 {
@@ -333,8 +342,10 @@ bool klartext_tool_call(struct lexer *lexer)
 		interp->state.speed = request.speed;
 		interp->state.speed_is_zero = !(request.speed > 0);
 	}
+	if (request.per_revolution && !(interp->state.speed > 0))
+		return fault(lexer->at, request.column, "a feed per revolution (FU, FZ) without a spindle speed (S)");
 	if (request.has_feed)
-		take_feed(interp, request.feed);
+		take_feed(interp, request.per_revolution ? request.feed * interp->state.speed : request.feed);
 	return true;
 }
 

@@ -102,19 +102,24 @@ static bool read_polar(struct lexer *lexer, struct klartext_words *words, bool i
 	return true;
 }
 
-/* FZ: the teeth of the tool, of which the setup knows nothing, change times alone. */
-static bool read_tooth_feed(struct lexer *lexer, struct klartext_words *words, int column)
+void klartext_words_caution_teeth(struct lexer *lexer, int column)
 {
 	struct klartext *klartext = klartext_of(lexer->context);
 
-	lexer_take(lexer);
-	if (words->feed != KLARTEXT_FEED_NONE)
-		return refuse_twice(lexer, column, "F");
 	if (!klartext->cautioned_teeth)
 		caution(lexer->at, column,
 			"FZ counts as the feed of one tooth: how many the tool has is not known here, and times are "
 			"longer than they are");
 	klartext->cautioned_teeth = true;
+}
+
+/* FZ: the teeth of the tool, of which the setup knows nothing, change times alone. */
+static bool read_tooth_feed(struct lexer *lexer, struct klartext_words *words, int column)
+{
+	lexer_take(lexer);
+	if (words->feed != KLARTEXT_FEED_NONE)
+		return refuse_twice(lexer, column, "F");
+	klartext_words_caution_teeth(lexer, column);
 	words->feed = KLARTEXT_FEED_VALUE;
 	words->feed_column = column;
 	words->feed_per_revolution = true;

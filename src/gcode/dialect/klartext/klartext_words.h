@@ -61,6 +61,9 @@ static inline bool klartext_words_has(const struct klartext_words *words, int sl
 	return words->axes & 1U << slot;
 }
 
+/* The first FZ of a program is a caution: how many teeth the tool has is not known here. */
+void klartext_words_caution_teeth(struct lexer *lexer, int column);
+
 /* The M-function of this number, or NULL. */
 const struct klartext_m *klartext_words_m(const struct klartext_words *words, int number);
 

@@ -1,4 +1,4 @@
-#include "gcode/dialect/klartext/klartext_swivel_free.h"
+#include "gcode/dialect/klartext/klartext_free_axis.h"
 
 #include <math.h>
 
@@ -22,28 +22,28 @@ static bool along_tilted_x(struct interp *interp, int column, struct kinematics_
  * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's, whose
  * X turns with the axis: two positions tell the angle.
  */
-static bool turn_table(struct interp *interp, const struct klartext_swivel *request,
+static bool turn_table(struct interp *interp, int column,
 		       const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *to)
 {
 	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp), .rotary = chosen->rotary};
 	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot];
 	double at_zero, at_quarter, reached, angle;
 
-	if (!along_tilted_x(interp, request->column, &turn, slot, zero, tilt, &at_zero) ||
-	    !along_tilted_x(interp, request->column, &turn, slot, zero + 90, tilt, &at_quarter))
+	if (!along_tilted_x(interp, column, &turn, slot, zero, tilt, &at_zero) ||
+	    !along_tilted_x(interp, column, &turn, slot, zero + 90, tilt, &at_quarter))
 		return false;
 	angle = math_atan2_degrees(at_quarter, at_zero) + zero;
 	angle = here + remainder(angle - here, 360);
-	if (!along_tilted_x(interp, request->column, &turn, slot, angle, tilt, &reached))
+	if (!along_tilted_x(interp, column, &turn, slot, angle, tilt, &reached))
 		return false;
 	if (reached < 1 - DIRECTION_REACHED || fabs(angle - here) > 180 - SAME_DEGREES)
 		return fault(
-		    &interp->at, request->column,
+		    &interp->at, column,
 		    "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
 		    AXIS_LETTERS[slot]);
 	if (interp->config->wrap[slot] == WRAP_NONE && fabs(angle - zero) > 180 + SAME_DEGREES)
 		return fault(
-		    &interp->at, request->column,
+		    &interp->at, column,
 		    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
 		    "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
 		    "file",
@@ -53,20 +53,20 @@ static bool turn_table(struct interp *interp, const struct klartext_swivel *requ
 }
 
 /* COORD ROT leaves a free axis where it is on some controls and takes it to 0 on others. */
-static bool turn_coordinates(struct interp *interp, const struct klartext_swivel *request, int slot, double *to)
+static bool turn_coordinates(struct interp *interp, int column, int slot, double *to)
 {
 	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot] - zero;
 	const enum swivel_pole pole = interp->config->controller.swivel_pole;
 
 	if (fabs(remainder(here, 360)) > SAME_DEGREES && !pole)
-		return fault(&interp->at, request->column,
+		return fault(&interp->at, column,
 			     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
 			     "leaves it there or turns it to 0 depends on its generation: "
 			     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
 			     "%c to 0 in a block before",
 			     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
 	if (pole == SWIVEL_POLE_ZERO && fabs(here) > 180 + SAME_DEGREES)
-		return fault(&interp->at, request->column,
+		return fault(&interp->at, column,
 			     "PLANE turns %c to 0 or to a whole turn: which one the control takes is not known "
 			     "here; turn %c towards 0 in a block before",
 			     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
@@ -76,30 +76,24 @@ static bool turn_coordinates(struct interp *interp, const struct klartext_swivel
 }
 
 /*
- * COORD ROT and TABLE ROT, else the machine's answer, of which swivel_pole="zero" is a part: it is TNC 640's, which turns
- * the coordinates alone (TNC7 user's manual, "Transformation type").
+ * The machine's answer, of which swivel_pole="zero" is a part: it is TNC 640's, which turns the coordinates alone (TNC7
+ * user's manual, "Transformation type").
  */
-static enum plane_rotation find_rotation(const struct interp *interp, const struct klartext_swivel *request)
+static enum plane_rotation find_rotation(const struct controller *controller)
 {
-	const struct controller *controller = &interp->config->controller;
-
-	if (request->table_rot)
-		return PLANE_ROTATION_TABLE;
-	if (request->coord_rot)
-		return PLANE_ROTATION_COORDINATES;
 	if (!controller->plane_rotation && controller->swivel_pole == SWIVEL_POLE_ZERO)
 		return PLANE_ROTATION_COORDINATES;
 	return controller->plane_rotation;
 }
 
-bool klartext_swivel_free_turn(struct interp *interp, const struct klartext_swivel *request,
-			       const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *angle)
+bool klartext_free_axis_turn(struct interp *interp, int column, enum plane_rotation asked,
+			     const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *angle)
 {
-	const enum plane_rotation rotation = find_rotation(interp, request);
+	const enum plane_rotation rotation = asked ? asked : find_rotation(&interp->config->controller);
 
 	/* A plane whose X lies along the workpiece's turns no coordinates. */
 	if (!rotation && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
-		return fault(&interp->at, request->column,
+		return fault(&interp->at, column,
 			     "any angle of %c suits this plane: whether the table turns or the coordinates alone is a "
 			     "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's "
 			     "<controller> says it, or COORD ROT or TABLE ROT of PLANE",
@@ -108,6 +102,6 @@ bool klartext_swivel_free_turn(struct interp *interp, const struct klartext_swiv
 	if (rotation == PLANE_ROTATION_TABLE && fabs(tilt->z.x) + fabs(tilt->z.y) > DIRECTION_REACHED)
 		return true;
 	if (rotation == PLANE_ROTATION_TABLE)
-		return turn_table(interp, request, chosen, tilt, slot, angle);
-	return turn_coordinates(interp, request, slot, angle);
+		return turn_table(interp, column, chosen, tilt, slot, angle);
+	return turn_coordinates(interp, column, slot, angle);
 }

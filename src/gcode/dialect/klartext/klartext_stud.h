@@ -1,0 +1,16 @@
+/* klartext_stud.h - studs and outside threads that a cycle mills: the tool stays about them. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STUD_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STUD_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_region.h"
+
+/* Each fills in where the tool may be in X and Y, mm; the heights are there already. False: reported. */
+bool klartext_stud_rectangle(const struct klartext_call_of *call, struct klartext_region *region);
+bool klartext_stud_circle(const struct klartext_call_of *call, struct klartext_region *region);
+bool klartext_stud_polygon(const struct klartext_call_of *call, struct klartext_region *region);
+bool klartext_stud_finish(const struct klartext_call_of *call, struct klartext_region *region);
+bool klartext_stud_thread(const struct klartext_call_of *call, struct klartext_region *region);
+
+#endif
