@@ -363,7 +363,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	if (options->method == CHECK_NOTHING || stock_check_init(&c.stock, scene, options, &c.asked, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
-		if (complete && !c.stopped && !c.failed)
+		if (complete && !c.stopped && !c.failed && diag->errors == errors)
 			stats->far_cutters = cutter_approach_result(&c.approach);
 		/* After a first finding nothing more was logged. */
 		if (options->remainder && complete && !c.stopped && !checker_has_enough(&c))

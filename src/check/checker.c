@@ -127,31 +127,36 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	    step_may_leave_path(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
 }
 
+static void say_undecided(struct checker *c, const struct pair_check_result *result,
+			  const struct motion_step *motion, struct diag *diag)
+{
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+	const bool box = motion->span.path->kind == PATH_BOX;
+
+	if (!box && !result->exhausted) {
+		static_query_report_undecided(c->scene, pair, c->options->tolerance, diag);
+		return;
+	}
+	diag_error(diag, (struct srcloc){motion->file, motion->line, 1},
+		   "'%s' and '%s' cannot be decided with reasonable effort: %s", c->scene->bodies[pair->a].body->name,
+		   c->scene->bodies[pair->b].body->name,
+		   box ? "too many axes move at once in this rapid, whose way is not known (rapid=\"any\"); give the "
+			 "control's rapid in the machine file, or move fewer axes at once"
+		       : "they stay too close to each other for too long. The check stops here; give a larger "
+			 "--tolerance, or split the move");
+	c->exhausted |= !box;
+}
+
+/* The error waits for its block like those of the interpreter: a finding before it may end the check. */
 static void report_undecided(struct checker *c, const struct pair_check_result *result)
 {
-	const struct motion_step *motion = &c->settling->batch.steps[result->step].motion;
-	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+	const struct batch_step *step = &c->settling->batch.steps[result->step];
+	struct diag_queue *queue = &c->log.diags;
+	const long reading = queue->mark;
 
-	c->failed = true;
-	if (motion->span.path->kind != PATH_BOX && result->exhausted) {
-		c->exhausted = true;
-		diag_error(
-		    c->diag, (struct srcloc){motion->file, motion->line, 1},
-		    "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other for "
-		    "too long. The check stops here; give a larger --tolerance, or split the move",
-		    c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
-		return;
-	}
-	if (motion->span.path->kind != PATH_BOX) {
-		static_query_report_undecided(c->scene, pair, c->options->tolerance, c->diag);
-		return;
-	}
-	diag_error(
-	    c->diag, (struct srcloc){motion->file, motion->line, 1},
-	    "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
-	    "whose way is not known (rapid=\"any\"); give the control's rapid in the machine file, or move fewer "
-	    "axes at once",
-	    c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+	queue->mark = step->block;
+	say_undecided(c, result, &step->motion, &queue->diag);
+	queue->mark = reading;
 }
 
 void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count,

@@ -87,7 +87,7 @@ struct checker {
 	long block;	/* number of the block that is being read */
 	int tool;
 	bool moved;
-	bool failed;	/* something could not be decided, and that was reported */
+	bool failed;	/* something was not checked, or not decided at a standstill, and that was reported */
 	bool found;	/* two bodies came too close; without `all` nothing later needs to be checked */
 	bool limit_found;	/* without `all` the check ends with this block */
 	bool exhausted;	/* one step needs more than options->effort: reported; the check ends with its batch */
