@@ -139,13 +139,24 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 	return false;
 }
 
+/* On the path itself: the chord of a curved step may be farther from it than the tolerance. */
+static axis_values position_at(const struct span *span, double s)
+{
+	axis_values q;
+
+	if (!path_is_straight(span->path))
+		return path_position(span->path, (1 - s) * span->u0 + s * span->u1);
+	for (int i = 0; i < SLOT_COUNT; i++)
+		q.v[i] = (1 - s) * span->q0.v[i] + s * span->q1.v[i];
+	return q;
+}
+
 static bool look(struct sampler *sampler, struct sweep *sweep, const struct motion_step *step, const xform ends[2],
 		 double s, struct contact *contact)
 {
 	struct sample sample = {.sampler = sampler, .ends = ends, .s = s};
 
-	for (int i = 0; i < SLOT_COUNT; i++)
-		contact->q.v[i] = (1 - s) * step->span.q0.v[i] + s * step->span.q1.v[i];
+	contact->q = position_at(&step->span, s);
 	sample.pose = body_pair_pose(&sampler->bodies, &contact->q);
 	contact->s = s;
 	sampler->samples++;
