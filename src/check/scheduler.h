@@ -27,7 +27,7 @@ struct scheduler {
 	size_t count;
 	struct sweep *sweeps;	/* one a thread */
 	int threads;
-	struct shared_loop *loop;	/* one of the threads helps when it has nothing else to do; NULL: all are ours */
+	struct shared_loop *loop;	/* one thread helps when it has nothing else to do; NULL: all are ours */
 	long *visits;	/* node pairs that each check looked at in the last batch */
 	long work;	/* the sum of them */
 	struct task *tasks;	/* of this batch */

@@ -38,8 +38,8 @@ struct stock_pair {
 };
 
 /*
- * `tolerance` (mm) is how exactly the stock is to be known. Must not be moved afterwards. False: the mesh of a cutter is
- * open, reported.
+ * `tolerance` (mm) is how exactly the stock is to be known. Must not be moved afterwards. False: the mesh of a cutter
+ * is open, reported.
  */
 bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair, struct stock_cells *cells,
 		     double tolerance, const struct check_options *options, const struct cancel *cancel,

@@ -36,8 +36,8 @@ void stderr_ui_finish(struct stderr_ui *ui);
 /*
  * Shows how far a program has been read: the line, and the share of its file (0 to 1; negative: unknown). With several
  * programs it shows the progress of the run, its rate and the time left. On a terminal the line is renewed up to five
- * times a second, and fits into its columns; plain lines, also those of a terminal without control sequences, come every
- * ten seconds.
+ * times a second, and fits into its columns; plain lines, also those of a terminal without control sequences, come
+ * every ten seconds.
  */
 void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share);
 

@@ -23,8 +23,8 @@ struct gcode_config {
 	axis_values home;	/* where the program starts; the first two reference positions in want of others */
 	bool has_setup;	/* tools, lengths and offsets are known; else any T is accepted, and an H is an error */
 	/*
-	 * Without a setup, where a program is only read and its path does not count (fivecheck scan): every tool and edge
-	 * that no table has, of any number or name; or NULL.
+	 * Without a setup, where a program is only read and its path does not count (fivecheck scan): every tool and
+	 * edge that no table has, of any number or name; or NULL.
 	 */
 	const struct tool *any_tool;
 	int initial_tool;

@@ -202,7 +202,8 @@ static void find_callers(struct interp *interp)
 
 /*
  * A line with its messages: in a subprogram, they are followed by the calls that led there. It stays a function of its
- * own: browsers replace the slow first code of a function when it is called again, which the loop over all lines is not.
+ * own: browsers replace the slow first code of a function when it is called again, which the loop over all lines is
+ * not.
  */
 static APART bool run_line_called(struct interp *interp)
 {

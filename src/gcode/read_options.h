@@ -20,8 +20,8 @@ struct read_options {
 	const struct file_opened *opened;	/* is told which files of subprograms are opened; or NULL */
 	const struct cancel *cancel;	/* is asked between lines; if so, the run fails without a message; or NULL */
 	/*
-	 * The same for a program from a pipe, while the next line has not come: all that came before was carried out. It
-	 * is asked every PIPE_ASK_MS (gcode/text/pipe_read.h).
+	 * The same for a program from a pipe, while the next line has not come: all that came before was carried out.
+	 * It is asked every PIPE_ASK_MS (gcode/text/pipe_read.h).
 	 */
 	const struct cancel *waiting;
 };

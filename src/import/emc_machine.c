@@ -114,9 +114,9 @@ static bool find_module(const struct reading *r, const struct module **module)
 
 	*module = NULL;
 	if (!length)
-		return fault(r, "[KINS] has no KINEMATICS: if this is the ini file of a machine, add [KINS] with KINEMATICS "
-				"= the module that its HAL files load (trivkins, say), and rename [AXIS_0] of older "
-				"releases to [JOINT_0] and so on");
+		return fault(r, "[KINS] has no KINEMATICS: if this is the ini file of a machine, add [KINS] with "
+				"KINEMATICS = the module that its HAL files load (trivkins, say), and rename [AXIS_0] "
+				"of older releases to [JOINT_0] and so on");
 	for (size_t i = 0; i < sizeof(modules) / sizeof(*modules); i++)
 		if (is_word(text, length, modules[i].name))
 			*module = &modules[i];
@@ -255,8 +255,8 @@ static void warn_endless(struct reading *r, char letter)
 {
 	import_machine_todo(r->machine, "Add limit_min and limit_max of the axis %c.", letter);
 	diag_warning(r->diag, place(r),
-		     "neither the [JOINT_n] of the axis %c nor [AXIS_%c] has MIN_LIMIT and MAX_LIMIT: its travel has no "
-		     "end; add its limits", letter, letter);
+		     "neither the [JOINT_n] of the axis %c nor [AXIS_%c] has MIN_LIMIT and MAX_LIMIT: its travel has "
+		     "no end; add its limits", letter, letter);
 }
 
 static bool read_axis(struct reading *r, char letter, bool identity, struct axis_description *axis)

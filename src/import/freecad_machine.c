@@ -327,8 +327,9 @@ static bool find_sides(struct reading *r)
 			axis->side = axis_letters_have(asked.text, *at) ? SIDE_TABLE : SIDE_HEAD;
 		if (axis->side == SIDE_UNKNOWN)
 			return fault(r, "this file does not say which axes carry the work and which the tool "
-					"(\"role\", which later versions of FreeCAD write): name those that carry the work, "
-					"from the base on, with --table=LETTERS, such as --table=YX, or --table= for none");
+					"(\"role\", which later versions of FreeCAD write): name those that carry the "
+					"work, from the base on, with --table=LETTERS, such as --table=YX, or --table= "
+					"for none");
 	}
 	return true;
 }

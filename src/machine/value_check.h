@@ -1,4 +1,6 @@
-/* value_check.h - numbers that no machine has: rates and travels in what looks like another unit, slips of directions. */
+/*
+ * value_check.h - numbers that no machine has: rates and travels in what looks like another unit, slips of directions.
+ */
 #ifndef FIVECHECK_MACHINE_VALUE_CHECK_H
 #define FIVECHECK_MACHINE_VALUE_CHECK_H
 

@@ -30,15 +30,16 @@ bool cutter_hand_ask(struct cutter_hand *hand, struct diag *diag, struct srcloc 
 {
 	if (hand->decides) {
 		diag_error(diag, at,
-			   "the spindle turns counterclockwise (M4), and the hand of T%d is not given: <tool number=\"%d\" "
-			   "hand=\"left\"> cuts so, hand=\"right\" rubs",
+			   "the spindle turns counterclockwise (M4), and the hand of T%d is not given: <tool "
+			   "number=\"%d\" hand=\"left\"> cuts so, hand=\"right\" rubs",
 			   hand->tool, hand->tool);
 		return false;
 	}
 	if (hand->matters)
 		diag_warning(diag, at,
-			     "the spindle turns counterclockwise (M4), and the hand of T%d is not given: it is taken for a "
-			     "left-hand cutter; <tool number=\"%d\" hand=\"left\"> or hand=\"right\" says which it is",
+			     "the spindle turns counterclockwise (M4), and the hand of T%d is not given: it is taken "
+			     "for a left-hand cutter; <tool number=\"%d\" hand=\"left\"> or hand=\"right\" says which "
+			     "it is",
 			     hand->tool, hand->tool);
 	hand->matters = false;
 	return true;

@@ -1,4 +1,6 @@
-/* cutter_hand.h - does the spindle turn as a cutter needs it? Right-hand cutters cut with M3, left-hand ones with M4. */
+/*
+ * cutter_hand.h - does the spindle turn as a cutter needs it? Right-hand cutters cut with M3, left-hand ones with M4.
+ */
 #ifndef FIVECHECK_MOTION_CUTTER_HAND_H
 #define FIVECHECK_MOTION_CUTTER_HAND_H
 

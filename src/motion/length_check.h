@@ -1,4 +1,6 @@
-/* length_check.h - does a tool cut with the length of another one? Then H is wrong, or G43 after a tool change missing. */
+/*
+ * length_check.h - does a tool cut with the length of another one? Then H is wrong, or G43 after a tool change missing.
+ */
 #ifndef FIVECHECK_MOTION_LENGTH_CHECK_H
 #define FIVECHECK_MOTION_LENGTH_CHECK_H
 
@@ -16,7 +18,9 @@ struct length_check {
 	bool told;	/* once a program is enough */
 };
 
-/* Another tool is in the spindle. setup may be NULL. Tools that do not cut by turning or are checked="" are left out. */
+/*
+ * Another tool is in the spindle. setup may be NULL. Tools that do not cut by turning or are checked="" are left out.
+ */
 void length_check_tool(struct length_check *check, const struct setup *setup, int tool);
 
 /* length_check_move where there is something to look at. */

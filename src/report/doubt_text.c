@@ -39,10 +39,10 @@ static const char *const texts[] = {
 			   OR_AXIS_CHECKED,
 	[DOUBT_RADIANS] = "axis {axis} has a travel of only {axis value} degrees: limits are degrees, not radians; "
 			  "check them, or say why they are right: " AXIS_CHECKED,
-	[DOUBT_TILTED] = "the direction of axis {axis} is {value} degrees off the straight: check its numbers (an angle "
-			 "in radians needs more digits)" OR_AXIS_CHECKED,
-	[DOUBT_SPINDLE_TILTED] = "the direction of the spindle is {value} degrees off the straight: check its numbers (an "
-				 "angle in radians needs more digits), or give <spindle checked=\"reason\">",
+	[DOUBT_TILTED] = "the direction of axis {axis} is {value} degrees off the straight: check its numbers (an "
+			 "angle in radians needs more digits)" OR_AXIS_CHECKED,
+	[DOUBT_SPINDLE_TILTED] = "the direction of the spindle is {value} degrees off the straight: check its numbers "
+				 "(an angle in radians needs more digits), or give <spindle checked=\"reason\">",
 	[DOUBT_ROTARY_MISSES] = "axis {axis} turns about a line that misses all that it carries by {value} mm: check "
 				"its location and its direction, or give the axis checked=\"reason\"",
 	[DOUBT_ROTARY_BESIDE] = "no circle of what axis {axis} turns, or of what carries it, has its middle on the "
@@ -98,8 +98,8 @@ static const char *const texts[] = {
 				 "it is refused, and a limit_min or limit_max may be missing" OR_AXIS_CHECKED,
 	[DOUBT_TWICE] = "{body} and {against} are one mesh in one place: one of them names the wrong file, or is drawn "
 			"twice" OR_CHECKED,
-	[DOUBT_ROTATION] = "{body} is turned by {value 5} degrees, which looks like an angle in radians: rotation is in "
-			   "degrees; check it" OR_CHECKED,
+	[DOUBT_ROTATION] = "{body} is turned by {value 5} degrees, which looks like an angle in radians: rotation is "
+			   "in degrees; check it" OR_CHECKED,
 	[DOUBT_WORKHOLDING_ROTATION] = "the workholding is turned by {value 5} degrees, which looks like an angle in "
 				       "radians: rotation is in degrees; check it, or give "
 				       "<workholding checked=\"reason\">",

@@ -98,7 +98,8 @@ struct contact_rule {
 static const struct contact_rule *contact_rule(const struct scene *scene, const struct body *cutter)
 {
 	static const struct contact_rule rules[] = {
-		[TOOL_TURNS] = {STEP_RAPID | STEP_FEED_STANDING | STEP_FEED_REVERSED, STEP_FEED_TURNING, "at rapid or standing"},
+		[TOOL_TURNS] = {STEP_RAPID | STEP_FEED_STANDING | STEP_FEED_REVERSED, STEP_FEED_TURNING, "at rapid or "
+													 "standing"},
 		[TOOL_STANDS] = {STEP_RAPID, STEP_FEED_TURNING | STEP_FEED_STANDING, "at rapid"},
 		[TOOL_PROBES] = {STEP_RAPID | STEP_PROBE_TRAVEL, STEP_FEED_STANDING, "unless it measures"},
 	};
@@ -222,7 +223,9 @@ static void derive_one(void *context, int worker, size_t i)
 
 static void derive_all_from_geometry(struct geometry_work *work, size_t count, int threads)
 {
-	/* Those that take long come first: then no thread is left with one of them while the others have nothing to do. */
+	/*
+	 * Those that take long come first: then no thread is left with one of them while the others have nothing to do.
+	 */
 	if (count)
 		qsort(work->pairs, count, sizeof(*work->pairs), by_size);
 	for (int i = 0; i < threads; i++)
@@ -249,7 +252,8 @@ void pairs_derive(struct scene *scene, double clearance, int threads)
 			pair->b = (int)b;
 			if (!derive(scene, pair, clearance))
 				work.pairs[count++] = (struct open_pair){
-					scene->pair_count - 1, triangles_of(scene, pair->a) * triangles_of(scene, pair->b)};
+					scene->pair_count - 1,
+					triangles_of(scene, pair->a) * triangles_of(scene, pair->b)};
 			if (pair->status == PAIR_CUTTING && !pair->stock)
 				add_gouge(scene, pair);
 		}

@@ -71,9 +71,9 @@ struct scene {
 };
 
 /*
- * Collects the bodies, reads all their meshes, and derives the required pairs. `clearance` (mm) holds for pairs to which
- * no rule gives one. Up to `threads` threads work. Afterwards several threads may check programs on the scene. NULL if a
- * fault was reported.
+ * Collects the bodies, reads all their meshes, and derives the required pairs. `clearance` (mm) holds for pairs to
+ * which no rule gives one. Up to `threads` threads work. Afterwards several threads may check programs on the scene.
+ * NULL if a fault was reported.
  */
 struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance, int threads,
 			struct diag *diag);

@@ -31,7 +31,8 @@ void stock_fit_check(struct scene *scene, struct doubts *doubts)
 
 		if (!is_part(scene, i) || scene->bodies[i].body->checked || (any && !meet(scene, i, stock)))
 			continue;
-		doubt.value = corner_depth(scene, i, stock, &zero, INSIDE_NO, 0) - scene->bodies[stock].body->uncertainty;
+		doubt.value = corner_depth(scene, i, stock, &zero, INSIDE_NO, 0) -
+			      scene->bodies[stock].body->uncertainty;
 		if (doubt.value > OUT_BY)
 			doubts_add(doubts, &doubt);
 	}

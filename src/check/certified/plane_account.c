@@ -9,8 +9,8 @@
 #define CREDIT_MAX 1e5
 
 /*
- * A node that a search looks at takes this share of the time of a node pair of a sweep or a distance query. Measured: 80
- * to 95 instructions against 600 to 760.
+ * A node that a search looks at takes this share of the time of a node pair of a sweep or a distance query. Measured:
+ * 80 to 95 instructions against 600 to 760.
  */
 #define SEARCH_WEIGHT 0.125
 

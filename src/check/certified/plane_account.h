@@ -13,7 +13,9 @@ struct plane_account {
 	double credit;	/* node pairs that searches may still look at */
 	double sweep_price;	/* node pairs that the sweep of a step looks at: a running mean */
 	double search_price;	/* the same of a search */
-	/* Chunks for which no plane is searched, and steps that are not halved: now, and after the next search in vain. */
+	/*
+	 * Chunks for which no plane is searched, and steps that are not halved: now, and after the next search in vain.
+	 */
 	struct plane_pause {
 		int idle, backoff;
 	} chunks, halves, carried;

@@ -9,8 +9,8 @@
 #define LIFE_ENOUGH 8
 
 /*
- * The same of a kept plane that is measured again. Where it lasts for a part of the motion only, other planes seldom last
- * longer: it pays more to halve the motion. Measured: 0.3 to 0.6 perform alike; 1 takes a quarter longer.
+ * The same of a kept plane that is measured again. Where it lasts for a part of the motion only, other planes seldom
+ * last longer: it pays more to halve the motion. Measured: 0.3 to 0.6 perform alike; 1 takes a quarter longer.
  */
 #define LIFE_AGAIN 0.3
 

@@ -19,7 +19,7 @@ enum strategy_measure {
 /* The strategy changes how long the answers take, never the answers: those are the proof's (proof.h). */
 struct strategy {
 	struct pair_proof proof;
-	double measure_share;	/* of the clearance that there is so much is proved, at least nearly; 0: do not measure */
+	double measure_share;	/* the share of the clearance that is to be proved, nearly; 0: do not measure */
 	int steps_to_next_query;	/* steps to wait before the next distance query */
 	int backoff;	/* steps to wait after the next query that proves too little */
 	bool distance_pays;	/* false: the last step had to be swept */

@@ -195,7 +195,8 @@ static bool check_tool_change(const struct machine_plan *plan, struct diag *diag
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!plan->changes_anywhere || !plan->axes[slot].has_change)
 			continue;
-		diag_error(diag, nowhere, "--tool-change: none is given, and a place of %c as well", AXIS_LETTERS[slot]);
+		diag_error(diag, nowhere, "--tool-change: none is given, and a place of %c as well",
+			   AXIS_LETTERS[slot]);
 		return false;
 	}
 	return true;

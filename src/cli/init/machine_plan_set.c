@@ -97,7 +97,8 @@ static bool set_answer(struct machine_plan *plan, const char *text)
 	const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_");
 	char *name;
 
-	if (!length || (*text >= '0' && *text <= '9') || text[length] != '=' || !machine_plan_is_text(text + length + 1))
+	if (!length || (*text >= '0' && *text <= '9') || text[length] != '=' ||
+	    !machine_plan_is_text(text + length + 1))
 		return false;
 	name = arena_strdup(&plan->arena, text);
 	name[length] = '\0';

@@ -184,7 +184,8 @@ static bool is_proc(const char *line)
 /* "o<name> call", "o100 if [...]" */
 static bool is_o_word(const char *block)
 {
-	static const char *const keywords[] = {"SUB", "ENDSUB", "CALL", "IF[", "ENDIF", "WHILE[", "ENDWHILE", "REPEAT["};
+	static const char *const keywords[] = {"SUB", "ENDSUB", "CALL", "IF[", "ENDIF",
+						"WHILE[", "ENDWHILE", "REPEAT["};
 	const char *behind = block + 1;
 
 	if (*block != 'O')

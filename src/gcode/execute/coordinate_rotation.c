@@ -234,8 +234,8 @@ static bool check_choice(struct interp *interp, const struct kinematics_orientat
 	}
 	return (reached < 2 && !free) ||
 	       fault(&interp->at, column,
-		     "which of several positions of the rotary axes P of %s takes is not followed here: leave P out, and "
-		     "turn the axes towards the position that is meant in a block before",
+		     "which of several positions of the rotary axes P of %s takes is not followed here: leave P out, "
+		     "and turn the axes towards the position that is meant in a block before",
 		     orientation->command);
 }
 

@@ -42,7 +42,8 @@ static bool find_system(struct interp *interp, int code, int *system)
 
 	if (code == G54_1 || code == G154)
 		return find_additional(interp, code, system);
-	if (code == G54 && block_has(&interp->block, 'P') && block_numbers_offset(&interp->block, interp->config->dialect))
+	if (code == G54 && block_has(&interp->block, 'P') &&
+	    block_numbers_offset(&interp->block, interp->config->dialect))
 		return is_answered(interp, block_column(&interp->block, 'P'), traits->g54_has_number,
 				   "whether G54 with P selects an additional work offset") &&
 		       find_additional(interp, code, system);
@@ -193,7 +194,8 @@ static bool clear_common(struct interp *interp)
 			     "G10 L2 P0 while G%d is in force is not supported yet", interp->state.shift_code / 10);
 	if (!interp->cautioned_common)
 		caution(&interp->at, block_column(block, 'P'),
-			"G10 L2 P0 clears the shift of all work offsets: those of the setup are taken to be without it");
+			"G10 L2 P0 clears the shift of all work offsets: those of the setup are taken to be without "
+			"it");
 	interp->cautioned_common = true;
 	return true;
 }
@@ -206,8 +208,8 @@ static bool check_data(struct interp *interp, int mode)
 	if (traits_of(interp)->g10_writes_registers != ANSWER_YES || (!parameters && !life))
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks from G10 "
-		     "to G11",
+		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks "
+		     "from G10 to G11",
 		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
 }
 

@@ -84,7 +84,8 @@ bool parallel_moves_go(struct interp *interp, const slot_values *target, const s
 {
 	const slot_values end = rotated_frame_position(&interp->state, target);
 	struct moves moves = {.interp = interp, .at = *target, .narrow = *move, .counts = true};
-	struct box_way way = {.start = place(&interp->state.position), .half = {box->half[0], box->half[1], box->half[2]}};
+	struct box_way way = {.start = place(&interp->state.position),
+			      .half = {box->half[0], box->half[1], box->half[2]}};
 	struct canon_move whole = *move;
 	const double size = vec3_norm((vec3){vec3_norm(way.half[0]), vec3_norm(way.half[1]), vec3_norm(way.half[2])});
 

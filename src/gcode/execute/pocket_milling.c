@@ -61,8 +61,8 @@ static bool check_block_behind(struct interp *interp)
 		pocket->compensated = false;
 	if (changes_coordinates(block))
 		return fault(&interp->at, 1,
-			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by G0 or "
-			     "G1 before the coordinates change");
+			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by "
+			     "G0 or G1 before the coordinates change");
 	if (block->words == 0 || (block->motion == CODE_NONE && block->g[G_NONMODAL] == CODE_NONE &&
 				  block->m[M_TOOL] == CODE_NONE))
 		return true;
@@ -71,8 +71,8 @@ static bool check_block_behind(struct interp *interp)
 	if (block->motion > G1 || block->g[G_NONMODAL] != CODE_NONE || block->m[M_TOOL] != CODE_NONE || incremental ||
 	    (block->letters & AXIS_BITS & ~letter_bits("XYZ")))
 		return fault(&interp->at, 1,
-			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by G0 or "
-			     "G1 first");
+			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by "
+			     "G0 or G1 first");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		pocket->open[slot] = pocket->open[slot] && !block_has(block, AXIS_LETTERS[slot]);
 	return true;
@@ -124,8 +124,8 @@ static bool check_words(struct interp *interp)
 	if (block->letters & AXIS_BITS & ~letter_bits("XYZ"))
 		return refuse(interp, "with other axes than X, Y and Z is not supported");
 	if (!block_has(block, 'P') || !block_has(block, 'Q') || !block_has(block, 'R') || !block_has(block, 'Z'))
-		return refuse(interp, "needs P, Q, R and Z: the program of the outline, the depth of each pass, where it "
-				      "begins and the depth");
+		return refuse(interp, "needs P, Q, R and Z: the program of the outline, the depth of each pass, where "
+				      "it begins and the depth");
 	if (block_has(block, 'I') == block_has(block, 'J'))
 		return refuse(interp, "needs I or J, the width of a cut, and not both");
 	if (!(block_value(block, 'Q') > 0) || !(block_value(block, block_has(block, 'I') ? 'I' : 'J') > 0))
@@ -172,7 +172,8 @@ bool pocket_milling_begin(struct interp *interp)
 	for (int slot = SLOT_X; slot <= SLOT_Y; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			state_set_position(state, slot,
-					   state->offset.v[slot] + block_value(block, AXIS_LETTERS[slot]) * state->scale);
+					   state->offset.v[slot] +
+						   block_value(block, AXIS_LETTERS[slot]) * state->scale);
 		pocket->hole[slot] = pocket->low[slot] = pocket->high[slot] = state->position.v[slot];
 	}
 	pocket->takes = true;

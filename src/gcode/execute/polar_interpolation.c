@@ -14,8 +14,8 @@ static bool check_start(struct interp *interp, int column)
 
 	if (!rotary)
 		return fault(&interp->at, column,
-			     "parameters 5460 and 5461 say which axes G12.1 takes: polar_axes=\"XC\" (or \"XA\", \"XB\") of "
-			     "the machine's <controller> says it");
+			     "parameters 5460 and 5461 say which axes G12.1 takes: polar_axes=\"XC\" (or \"XA\", "
+			     "\"XB\") of the machine's <controller> says it");
 	if (!interp->config->has_axis[rotary] || !interp->config->has_axis[SLOT_X])
 		return fault(&interp->at, column, "the machine has no X or no %c axis for G12.1", AXIS_LETTERS[rotary]);
 	if (state->polar_interpolation.on)
@@ -104,8 +104,8 @@ static bool check_codes(struct interp *interp)
 			     "G%g under polar coordinate interpolation (G12.1); G13.1 first", code / 10.0);
 	if (block->m[M_TOOL] != CODE_NONE || block->m[M_TCP] != CODE_NONE || block_has(block, 'H') || block->corner)
 		return fault(&interp->at, 1,
-			     "a tool, its length or a corner of ,C or ,R under polar coordinate interpolation (G12.1) is "
-			     "not supported");
+			     "a tool, its length or a corner of ,C or ,R under polar coordinate interpolation (G12.1) "
+			     "is not supported");
 	if (block->motion == CODE_NONE || (block->motion >= G1 && block->motion <= G3))
 		return true;
 	return fault(&interp->at, block_motion_column(block),

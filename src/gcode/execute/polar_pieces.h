@@ -1,4 +1,6 @@
-/* polar_pieces.h - moves of the plane of polar coordinate interpolation, as its linear and its rotary axis make them. */
+/*
+ * polar_pieces.h - moves of the plane of polar coordinate interpolation, as its linear and its rotary axis make them.
+ */
 #ifndef FIVECHECK_GCODE_EXECUTE_POLAR_PIECES_H
 #define FIVECHECK_GCODE_EXECUTE_POLAR_PIECES_H
 

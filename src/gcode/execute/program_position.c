@@ -23,8 +23,8 @@ bool program_position_check(struct interp *interp, int slot, int column)
 			     "power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
 	if (!interp->state.frame.on && interp->state.unsure_code != CODE_NONE && interp->state.unsure[slot])
 		return fault(&interp->at, column,
-			     "the position of %c behind G%g depends on the control until %c is commanded by an absolute "
-			     "coordinate",
+			     "the position of %c behind G%g depends on the control until %c is commanded by an "
+			     "absolute coordinate",
 			     AXIS_LETTERS[slot], interp->state.unsure_code / 10.0, AXIS_LETTERS[slot]);
 	if (!interp->state.frame.on)
 		return dynamic_work_offset_check_read(interp, slot, column) &&

@@ -27,7 +27,8 @@ static bool choose_own(struct interp *interp, int before)
 		state->selected_next = own;
 		return true;
 	}
-	if (answer == M6_LOADS_OWN_T || answer == M6_LOADS_FIRST_T || before < 0 || before == state->tool || before == own)
+	if (answer == M6_LOADS_OWN_T || answer == M6_LOADS_FIRST_T || before < 0 || before == state->tool ||
+	    before == own)
 		return true;
 	if (!interp->cautioned_t)
 		caution(
@@ -67,8 +68,8 @@ bool tool_change_select(struct interp *interp)
 	/* What is nearly whole judges block_integer. */
 	if (fabs(number - round(number)) > 0.01)
 		return fault(&interp->at, block_column(&interp->block, 'T'),
-			     "T%.10g: the number of a tool is whole here; where T1.1 means a tool and its offset, as on "
-			     "Fagor's controls, write T1, and H1 or D1 for the offset",
+			     "T%.10g: the number of a tool is whole here; where T1.1 means a tool and its offset, as "
+			     "on Fagor's controls, write T1, and H1 or D1 for the offset",
 			     number);
 	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
 			   "whether T changes the tool or selects it for M6") &&

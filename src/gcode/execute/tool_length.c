@@ -323,7 +323,8 @@ bool tool_length_select(struct interp *interp)
 		code = G43_4;
 	if (code != G49 &&
 	    (!(code == G43_1 || code == G43_2 ? find_length_in_words(interp, code, &length)
-					      : find_length(interp, &length)) || !coordinate_conversion_knows_length(interp, column, length)))
+					      : find_length(interp, &length)) ||
+	     !coordinate_conversion_knows_length(interp, column, length)))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");

@@ -52,7 +52,8 @@ bool work_offset_use_check_end(struct interp *interp)
 	const bool by_table = block->g[G_NONMODAL] == G54_2;
 
 	return (block_has(block, 'P') && same_double(block_value(block, 'P'), 0)) ||
-	       fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is read",
+	       fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is "
+							       "read",
 		     by_table ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
 			      : "G54.4: work setting error compensation");
 }

@@ -197,8 +197,8 @@ static bool check_axis_words(const struct block *block, const struct line_place 
 
 		if (!config->has_axis[slot] && (left & letter_bit(letter)))
 			return fault(at, block_column(block, letter), "the machine has no %c axis%s", letter,
-				     letter == 'U' || letter == 'W' ? "; on a lathe U and W are increments of X and Z, but "
-								      "programs of lathes are not read"
+				     letter == 'U' || letter == 'W' ? "; on a lathe U and W are increments of X and Z, "
+								      "but programs of lathes are not read"
 								    : "");
 		left &= ~letter_bit(letter);
 	}

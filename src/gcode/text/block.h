@@ -27,14 +27,14 @@ struct block {
 	bool corner_point;	/* its number has a decimal point */
 	double corner_value;
 	int corner_column;
-	bool has_next_tool;	/* "T1 T2 M6" where the machine file lets M6 load the first: the second, for the next M6 */
+	bool has_next_tool;	/* "T1 T2 M6" where M6 loads the first: the second, for the next M6 */
 	double next_tool;
 	int next_tool_column;
 	int idle, idle_column;	/* a G-code of GROUP_NONE, in tenths, or CODE_NONE */
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];
 	int m_count;
-	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q, and more where nothing moves */
+	bool m_ignored;	/* a machine's own M-code, to be ignored; it may have P and Q, and more where nothing moves */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
 	bool plain;	/* block_read_plain has read it */
 	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */

@@ -14,8 +14,8 @@
 uint32_t block_used_letters(const struct block *block, const struct dialect *dialect);
 
 /*
- * Is the block's P the number of an additional work offset (G54.1, G154, G54 where it may have one)? Beside M98, G54 leaves
- * it a P that is the number of no such offset.
+ * Is the block's P the number of an additional work offset (G54.1, G154, G54 where it may have one)? Beside M98, G54
+ * leaves it a P that is the number of no such offset.
  */
 bool block_numbers_offset(const struct block *block, const struct dialect *dialect);
 

@@ -7,8 +7,8 @@
 #include "machine/xml/xml_reader.h"
 
 /*
- * Reads and parses xml->path, or xml->text if it is there: sets the reader's document, bytes and tags. No network, no entities, no document type.
- * False, reported: xml_reader_release releases what was set so far.
+ * Reads and parses xml->path, or xml->text if it is there: sets the reader's document, bytes and tags. No network, no
+ * entities, no document type. False, reported: xml_reader_release releases what was set so far.
  */
 bool xml_file_parse(struct xml_reader *xml);
 

@@ -125,8 +125,8 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 
 static void add_key(struct strbuf *out, const struct stage *stage, int body, enum paint_class class)
 {
-	strbuf_addf(out, "<svg viewBox=\"0 0 12 12\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect width=\"12\" height=\"12\" "
-			 "fill=\"#%06x\"/></svg> ", label_colour(class));
+	strbuf_addf(out, "<svg viewBox=\"0 0 12 12\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect "
+			 "width=\"12\" height=\"12\" fill=\"#%06x\"/></svg> ", label_colour(class));
 	html_text_add(out, stage->scene->bodies[body].body->name);
 	strbuf_addf(out, "<br>\n");
 }

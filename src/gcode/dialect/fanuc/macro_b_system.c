@@ -207,8 +207,8 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 
 	if (number >= INPUT_FIRST && number <= INPUT_LAST)
 		return macro_b_kept_read(interp, number, column,
-					 "holds the state of an input or output, which may change while the program runs; "
-					 "if it does not",
+					 "holds the state of an input or output, which may change while the program "
+					 "runs; if it does not",
 					 value);
 	if (what)
 		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,

@@ -69,7 +69,8 @@ static const struct code g_codes[] = {
 	{G187, G_CONTOUR, CODE_READ, "smoothness"},
 	{1880, GROUP_NONE, CODE_REFUSED, "program of the pallet schedule"},
 	{G234, G_LENGTH, CODE_READ, "tool centre point control"},
-	{2530, GROUP_NONE, CODE_REFUSED, "spindle orientation to the feature coordinates (post with rotary words and G254)"},
+	{2530, GROUP_NONE, CODE_REFUSED, "spindle orientation to the feature coordinates (post with rotary words and "
+					 "G254)"},
 	{G254, G_DYNAMIC, CODE_READ, "dynamic work offset"},
 	{G255, G_DYNAMIC, CODE_READ, "end of the dynamic work offset"},
 	{2660, GROUP_NONE, CODE_REFUSED, "motion of visible axes"},

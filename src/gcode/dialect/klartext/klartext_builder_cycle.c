@@ -80,8 +80,8 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 	if (find_called(number))
 		return fault(lexer->at, column,
 			     "CYCL DEF %d: %s is not followed; if it stays near the place where it is called, <macro "
-			     "program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says "
-			     "how far it moves",
+			     "program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> "
+			     "says how far it moves",
 			     number, find_called(number), number);
 	return fault(lexer->at, column,
 		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
@@ -201,8 +201,8 @@ bool klartext_builder_program_run(struct interp *interp, const char *path, int c
 	macro = find_program(interp, name);
 	if (!macro)
 		return fault(&interp->at, column,
-			     "there is no file of the program %s; if the machine's builder made it and it moves no axis, "
-			     "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+			     "there is no file of the program %s; if the machine's builder made it and it moves no "
+			     "axis, <macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
 			     path, name);
 	if (macro->action != MACRO_AROUND)
 		return true;

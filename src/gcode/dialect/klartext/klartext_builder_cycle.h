@@ -1,6 +1,6 @@
 /*
- * klartext_builder_cycle.h - cycles and programs of the machine's builder, and cycles of the probe: the machine file says
- * what they do.
+ * klartext_builder_cycle.h - cycles and programs of the machine's builder, and cycles of the probe: the machine file
+ * says what they do.
  */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H

@@ -26,7 +26,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 		return fault(&interp->at, column,
 			     "the radius of T%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
 			     number);
-	if (tool != interp->config->any_tool && klartext->defined_tool == number && fabs(klartext->defined_radius - tool->diameter / 2) > SAME_POINT)
+	if (tool != interp->config->any_tool && klartext->defined_tool == number &&
+	    fabs(klartext->defined_radius - tool->diameter / 2) > SAME_POINT)
 		return fault(&interp->at, column,
 			     "TOOL DEF gives T%d a radius of %.6g mm, and the setup %.6g mm: which of them the control "
 			     "takes depends on whether its tool table is active; make them agree, or "

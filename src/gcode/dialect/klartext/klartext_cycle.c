@@ -67,7 +67,9 @@ static bool find_point_height(const struct klartext_call_of *call, int q, double
 	return true;
 }
 
-/* "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, whose sign is that of a depth, and not to the depth Q201. */
+/*
+ * "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, whose sign is that of a depth, and not to the depth Q201.
+ */
 static bool centre_by_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double diameter, depth;

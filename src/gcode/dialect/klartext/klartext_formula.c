@@ -90,7 +90,8 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 		return fault(at, column, "a negative number to a power that is not whole");
 	if (operator->operation == EXPR_POWER && is_zero(fmod(by, 2)) && has_minus(at->text, (size_t)column - 1))
 		return fault(at, column,
-			     "a minus before a power: whether it belongs to the base is not in the manuals; write brackets");
+			     "a minus before a power: whether it belongs to the base is not in the manuals; write "
+			     "brackets");
 	if (operator->operation == EXPR_MODULO &&(*value < 0 || by < 0))
 		return fault(at, column, "%% of a negative number: which sign the control gives it is not known here");
 	switch (operator->operation) {

@@ -75,8 +75,8 @@ static bool split_line(struct lexer *lexer, struct klartext_free *free, struct s
 		if (!take_word(&ahead, free, &taken))
 			return false;
 		if (taken) {
-			strbuf_addf(rest, "%.*s%*s", (int)(start - copied), text + copied, (int)(ahead.position - start),
-				    "");
+			strbuf_addf(rest, "%.*s%*s", (int)(start - copied), text + copied,
+				    (int)(ahead.position - start), "");
 			copied = ahead.position;
 		} else if (klartext_word(&ahead, word) == 0) {
 			lexer_take(&ahead);

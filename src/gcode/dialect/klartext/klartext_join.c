@@ -93,8 +93,10 @@ bool klartext_join(struct interp *interp, bool (*begins_block)(const char *word)
 	while (klartext_continues(text)) {
 		if (reader_next(&interp->program.source->reader, &text) != READER_LINE)
 			return fault_joined(interp, kind == JOINED_FORMULA
-							    ? "the next line, in which this formula goes on, cannot be read"
-							    : "the next line, in which this block goes on, cannot be read");
+							    ? "the next line, in which this formula goes on, cannot be "
+							      "read"
+							    : "the next line, in which this block goes on, cannot be "
+							      "read");
 		/* Behind a value, a number would become part of it. */
 		if (kind == JOINED_BLOCK && begins_with_digit(text))
 			return fault_joined(interp, "'~' continues this block, but the next line begins with a number");

@@ -5,7 +5,9 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Gives Q, QR and QS parameters what the machine file says that they hold. False: it does not fit, which was reported. */
+/*
+ * Gives Q, QR and QS parameters what the machine file says that they hold. False: it does not fit, which was reported.
+ */
 bool klartext_kept_load(struct lexer *lexer);
 
 /*

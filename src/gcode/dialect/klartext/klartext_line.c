@@ -316,7 +316,9 @@ static bool check_begun(struct lexer *lexer)
 		     "a Klartext program begins with BEGIN PGM, which says MM or INCH");
 }
 
-/* Between a corner, or APPR, and the path behind it nothing moves: what waits would be lost. Q parameters may change. */
+/*
+ * Between a corner, or APPR, and the path behind it nothing moves: what waits would be lost. Q parameters may change.
+ */
 static bool may_follow_corner(const struct lexer *before)
 {
 	static const char *const words[] = {"RND", "CHF", "CC", "L", "LP", "C", "CR", "CT", "CP", "CTP",

@@ -6,7 +6,9 @@
 
 #include "gcode/dialect/klartext/klartext_state.h"
 
-/* All in the plane of X and Y of programmed coordinates, mm; `side` is 1 where the tool is on the left of the contour. */
+/*
+ * All in the plane of X and Y of programmed coordinates, mm; `side` is 1 where the tool is on the left of the contour.
+ */
 
 /* A direction in the plane, of a line or a helix that may rise. False: it has none. */
 bool klartext_tangent_flatten(vec3 *direction);

@@ -1,4 +1,6 @@
-/* klartext_tilt.h - how PLANE describes a plane, as a rotation: spatial, projected and Euler angles, vectors, points. */
+/*
+ * klartext_tilt.h - how PLANE describes a plane, as a rotation: spatial, projected and Euler angles, vectors, points.
+ */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
 

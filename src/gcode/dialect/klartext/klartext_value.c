@@ -133,8 +133,8 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 	klartext_query_name(query, data, sizeof(data));
 	if (klartext_query_is_table(query))
 		return fault(lexer->at, column,
-			     "%.*s was read from a table of the control (FN 18), and what that holds is not known here: "
-			     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     "%.*s was read from a table of the control (FN 18), and what that holds is not known "
+			     "here: <variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
 			     length, name, data);
 	return fault(lexer->at, column,
 		     "%.*s was read from the control (FN 18, %s), and that value is not known here: to check the "

@@ -16,9 +16,9 @@
 /* Its tolerance for whole numbers. */
 #define INTEGER_TOLERANCE 0.0001
 /*
- * Where a sine, cosine or tangent of an angle other than 0 vanishes, LinuxCNC (interp_execute.cc) computes it of a rounded
- * multiple of pi, in the long double of its processor: what comes out is below 1e-18, and of either sign. It is carried on
- * as a number far smaller than any other that a program computes, and what depends on its sign is refused.
+ * Where a sine, cosine or tangent of an angle other than 0 vanishes, LinuxCNC (interp_execute.cc) computes it of a
+ * rounded multiple of pi, in the long double of its processor: what comes out is below 1e-18, and of either sign. It is
+ * carried on as a number far smaller than any other that a program computes, and what depends on its sign is refused.
  */
 #define UNSURE_ZERO 1e-30
 #define UNSURE_MAX 1e-18
@@ -107,7 +107,8 @@ static bool compare(const struct line_place *at, int column, enum expr_operation
 }
 
 /* What compares or joins: has it one answer, whatever sign an unsure zero has? EQ and NE have. */
-static bool is_decided(const struct line_place *at, int column, enum expr_operation operation, double left, double right)
+static bool is_decided(const struct line_place *at, int column, enum expr_operation operation, double left,
+		       double right)
 {
 	switch (operation) {
 	case EXPR_LT:

@@ -23,8 +23,8 @@ bool linuxcnc_expr_bracket(struct lexer *lexer, const char *what, double *value)
 bool linuxcnc_expr_integer(struct lexer *lexer, int *value);
 
 /*
- * False, reported at the column: value is 0 but for what LinuxCNC's rounding of pi makes of a sine, cosine or tangent; so
- * neither its sign nor whether it is 0 is known, and nothing may depend on them.
+ * False, reported at the column: value is 0 but for what LinuxCNC's rounding of pi makes of a sine, cosine or tangent;
+ * so neither its sign nor whether it is 0 is known, and nothing may depend on them.
  */
 bool linuxcnc_expr_sign_is_sure(const struct line_place *at, int column, double value);
 

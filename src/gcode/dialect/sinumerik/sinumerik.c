@@ -164,7 +164,9 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 	return sinumerik_block_read(interp, lexer, &block) && sinumerik_run(interp, lexer, &block);
 }
 
-/* "%", "%_N_NAME_MPF": before the first block it is the head of the program; blank lines and comments may precede it. */
+/*
+ * "%", "%_N_NAME_MPF": before the first block it is the head of the program; blank lines and comments may precede it.
+ */
 static bool take_percent(struct interp *interp)
 {
 	const char *rest = line_start(&interp->at) + 1;

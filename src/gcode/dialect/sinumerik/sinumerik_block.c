@@ -233,7 +233,8 @@ static bool read_tool_name(struct reading *r, int column)
 /* Coordinates, as X, Y and Z are: of the point of CIP, and polar ones. */
 static bool is_place(int address)
 {
-	return (address >= SINUMERIK_I1 && address <= SINUMERIK_K1) || address == SINUMERIK_AP || address == SINUMERIK_RP;
+	return (address >= SINUMERIK_I1 && address <= SINUMERIK_K1) || address == SINUMERIK_AP ||
+	       address == SINUMERIK_RP;
 }
 
 /* X=..., M2=3, S1=500, A3=..., CR=... */
@@ -249,7 +250,8 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 		lexer_take(r->lexer);
 		if (name[0] == 'T' && sinumerik_expr_is_text(r->interp, r->lexer))
 			return read_tool_name(r, column);
-		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) &&
+		       take_word(r, name[0], column, value, way);
 	}
 	if (sinumerik_codes_word(name, &word) && word.kind == SINUMERIK_WORD_ADDRESS) {
 		lexer_take(r->lexer);
@@ -270,12 +272,14 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 			return false;
 		if (name[0] == 'T' && sinumerik_expr_is_text(r->interp, r->lexer))
 			return read_tool_name(r, column);
-		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && take_word(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) &&
+		       take_word(r, name[0], column, value, way);
 	}
 	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {
 		lexer_take(r->lexer);
 		r->block->machine_axes = true;
-		return sinumerik_way_read(r->interp, r->lexer, &value, &way) && add_letter(r, name[0], column, value, way);
+		return sinumerik_way_read(r->interp, r->lexer, &value, &way) &&
+		       add_letter(r, name[0], column, value, way);
 	}
 	*done = false;
 	return true;
@@ -315,7 +319,8 @@ static bool read_position(struct reading *r, int column)
 	r->block->positions_column = column;
 	return sinumerik_name_need(r->lexer, '[', "POS") && sinumerik_expr_axis(r->interp, r->lexer, &slot) &&
 	       sinumerik_name_need(r->lexer, ']', "the axis") && sinumerik_name_need(r->lexer, '=', "POS") &&
-	       sinumerik_way_read(r->interp, r->lexer, &value, &way) && add_letter(r, AXIS_LETTERS[slot], column, value, way);
+	       sinumerik_way_read(r->interp, r->lexer, &value, &way) &&
+	       add_letter(r, AXIS_LETTERS[slot], column, value, way);
 }
 
 static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
@@ -382,8 +387,8 @@ static bool read_group(struct reading *r, int column)
 		if (rows[i].group == group && number >= rows[i].first && number < rows[i].first + rows[i].count)
 			return read_g(r, rows[i].code + number - rows[i].first, column);
 	}
-	return fault(r->lexer->at, column, "G[%d]=%d is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the "
-					   "usual codes",
+	return fault(r->lexer->at, column, "G[%d]=%d is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only "
+					   "the usual codes",
 		     group, number);
 }
 

@@ -18,7 +18,8 @@
 /* L9 and L009 are different programs: the second one has a name and no number. */
 long sinumerik_builder_number(const char *name)
 {
-	const bool numbered = name[0] == 'L' && name[1] && name[1] != '0' && name[1 + strspn(name + 1, "0123456789")] == '\0';
+	const bool numbered = name[0] == 'L' && name[1] && name[1] != '0' &&
+			      name[1 + strspn(name + 1, "0123456789")] == '\0';
 
 	return numbered ? strtol(name + 1, NULL, 10) : 0;
 }
@@ -100,8 +101,9 @@ bool sinumerik_builder_refuse(struct interp *interp, const char *name, const cha
 			     "place, <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's "
 			     "<controller> says how far it moves",
 			     name, name);
-	return fault(&interp->at, column, "%s: %s is not supported yet; lines and circles (G1, G2, G3) can say its moves", name,
-		     what);
+	return fault(&interp->at, column, "%s: %s is not supported yet; lines and circles (G1, G2, G3) can say its "
+					  "moves",
+		     name, what);
 }
 
 bool sinumerik_builder_run(struct interp *interp, const char *name, int column)

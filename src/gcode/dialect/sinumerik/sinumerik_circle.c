@@ -68,7 +68,8 @@ static bool place_arc(struct interp *interp, const struct sinumerik_block *block
 	if (plane ? !sinumerik_frame_scale_plane(turn, plane->across, &scale) : !sinumerik_frame_scale(turn, &scale))
 		return fault(
 		    &interp->at, circle_column(block),
-		    "a circle where the frame scales the axes of its plane differently is none any more; SCALE both alike");
+		    "a circle where the frame scales the axes of its plane differently is none any more; SCALE both "
+		    "alike");
 	mirrored = vec3_dot(turn->x, vec3_cross(turn->y, turn->z)) < 0;
 	arc->centre = vec3_add(vec3_add(offset, state->frame.origin), mat3_apply(turn, centre));
 	arc->normal = vec3_unit(mat3_apply(turn, normal));
@@ -212,8 +213,8 @@ static bool by_tangent(struct interp *interp, const struct sinumerik_block *bloc
 	if (!before->known || !(length > SAME_POINT) || before->plane != interp->state.plane ||
 	    !same_double(before->end.a, c->start.a) || !same_double(before->end.b, c->start.b))
 		return fault(&interp->at, circle_column(block),
-			     "CT goes on in the direction of the motion before it, which is not known here: move in its "
-			     "plane, by G1, G2 or G3, right before it");
+			     "CT goes on in the direction of the motion before it, which is not known here: move in "
+			     "its plane, by G1, G2 or G3, right before it");
 	if (!(chord > SAME_POINT))
 		return fault(&interp->at, circle_column(block), "CT needs an end that is not its start");
 	if (fabs(across) <= LEAST_TURN * chord) {

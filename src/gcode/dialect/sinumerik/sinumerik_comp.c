@@ -113,7 +113,9 @@ static bool check_plane(struct interp *interp, int column)
 		     "the machine's axes; CUT2DF corrects in the tilted one");
 }
 
-/* NORM leads straight to the point beside the contour; before any NORM or KONT the machine file may say that it holds. */
+/*
+ * NORM leads straight to the point beside the contour; before any NORM or KONT the machine file may say that it holds.
+ */
 static enum comp_start start_type(const struct interp *interp)
 {
 	const int approach = sinumerik_of(interp)->approach;
@@ -229,8 +231,8 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
 	if (!same_double(interp->state.scale, sinumerik->feed_scale) && !same_double(allowance, 0))
 		return fault(&interp->at, column,
-			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is not "
-			     "known here; write G700 or G710");
+			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is "
+			     "not known here; write G700 or G710");
 	sinumerik->allowance = allowance;
 	return true;
 }

@@ -108,7 +108,8 @@ static bool call_contour(struct interp *interp)
 		return false;
 	}
 	if (sinumerik->depth == contour->depth)
-		return fault(&interp->at, column, "the contour %s is a program of the builder, which is not known", name);
+		return fault(&interp->at, column, "the contour %s is a program of the builder, which is not known",
+			     name);
 	sinumerik->calls[sinumerik->depth - 1].back = contour->line;
 	/* Its blocks need no F. */
 	sinumerik_save_modes(interp, &contour->before);
@@ -130,11 +131,12 @@ static bool find_margins(struct sinumerik_contour *contour, const struct sinumer
 
 	if (!centred && !(radius > 0))
 		return fault(&interp->at, of->column,
-			     "CYCLE72 needs the radius of the tool: give the tool of the setup a <cutter>, or diameter=\"\"");
+			     "CYCLE72 needs the radius of the tool: give the tool of the setup a <cutter>, or "
+			     "diameter=\"\"");
 	if (sinumerik_argument_digit(of, AS1, 0) > 3 || sinumerik_argument_digit(of, AS2, 0) > 3)
 		return fault(&interp->at, of->column,
-			     "CYCLE72 whose approach or retraction (units of _AS1 and _AS2) is not 1, 2 or 3: a way that "
-			     "the control chooses is not known");
+			     "CYCLE72 whose approach or retraction (units of _AS1 and _AS2) is not 1, 2 or 3: a way "
+			     "that the control chooses is not known");
 	contour->beside = fabs(sinumerik_argument_length(of, FAL)) +
 			  (centred ? 0 : radius * (sinumerik_comp_rounds(interp) ? 1 : DRAWN_OUT));
 	contour->drawn_out = fabs(sinumerik_argument_length(of, FAL)) + (centred ? 0 : radius * DRAWN_OUT);
@@ -155,8 +157,8 @@ static bool read_arguments(struct interp *interp, struct sinumerik_contour *cont
 		return false;
 	if (sinumerik_argument_digit(&of, VARI, 0) == CHAMFER)
 		return fault(&interp->at, contour->column,
-			     "CYCLE72 that makes a chamfer (units of _VARI 5) is not supported: how far beside the contour "
-			     "the tool goes is not known");
+			     "CYCLE72 that makes a chamfer (units of _VARI 5) is not supported: how far beside the "
+			     "contour the tool goes is not known");
 	contour->clear = fmax(height.clear, height.safe);
 	contour->safe = height.safe;
 	contour->bottom = height.bottom;
@@ -185,8 +187,10 @@ bool sinumerik_contour_mill(struct interp *interp, int column)
 		return fault(&interp->at, column, "CYCLE72 while SCALE is in force is not supported");
 	if (!own[0] && contour->selected != 1)
 		return fault(&interp->at, column,
-			     contour->selected ? "CYCLE72 behind several CYCLE62: a contour made of several is not supported"
-					       : "CYCLE72 without the name of a contour, and without CYCLE62 before it");
+			     contour->selected ? "CYCLE72 behind several CYCLE62: a contour made of several is not "
+						 "supported"
+					       : "CYCLE72 without the name of a contour, and without CYCLE62 before "
+						 "it");
 	*contour = begun;
 	if (own[0])
 		snprintf(contour->name.bytes, sizeof(contour->name.bytes), "%s", own);
@@ -223,7 +227,8 @@ static bool come_over(struct interp *interp, const slot_values *target)
 	over_it.v[across(contour)] = contour->clear;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		centre.v[slot] = (from->v[slot] + over_it.v[slot]) / 2;
-		half[slot] = fabs(from->v[slot] - over_it.v[slot]) / 2 + (slot == (int)across(contour) ? 0 : contour->ends);
+		half[slot] = fabs(from->v[slot] - over_it.v[slot]) / 2 +
+			     (slot == (int)across(contour) ? 0 : contour->ends);
 	}
 	return sinumerik_open_place_go(interp, &centre, half, 0);
 }
@@ -278,7 +283,8 @@ static bool go_about_corner(struct interp *interp, const slot_values *target, co
 	const enum axis_slot a = contour->plane == G17 ? SLOT_X : contour->plane == G18 ? SLOT_Z : SLOT_Y;
 	const enum axis_slot b = contour->plane == G17 ? SLOT_Y : contour->plane == G18 ? SLOT_X : SLOT_Z;
 	const slot_values place = *sinumerik_frame_place(interp);
-	const slot_values from = sinumerik_frame_straight(interp, &place), to = sinumerik_frame_straight(interp, target);
+	const slot_values from = sinumerik_frame_straight(interp, &place);
+	const slot_values to = sinumerik_frame_straight(interp, target);
 	const vec3 before = contour->heading, way = {to.v[a] - from.v[a], to.v[b] - from.v[b], 0};
 	const double turn = circle ? (circle->clockwise ? -1 : 1) : 0;
 	vec3 start = way, end = way;
@@ -292,7 +298,8 @@ static bool go_about_corner(struct interp *interp, const slot_values *target, co
 	contour->heading = vec3_unit(end);
 	if (!(vec3_norm(before) > 0) || vec3_norm(vec3_sub(before, vec3_unit(start))) < TANGENT)
 		return true;
-	return go(interp, &place, middle(contour), contour->drawn_out, (contour->safe - contour->bottom) / 2, contour->feed);
+	return go(interp, &place, middle(contour), contour->drawn_out, (contour->safe - contour->bottom) / 2,
+		  contour->feed);
 }
 
 static bool check_move(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
@@ -378,8 +385,8 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 			return fault(&interp->at, block->m_column[i], "the program ends in the contour of CYCLE72");
 	}
 	return column == 0 || fault(&interp->at, column,
-				    "the contour of CYCLE72 has moves of G0, G1, G2 and G3 in its plane, and nothing else "
-				    "that acts on them");
+				    "the contour of CYCLE72 has moves of G0, G1, G2 and G3 in its plane, and nothing "
+				    "else that acts on them");
 }
 
 /* What counts from the place before is refused: where the control's cycle is then is not known. */
@@ -393,8 +400,8 @@ static bool begin_contour(struct interp *interp, const slot_values *target, bool
 			     "the contour of CYCLE72 begins with a circle: its first point is not known");
 	if (!contour->names_point || interp->state.incremental)
 		return fault(&interp->at, column,
-			     "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both given, "
-			     "absolutely: write G90 and both of them");
+			     "the contour of CYCLE72 begins with a point whose coordinates in the plane are not both "
+			     "given, absolutely: write G90 and both of them");
 	return approach(interp, target);
 }
 
@@ -451,7 +458,8 @@ bool sinumerik_contour_end(struct interp *interp)
 	}
 	if (!go(interp, &end, contour->bottom, contour->ends, 0, contour->feed) ||
 	    !go(interp, &end, contour->clear, contour->ends, 0, 0) ||
-	    (contour->backward && (!come_over(interp, &end) || !go(interp, &end, contour->clear, contour->ends, 0, 0))) ||
+	    (contour->backward && (!come_over(interp, &end) ||
+				!go(interp, &end, contour->clear, contour->ends, 0, 0))) ||
 	    !go(interp, &start, (low + contour->clear) / 2, contour->ends, (contour->clear - low) / 2, 0) ||
 	    !go(interp, &between, contour->clear, contour->ends, (contour->clear - low) / 2, 0))
 		return false;

@@ -294,7 +294,8 @@ static bool make_jump(const struct flow *flow, const struct jump *jump)
 			     jump->direction == SINUMERIK_FORWARD    ? "from here on"
 			     : jump->direction == SINUMERIK_BACKWARD ? "before this line"
 								     : "in this program");
-	return leave_loops(flow, to.line) && sinumerik_call_jumped(flow->interp, to.line, jump->column) && go(flow, &to);
+	return leave_loops(flow, to.line) && sinumerik_call_jumped(flow->interp, to.line, jump->column) &&
+	       go(flow, &to);
 }
 
 static bool run_goto(struct flow *flow, size_t word)

@@ -99,8 +99,8 @@ static bool find_element(const struct sinumerik_variable *variable, const char *
 		char *end;
 		const long index = strtol(text, &end, 10);
 
-		if (*text < '0' || *text > '9' || (*text == '0' && end > text + 1) || index < 0 || index >= variable->size[i] ||
-		    *end != (i + 1 < variable->dimensions ? ',' : ']'))
+		if (*text < '0' || *text > '9' || (*text == '0' && end > text + 1) || index < 0 ||
+		    index >= variable->size[i] || *end != (i + 1 < variable->dimensions ? ',' : ']'))
 			return false;
 		*element = *element * (size_t)variable->size[i] + (size_t)index;
 		text = end + 1;
@@ -260,8 +260,8 @@ bool sinumerik_gud_system(struct interp *interp, const char *name, int column, d
 		return fault(&interp->at, column, "the value of %s is known to the control alone", name);
 	if (!variable || !variable->text)
 		return fault(&interp->at, column,
-			     "the value of %s is known to the control alone; if it stays the same while the program runs, "
-			     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     "the value of %s is known to the control alone; if it stays the same while the program "
+			     "runs, <variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
 			     name, name);
 	*value = variable->number;
 	return !isnan(*value) || fault(&interp->at, column, "%s: the value of its <variable> is no number", name);

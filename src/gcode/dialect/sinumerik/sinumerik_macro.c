@@ -88,8 +88,8 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 	if (macro && macro->level != sinumerik->level &&
 	    (strlen(macro->text) != text_length(text) || memcmp(macro->text, text, text_length(text)) != 0))
 		return fault(lexer->at, column,
-			     "%s has another text in the program that calls, or in a subprogram before: which one holds "
-			     "after the return is not certain; give it another name",
+			     "%s has another text in the program that calls, or in a subprogram before: which one "
+			     "holds after the return is not certain; give it another name",
 			     name);
 	if (!macro && sinumerik->macro_count == MACROS_MAX)
 		return fault(lexer->at, column, "more than %d names of DEFINE", MACROS_MAX);

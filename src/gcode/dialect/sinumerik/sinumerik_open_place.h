@@ -4,7 +4,9 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* From here on the tool is somewhere in a box about its place; `half` is its extent along the axes of the program, mm. */
+/*
+ * From here on the tool is somewhere in a box about its place; `half` is its extent along the axes of the program, mm.
+ */
 void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1]);
 
 /* A place that G40 without a move has left open counts as one, too. */

@@ -76,7 +76,9 @@ bool sinumerik_path_smooth(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const double tolerance = argument(sinumerik, 0, 0), given = argument(sinumerik, 1, 1);
-	/* With three arguments it is the form of today, whose hundreds are Top Surface, which smooths within the same. */
+	/*
+	 * With three arguments it is the form of today, whose hundreds are Top Surface, which smooths within the same.
+	 */
 	const double mode =
 	    sinumerik->argument_count > 2 && given >= HUNDREDS && given < 2 * HUNDREDS ? given - HUNDREDS : given;
 	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;

@@ -301,11 +301,12 @@ bool sinumerik_pattern_go_on(struct interp *interp)
 	interp->moves = 0;
 	if (interp->state.plane != left->plane || !same_double(interp->state.scale, left->scale))
 		return fault(&interp->at, left->column,
-			     "%s has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of %s; "
-			     "PROC with SAVE brings them back",
+			     "%s has changed the plane or the unit of length (G17 to G19, G70 to G710) at a hole of "
+			     "%s; PROC with SAVE brings them back",
 			     sinumerik->modal.name, left->name);
 	if (interp->comp.side != 0)
-		return fault(&interp->at, left->column, "%s has left tool radius compensation on at a hole of %s; G40 first",
+		return fault(&interp->at, left->column, "%s has left tool radius compensation on at a hole of %s; G40 "
+							"first",
 			     sinumerik->modal.name, left->name);
 	/* The cycles of the control are subprograms with SAVE: what ran at the holes ran inside of one. */
 	return sinumerik_target_check_cycle(interp, left->column) && run_left(interp) &&

@@ -16,8 +16,8 @@ bool sinumerik_place_check_edge(const struct interp *interp, int column)
 }
 
 /*
- * MD22550: T changes the tool by itself, or M6 does. A program that has M6 once means the second; before that, T may have
- * put another tool into the spindle.
+ * MD22550: T changes the tool by itself, or M6 does. A program that has M6 once means the second; before that, T may
+ * have put another tool into the spindle.
  */
 bool sinumerik_place_check_tool(const struct interp *interp, int column)
 {
@@ -75,8 +75,8 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 		    "the machine's <controller>");
 	if (sinumerik->plane_unsure)
 		return fault(&interp->at, column,
-			     "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes "
-			     "with it is not certain: write CYCLE800 behind it");
+			     "another work offset was selected while CYCLE800 has swivelled, and whether the plane "
+			     "goes with it is not certain: write CYCLE800 behind it");
 	if (unsure_frame_counts(sinumerik, letters))
 		return fault(&interp->at, column,
 			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "

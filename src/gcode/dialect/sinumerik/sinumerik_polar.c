@@ -110,8 +110,8 @@ bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_blo
 
 	if (by_a == by_b || (block->addresses & SINUMERIK_POLAR_BITS))
 		return fault(&interp->at, column,
-			     "ANG= is supported beside one coordinate of the plane, %c or %c; where two blocks determine "
-			     "each other, write the point where they meet",
+			     "ANG= is supported beside one coordinate of the plane, %c or %c; where two blocks "
+			     "determine each other, write the point where they meet",
 			     letter_a(interp), letter_b(interp));
 	if (block->address_way[SINUMERIK_ANG] != SINUMERIK_WAY_MODAL)
 		return fault(&interp->at, column, "ANG= is an angle from the first axis of the plane");

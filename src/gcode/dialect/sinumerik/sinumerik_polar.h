@@ -20,8 +20,8 @@ bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *b
 
 /*
  * Puts the coordinate that ANG= stands for into the target, which has the plane's other coordinate: "Contour
- * definition", one straight line. ANG counts from the first axis of the plane. `shifted`: offsets have changed since the
- * axes of the plane were programmed.
+ * definition", one straight line. ANG counts from the first axis of the plane. `shifted`: offsets have changed since
+ * the axes of the plane were programmed.
  */
 bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_block *block, bool shifted,
 			       slot_values *target);

@@ -344,8 +344,8 @@ static bool check_machining(const struct milling *m, const struct cycle *cycle)
 {
 	return !cycle->machining || sinumerik_argument_digit(&m->of, cycle->machining, 0) != CHAMFER ||
 	       fault(&m->of.interp->at, m->of.column,
-		     "%s that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes is "
-		     "not known",
+		     "%s that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes "
+		     "is not known",
 		     m->of.cycle);
 }
 

@@ -27,7 +27,7 @@ bool sinumerik_spindle_check(const struct interp *interp, const char *name, int 
 
 	return strtol(name + 1, NULL, 10) == master ||
 	       fault(&interp->at, column,
-		     "%s: only the master spindle is supported, which is the %s; SETMS(%s) before it makes this one the "
-		     "master, if it turns the tool",
+		     "%s: only the master spindle is supported, which is the %s; SETMS(%s) before it makes this one "
+		     "the master, if it turns the tool",
 		     name, master == 1 ? "first one" : "one of SETMS", name + 1);
 }

@@ -201,7 +201,8 @@ static bool choose_by_direction(const struct swivel *s, struct kinematics_soluti
 		++*chosen;
 	if (*chosen == found->count)
 		return fault(&interp->at, s->column,
-			     "CYCLE800: no position of the rotary axes within their limits stands the tool on the plane");
+			     "CYCLE800: no position of the rotary axes within their limits stands the tool on the "
+			     "plane");
 	if (found->count < 2 || *chosen == 1 || !items[1].within_limits)
 		return true;
 	if (!slot)
@@ -418,12 +419,13 @@ static bool check(const struct swivel *s, long status, long direction)
 	if (state->work_assigned)
 		return work_offset_use_fault(s->interp, s->column);
 	if (plane > 1 || (plane == 0 && state->plane != G17))
-		return refuse(s, "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 "
-				 "before it, or 1 in the units of DMODE");
+		return refuse(s, "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not "
+				 "supported; G17 before it, or 1 in the units of DMODE");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status % 10 && sinumerik->plane_unsure)
-		return refuse(s, "CYCLE800 that adds a plane (units of ST 1) to one that another work offset may have changed");
+		return refuse(s, "CYCLE800 that adds a plane (units of ST 1) to one that another work offset may have "
+				 "changed");
 	if (status / 10 % 10)
 		return refuse(s,
 			      "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");

@@ -105,16 +105,17 @@ static bool take_action(struct interp *interp, struct lexer *lexer)
 		return sinumerik_name_step_over_call(lexer);
 	if (IS_ONE_OF(name, written)) {
 		if (lexer_peek(lexer) == '[')
-			lexer->position += strcspn(text + lexer->position, "]") + (strchr(text + lexer->position, ']') != NULL);
+			lexer->position += strcspn(text + lexer->position, "]") +
+					   (strchr(text + lexer->position, ']') != NULL);
 		if (!sinumerik_name_need(lexer, '=', name))
 			return false;
 		lexer->position = skip_value(text, lexer->position);
 		return true;
 	}
 	return fault(lexer->at, column,
-		     "a synchronous action that may move an axis or change the program is not supported; behind DO stand "
-		     "outputs ($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that "
-		     "move no axis");
+		     "a synchronous action that may move an axis or change the program is not supported; behind DO "
+		     "stand outputs ($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes "
+		     "that move no axis");
 }
 
 bool sinumerik_synchronous_take(struct interp *interp, struct lexer *lexer, const char *name, bool *is)

@@ -141,8 +141,8 @@ bool sinumerik_system_tool(struct interp *interp, int length, int column, double
 	/* The setup has the length along the tool, and no others. */
 	if (length > 1 || sinumerik->edge == 0 || interp->state.tool == 0)
 		return true;
-	return sinumerik_system_edge(interp, length ? "$TC_DP3" : "$TC_DP6", interp->state.tool, sinumerik->edge, column,
-				     value);
+	return sinumerik_system_edge(interp, length ? "$TC_DP3" : "$TC_DP6", interp->state.tool,
+				     sinumerik->edge, column, value);
 }
 
 bool sinumerik_system_offset(struct interp *interp, int n, int slot, const char *component, int column, double *value)

@@ -76,7 +76,9 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		     component[0] ? component : "no component");
 }
 
-/* One part of $P_PFRAME: the frame itself, where it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X). */
+/*
+ * One part of $P_PFRAME: the frame itself, where it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X).
+ */
 static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 {
 	static const struct {
@@ -138,7 +140,8 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 /* Base frames, which programs take back at their start, are none here. */
 static bool is_base_frame(const char *name)
 {
-	static const char *const frames[] = {"$P_UBFR", "$P_BFRAME", "$P_CHBFR", "$P_CHBFRAME", "$P_NCBFR", "$P_NCBFRAME"};
+	static const char *const frames[] = {"$P_UBFR", "$P_BFRAME", "$P_CHBFR", "$P_CHBFRAME",
+					      "$P_NCBFR", "$P_NCBFRAME"};
 
 	for (size_t i = 0; i < sizeof(frames) / sizeof(frames[0]); i++) {
 		if (!strcmp(name, frames[i]))
@@ -150,7 +153,8 @@ static bool is_base_frame(const char *name)
 static bool refuse_base_frame(struct interp *interp, const char *name, int column)
 {
 	return fault(&interp->at, column,
-		     "%s: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it", name);
+		     "%s: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it",
+		     name);
 }
 
 /* $P_CHBFR[0]=CTRANS() */

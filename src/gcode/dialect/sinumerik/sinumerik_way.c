@@ -40,8 +40,9 @@ bool sinumerik_way_fits(const struct line_place *at, int column, const char *wor
 {
 	if (way == SINUMERIK_WAY_MODAL || (is_coordinate && way <= SINUMERIK_WAY_IC))
 		return true;
-	return fault(at, column, is_coordinate ? "%s takes AC() and IC(), not %s()" : "%s takes a plain value, not %s()",
-		     word, names[way]);
+	return fault(at, column,
+		     is_coordinate ? "%s takes AC() and IC(), not %s()" : "%s takes a plain value, not %s()", word,
+		     names[way]);
 }
 
 bool sinumerik_way_fits_letter(const struct line_place *at, int column, char letter, unsigned char way)
