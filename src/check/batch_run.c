@@ -62,8 +62,8 @@ static struct pending_batch *pending_of(struct checker *c, size_t number)
 }
 
 /*
- * Are clearances measured before the batch is checked? What is proved for them need not be checked again. Where only the
- * least ones are measured, the check tells what is worth it.
+ * Are clearances measured before the batch is checked? What is proved for them need not be checked again. Where only
+ * the least ones are measured, the check tells what is worth it.
  */
 static bool measures_first(const struct check_options *options)
 {
