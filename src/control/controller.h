@@ -88,8 +88,8 @@ enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERS
 enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
 
 /*
- * What PLANE without COORD ROT and TABLE ROT turns where a rotary axis is free: the coordinates alone (TNC 640, TNC7), or
- * the table, as bit 6 of MP7500 says on iTNC 530.
+ * What PLANE without COORD ROT and TABLE ROT turns where a rotary axis is free: the coordinates alone (TNC 640, TNC7),
+ * or the table, as bit 6 of MP7500 says on iTNC 530.
  */
 enum plane_rotation { PLANE_ROTATION_UNKNOWN, PLANE_ROTATION_COORDINATES, PLANE_ROTATION_TABLE };
 

@@ -8,9 +8,9 @@
 #include "gcode/state.h"
 
 /*
- * Where the free axis of this slot goes, degrees as in a slot, for the plane `tilt`. COORD ROT (`asked`) leaves the axis
- * where it is, or takes it to 0 (swivel_pole); TABLE ROT turns it until the plane's coordinates lie along the machine's.
- * Without either word the machine's plane_rotation counts. False: reported, also where nobody has said it.
+ * Where the free axis of this slot goes, degrees as in a slot, for the plane `tilt`. COORD ROT (`asked`) leaves the
+ * axis where it is, or takes it to 0 (swivel_pole); TABLE ROT turns it until the plane's coordinates lie along the
+ * machine's. Without either word the machine's plane_rotation counts. False: reported, also where nobody has said it.
  */
 bool klartext_free_axis_turn(struct interp *interp, int column, enum plane_rotation asked,
 			     const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *angle);

@@ -91,7 +91,9 @@ static bool ignore(struct lexer *lexer)
 	return true;
 }
 
-/* TNC7 user's manual, "Process monitoring": "SECTION MONITORING START" and "STOP", on older ones "MONITORING SECTION". */
+/*
+ * TNC7 user's manual, "Process monitoring": "SECTION MONITORING START" and "STOP", on older ones "MONITORING SECTION".
+ */
 static bool section(struct lexer *lexer)
 {
 	return klartext_take(lexer, "MONITORING") ||
