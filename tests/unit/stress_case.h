@@ -159,6 +159,23 @@ static inline void stress_sweep(const struct stress_case *c, const char *name, c
 
 /* ---------------------------------------------------- through files, whole */
 
+static char stress_folder[] = "/tmp/fivecheck-stress-XXXXXX";
+
+/* Fixtures of a test case: every test runs in a folder of its own, with the four files below at most. */
+static inline void stress_enter(void)
+{
+	require(mkdtemp(stress_folder) && !chdir(stress_folder), "cannot make a folder");
+}
+
+static inline void stress_leave(void)
+{
+	static const char *const names[] = {"a.stl", "b.stl", "m.xml", "p.nc"};
+
+	for (int k = 0; k < 4; k++)
+		unlink(names[k]);
+	require(!rmdir(stress_folder), "files are left in %s", stress_folder);
+}
+
 static inline void stress_write_stl(const char *path, const struct mesh *mesh)
 {
 	FILE *file = fopen(path, "wb");

@@ -184,28 +184,11 @@ START_TEST(near_the_singular_pose)
 }
 END_TEST
 
-static char folder[] = "/tmp/fivecheck-stress-XXXXXX";
-
-static void enter_folder(void)
-{
-	ck_assert_ptr_nonnull(mkdtemp(folder));
-	ck_assert_int_eq(chdir(folder), 0);
-}
-
-static void leave_folder(void)
-{
-	static const char *const names[] = {"a.stl", "b.stl", "m.xml", "p.nc"};
-
-	for (int k = 0; k < 4; k++)
-		unlink(names[k]);
-	ck_assert_int_eq(rmdir(folder), 0);
-}
-
 int main(void)
 {
 	TCase *tcase = tcase_create("closed forms");
 
-	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
+	tcase_add_checked_fixture(tcase, stress_enter, stress_leave);
 	tcase_add_loop_test(tcase, near_the_singular_pose, 0, COUNT(dances));
 	return run_suite("stress_tcp", tcase);
 }

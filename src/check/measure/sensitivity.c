@@ -172,13 +172,25 @@ static double room(const struct search *search)
 	return least / search->spread;
 }
 
-static void give_up(struct search *search, struct probe *probe, double at)
+/* `why` is the answer's from here on; NULL: no run failed. */
+static void give_up(struct search *search, char *why, double at)
 {
 	search->answer->state = SENSITIVITY_UNKNOWN;
 	search->answer->turn = at;
-	search->answer->why = probe ? probe->why : NULL;
-	if (probe)
-		probe->why = NULL;
+	search->answer->why = why;
+}
+
+/* run() whose check was complete. False: it was not, and the search ends. */
+static bool ask(struct search *search, double amount, double measures, struct probe *probe)
+{
+	*probe = run(search, amount, measures);
+	if (probe->result == CHECK_INCOMPLETE) {
+		give_up(search, probe->why, amount);
+		return false;
+	}
+	free(probe->why);
+	probe->why = NULL;
+	return true;
 }
 
 static void turn(struct search *search, double at)
@@ -197,18 +209,15 @@ static void close_in(struct search *search, double low, double high, bool proved
 
 	while (high - low > finest && search->runs < RUNS_MAX) {
 		double middle = 0.5 * (low + high);
-		struct probe probe = run(search, middle, 0);
+		struct probe probe;
 
-		if (probe.result == CHECK_INCOMPLETE) {
-			give_up(search, &probe, middle);
+		if (!ask(search, middle, 0, &probe))
 			return;
-		}
 		if (probe.result == CHECK_FOUND)
 			high = middle;
 		else
 			low = middle;
 		proved = proved && probe.orderly;
-		free(probe.why);
 	}
 	/* Repeats the last run that found something: its finding is the one to report. */
 	free(run(search, high, 0).why);
@@ -226,13 +235,10 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	double safe = room(search) - STALL * e;
 	bool stalls = !(safe > STALL * e);
 	double next = fmin(*low + (stalls ? *stride : safe), answer->range);
-	struct probe probe = run(search, next, answer->range - next);
+	struct probe probe;
 
-	if (probe.result == CHECK_INCOMPLETE) {
-		give_up(search, &probe, next);
+	if (!ask(search, next, answer->range - next, &probe))
 		return true;
-	}
-	free(probe.why);
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
 	/* With stock nothing is ever proved: then halving alone tells where the verdict changes. */
 	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->study->scene) >= 0))
@@ -254,14 +260,12 @@ static void search_clear(struct search *search)
 {
 	struct sensitivity *answer = search->answer;
 	double stride = PROBE * search->options.tolerance, low = 0, first = fmin(stride, answer->range);
-	struct probe probe = run(search, first, 0);
-	bool proved = probe.orderly, any = false;
+	struct probe probe;
+	bool proved, any = false;
 
-	if (probe.result == CHECK_INCOMPLETE) {
-		give_up(search, &probe, first);
+	if (!ask(search, first, 0, &probe))
 		return;
-	}
-	free(probe.why);
+	proved = probe.orderly;
 	if (probe.result == CHECK_FOUND) {
 		turn(search, first);
 		return;
@@ -292,13 +296,10 @@ static void search_found(struct search *search)
 	answer->state = SENSITIVITY_HOLDS;
 	for (int i = 1; i <= PARTS && !(high > 0); i++) {
 		double at = answer->range * i / PARTS;
-		struct probe probe = run(search, at, 0);
+		struct probe probe;
 
-		if (probe.result == CHECK_INCOMPLETE) {
-			give_up(search, &probe, at);
+		if (!ask(search, at, 0, &probe))
 			return;
-		}
-		free(probe.why);
 		if (probe.result == CHECK_CLEAR)
 			high = at;
 		else
@@ -307,13 +308,10 @@ static void search_found(struct search *search)
 	found = *answer;
 	for (int i = 0; i < HALVINGS && high > 0; i++) {
 		double middle = 0.5 * (low + high);
-		struct probe probe = run(search, middle, 0);
+		struct probe probe;
 
-		if (probe.result == CHECK_INCOMPLETE) {
-			give_up(search, &probe, middle);
+		if (!ask(search, middle, 0, &probe))
 			return;
-		}
-		free(probe.why);
 		if (probe.result == CHECK_CLEAR)
 			high = middle;
 		else
