@@ -234,6 +234,11 @@ START_TEST(t_without_m6)
 		{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\n", NULL},
 		{ANSWER_UNKNOWN, "G500 T1\nG0 C1\nSUPA X3 Z5\nM6\nX1 Z1\nT2\nX2\n",
 		 "rapid 0 0 0 0 1\nrapid 3 0 5 0 1\ntool 1\nrapid 1 0 101 0 1\nrapid 2 0 101 0 1\n"},
+		/* The M6 behind the move says what T does. */
+		{ANSWER_UNKNOWN, "G500 T1\nG0 X3 Z5\nM6\nZ1\n",
+		 "rapid 3 0 5 0 0\ntool 1\nrapid 3 0 101 0 0\n"},
+		{ANSWER_UNKNOWN, "G500 T1\nG0 X3\nG0X2T2M06\n", "rapid 3 0 0 0 0\ntool 2\nrapid 2 0 0 0 0\n"},
+		{ANSWER_UNKNOWN, "G500 T1\nG0 X1\nM30\n;M6\nMSG(\"M6\")\nM60\nM6.6\nM_M6=1\nT1M6=3\n%_N_L6_SPF\nM6\n", NULL},
 		{ANSWER_UNKNOWN, "G500 T0\nG0 X1\n", "rapid 1 0 0 0 0\n"},
 		{ANSWER_NO, "G500 T1 D0\nG0 X1 Z5\n", "rapid 1 0 5 0 0\n"},
 		{ANSWER_YES, "G500 T1 D0\nG0 X1 Z5\nT2\nZ6\nM6\nT=\"MILL10\" D1 Z7\nT0\nZ8\n",
@@ -248,7 +253,7 @@ START_TEST(t_without_m6)
 	if (row->moves)
 		ck_assert_str_eq(strbuf_text(&c.moves), row->moves);
 	else
-		ck_assert_msg(strstr(strbuf_text(&c.messages), "T without M6 so far: a parameter of the control (MD22550)"),
+		ck_assert_msg(strstr(strbuf_text(&c.messages), "T without any M6: a parameter of the control (MD22550)"),
 			      "%s", strbuf_text(&c.messages));
 	case_release(&c);
 }

@@ -16,8 +16,8 @@ bool sinumerik_place_check_edge(const struct interp *interp, int column)
 }
 
 /*
- * MD22550: T changes the tool by itself, or M6 does. A program that has M6 once means the second; before that, T may
- * have put another tool into the spindle.
+ * MD22550: T changes the tool by itself, or M6 does. A program that has M6, before or behind, means the second; else
+ * T may have put another tool into the spindle.
  */
 bool sinumerik_place_check_tool(const struct interp *interp, int column)
 {
@@ -25,9 +25,9 @@ bool sinumerik_place_check_tool(const struct interp *interp, int column)
 	const struct state *state = &interp->state;
 
 	return interp->config->controller.t_changes_tool != ANSWER_UNKNOWN || !sinumerik->t_waits ||
-	       sinumerik->tool_changed || state->selected == state->tool ||
+	       sinumerik->tool_changed || sinumerik->changes_ahead || state->selected == state->tool ||
 	       fault(&interp->at, column,
-		     "T without M6 so far: a parameter of the control (MD22550) decides whether T changes the tool by "
+		     "T without any M6: a parameter of the control (MD22550) decides whether T changes the tool by "
 		     "itself: write M6, or say t_changes_tool=\"yes\" or \"no\" in the machine's <controller>");
 }
 

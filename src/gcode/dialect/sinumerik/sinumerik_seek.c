@@ -290,6 +290,58 @@ bool sinumerik_seek_program(struct interp *interp, const char *name, int column,
 	return come_back(interp, &next, column);
 }
 
+/* Letters with numbers, as T1M06D1: is M6 among them? *at moves behind them, or behind the name that is none. */
+static bool run_changes_tool(const char *words, size_t *at)
+{
+	bool changes = false;
+
+	while (sinumerik_is_letter(words[*at])) {
+		const bool is_m = sinumerik_upper(words[*at]) == 'M';
+		const size_t number = *at + 1 + strspn(words + *at + 1, "+-"),
+			     length = strspn(words + number, "0123456789.");
+
+		if (length == 0) {
+			*at += strspn(words + *at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
+			return false;
+		}
+		changes = changes || (is_m && words[number + length - 1] == '6' &&
+				      strspn(words + number, "0") == length - 1);
+		*at = number + length;
+	}
+	return changes && words[*at] != '(' && words[*at] != ':' && words[*at] != '=';
+}
+
+static bool has_tool_change(const char *words)
+{
+	size_t at = 0;
+	bool quoted = false;
+
+	while (words[at] && (quoted || words[at] != ';')) {
+		quoted = quoted != (words[at] == '"');
+		if (quoted || !sinumerik_is_letter(words[at]))
+			at++;
+		else if (run_changes_tool(words, &at))
+			return true;
+	}
+	return false;
+}
+
+bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found)
+{
+	struct source *source = interp->program.source;
+	const struct position next = source_next(source);
+	const char *text;
+
+	keep_line(interp);
+	*found = false;
+	while (!*found && reader_next(&source->reader, &text) == READER_LINE && !is_head(text)) {
+		if (cancelled(interp, &source->reader))
+			return false;
+		*found = has_tool_change(text + sinumerik_seek_head(text).rest);
+	}
+	return come_back(interp, &next, column);
+}
+
 /* -------------------------------------------------------------- structures */
 
 struct structure {

@@ -53,6 +53,9 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
  */
 bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found);
 
+/* Is there an M6 behind the line in hand, up to the end of the program? False: the file could not be read: reported. */
+bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found);
+
 /* The first line of the program in hand. */
 struct position sinumerik_seek_top(struct interp *interp);
 

@@ -229,6 +229,8 @@ struct sinumerik {
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
 	bool t_waits;	/* T has been given, and no M6 so far: a parameter says whether T changes the tool by itself */
 	bool tool_changed;	/* by M6 */
+	bool changes_ahead;	/* the program has an M6 behind its first T */
+	const struct source *no_change_ahead;	/* the last file without an M6 behind T; NULL: none */
 	int edge;	/* D */
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */
 	size_t name_count, name_capacity;

@@ -7,6 +7,7 @@
 
 #include "base/mem.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
 
@@ -171,6 +172,22 @@ static bool change_tool(struct interp *interp, const struct sinumerik_block *blo
 	return edge_of_change(interp, block, column);
 }
 
+/* T waits for M6 where the program has one, sooner or later. Each file is searched once. */
+static bool look_for_change(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (!sinumerik_block_has(block, 'T') || sinumerik->tool_changed || sinumerik->changes_ahead ||
+	    interp->config->controller.t_changes_tool != ANSWER_UNKNOWN ||
+	    sinumerik->no_change_ahead == interp->program.source)
+		return true;
+	if (!sinumerik_seek_tool_change(interp, block->column['T' - 'A'], &sinumerik->changes_ahead))
+		return false;
+	if (!sinumerik->changes_ahead)
+		sinumerik->no_change_ahead = interp->program.source;
+	return true;
+}
+
 /* MD22550: T changes the tool by itself, or M6 does. */
 bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block)
 {
@@ -189,7 +206,7 @@ bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *blo
 			return false;
 		sinumerik->tool_changed = true;
 	}
-	return set_programmed_edge(interp, block);
+	return look_for_change(interp, block) && set_programmed_edge(interp, block);
 }
 
 double sinumerik_tool_radius(const struct interp *interp)
