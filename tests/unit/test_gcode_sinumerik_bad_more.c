@@ -40,10 +40,6 @@ static const struct refused_program programs[] = {
 	 ".SPF is neither a word that is known nor a subprogram: no file .SPF.SPF (or .spf, .MPF, .mpf, in "
 	 "upper or lower case) lies beside the program or in a folder of --include; if .SPF is the builder's "
 	 "and moves no axis, <macro program=\".SPF\" action=\"none\"/> in the machine's <controller> says so"},
-	{"EXTCALL \"NOSUCH\"\n", 1, 9,
-	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
-	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
 	{"NOSUCH\n", 1, 1,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
 	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
@@ -253,12 +249,6 @@ static const struct refused_program programs[] = {
 	 "CT needs an end that is not its start"},
 	{"G500 F6 X10\nCT X20 Y10 CR=5\n", 2, 1,
 	 "CT has only an end: no centre, CR=, AR=, TURN=, AP= or RP="},
-	{"PCALL \"A\"\n", 1, 7,
-	 "the path of PCALL stands without quotes"},
-	{"PCALL/A X1\n", 1, 9,
-	 "nothing can follow the call of a subprogram by its text or path"},
-	{"EXTCALL(\"A\") X1\n", 1, 14,
-	 "nothing can follow the call of a subprogram by its text or path"},
 	{"DEFINE M6 AS L6\n", 1, 8,
 	 "DEFINE needs a name that begins with two letters, of at most 32 bytes"},
 	{"DEFINE TRANS AS ROT\n", 1, 8,
@@ -274,25 +264,6 @@ static const struct refused_program programs[] = {
 	 "G3, right before it"},
 	{"R1='HFFFFFFFF'\n", 1, 4,
 	 "a number of more than 31 bits"},
-	{"CALL BLOCK AA TO BB\n", 1, 12,
-	 "there is no label AA in this program"},
-	{"CALL BLOCK AA BB\n", 1, 15,
-	 "TO is needed here"},
-	{"CALL \"SUB\" BLOCK AA TO BB\n", 1, 6,
-	 "CALL BLOCK of a part of another program is not supported; CALL BLOCK of a part of this one is, and so is a "
-	 "call of the whole other one"},
-	{"BB:\nCALL BLOCK AA TO BB\nM30\nAA:\n", 2, 12,
-	 "there is no label BB behind the start of this part"},
-	{"AA:\nBB:\nR1=1\nBB:\nREPEAT AA BB\n", 5, 8,
-	 "the label BB stands in lines 2 and 4: which one ends the part is not certain; give them different names"},
-	{"P2 QOUT(\"A\")\n", 1, 4,
-	 "QOUT with P and a text among its arguments is not supported"},
-	{"QOUT(1) P0\n", 1, 10,
-	 "P must be a whole number from 1 to 9999, not 0"},
-	{"QOUT(1) PX\n", 1, 9,
-	 "nothing can follow a call in its block"},
-	{"G500 F6 P2 CYCLE81(10,0,2,-5)\n", 1, 9,
-	 "P belongs to the call of a subprogram"},
 	{"CYCLE800(3,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 1, 1,
 	 "FR of CYCLE800 must be 0, 1, 2, 4 or 5, not 3"},
 	{"CYCLE800(5,\"\",0,57,0,0,0,0,0,0,0,0,0,1,-1)\n", 1, 1,
@@ -384,34 +355,6 @@ static const struct refused_program programs[] = {
 	 "CHF, CHR and RND need a block with G1, G2 or G3"},
 	{"MEAS=1 X1\n", 1, 1,
 	 "MEAS: measuring with a probe is not supported yet"},
-	{"ID=1 WHEN $A_IN[1]==1 DO M5\n", 1, 26,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"WHENEVER 1==1 DO $A_OUT[1]=1POS[X]=5\n", 1, 35,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"WHENEVER 1==1 DO M8 POS[X]=5\n", 1, 21,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"WHENEVER $AA_IW[X]>5 DO DELDTG\n", 1, 25,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"DO $AA_OFF[Z]=5\n", 1, 4,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"EVERY $AA_IM[X]>5 DO $A_OUT[1]=1 $R5=1\n", 1, 34,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"IDS=1 EVERY $AA_IM[X]>5 DO OWN\n", 1, 28,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
-	{"ID=3 WHEN $A_IN[1]==1 ; DO M8\n", 1, 3,
-	 "a synchronous action needs DO and what it does"},
-	{"WHEN TRUE DO $A_OUT[1\n", 1, 22,
-	 "'=' is needed behind $A_OUT"},
-	{"WHEN TRUE DO\n", 1, 13,
-	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
-	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
 	{"G4\n", 1, 1,
 	 "G4 needs its time: F in seconds, or S in turns of the spindle"},
 	{"G4 S5\n", 1, 1,
@@ -489,8 +432,6 @@ static const struct refused_program programs[] = {
 	 "this '(' is not closed"},
 	{"T=\"abc\n", 1, 3,
 	 "this text is not closed: '\"' is missing"},
-	{"ISOCALL \"X\"\n", 1, 1,
-	 "ISOCALL: call of a program in ISO mode is not supported yet"},
 	{"DIAMON\n", 1, 1,
 	 "DIAMON: diameter programming is not supported yet"},
 	{"KONTC\n", 1, 1,

@@ -1,0 +1,79 @@
+/* test_gcode_sinumerik_bad_parts.c - what is refused of calls, parts that are repeated, and synchronous actions. */
+#include "sinumerik_refused.h"
+#include "suite.h"
+
+static const struct refused_program programs[] = {
+	{"CALL BLOCK AA TO BB\n", 1, 12,
+	 "there is no label AA in this program"},
+	{"CALL BLOCK AA BB\n", 1, 15,
+	 "TO is needed here"},
+	{"CALL \"SUB\" BLOCK AA TO BB\n", 1, 6,
+	 "CALL BLOCK of a part of another program is not supported; CALL BLOCK of a part of this one is, and so is a "
+	 "call of the whole other one"},
+	{"BB:\nCALL BLOCK AA TO BB\nM30\nAA:\n", 2, 12,
+	 "there is no label BB behind the start of this part"},
+	{"AA:\nBB:\nR1=1\nBB:\nREPEAT AA BB\n", 5, 8,
+	 "the label BB stands in lines 2 and 4: which one ends the part is not certain; give them different names"},
+	{"ID=1 WHEN $A_IN[1]==1 DO M5\n", 1, 26,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER 1==1 DO $A_OUT[1]=1POS[X]=5\n", 1, 35,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER 1==1 DO M8 POS[X]=5\n", 1, 21,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"WHENEVER $AA_IW[X]>5 DO DELDTG\n", 1, 25,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"DO $AA_OFF[Z]=5\n", 1, 4,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"EVERY $AA_IM[X]>5 DO $A_OUT[1]=1 $R5=1\n", 1, 34,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"IDS=1 EVERY $AA_IM[X]>5 DO OWN\n", 1, 28,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"ID=3 WHEN $A_IN[1]==1 ; DO M8\n", 1, 3,
+	 "a synchronous action needs DO and what it does"},
+	{"WHEN TRUE DO $A_OUT[1\n", 1, 22,
+	 "'=' is needed behind $A_OUT"},
+	{"WHEN TRUE DO\n", 1, 13,
+	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
+	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
+	{"EXTCALL \"NOSUCH\"\n", 1, 9,
+	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
+	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
+	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
+	{"PCALL \"A\"\n", 1, 7,
+	 "the path of PCALL stands without quotes"},
+	{"PCALL/A X1\n", 1, 9,
+	 "nothing can follow the call of a subprogram by its text or path"},
+	{"EXTCALL(\"A\") X1\n", 1, 14,
+	 "nothing can follow the call of a subprogram by its text or path"},
+	{"P2 QOUT(\"A\")\n", 1, 4,
+	 "QOUT with P and a text among its arguments is not supported"},
+	{"QOUT(1) P0\n", 1, 10,
+	 "P must be a whole number from 1 to 9999, not 0"},
+	{"QOUT(1) PX\n", 1, 9,
+	 "nothing can follow a call in its block"},
+	{"G500 F6 P2 CYCLE81(10,0,2,-5)\n", 1, 9,
+	 "P belongs to the call of a subprogram"},
+	{"ISOCALL \"X\"\n", 1, 1,
+	 "ISOCALL: call of a program in ISO mode is not supported yet"},
+};
+
+START_TEST(refused)
+{
+	sinumerik_refuses(&programs[_i]);
+}
+END_TEST
+
+int main(void)
+{
+	TCase *tcase = tcase_create("programs");
+
+	tcase_add_loop_test(tcase, refused, 0, COUNT(programs));
+	return run_suite("gcode_sinumerik_bad_parts", tcase);
+}
