@@ -43,6 +43,10 @@ static const struct program {
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 5 0 0 0 0\nfeed 5 20 0 0 0\n"
 	 "arc 30 45 0 0 0 centre 30 20 0 normal 0 0 1 sweep -90\n"
 	 "arc 35 50 0 0 0 centre 30 50 0 normal 0 0 1 sweep 90\nfeed 40 60 0 0 0\n"},
+	/* TRAORI holds the tool's tip beside the path, however the tool leans. */
+	{"F6 G500 T1 M6 D1 G17\nTRAORI\nG0 X0 Y0 Z0 A30\nG41 NORM G450 G1 X10 Y0\nY20\nX30\nG40 X30 Y0\n", 
+	 "tool 1\ntcp on length 100 zero A0 C0\nrapid 0 0 0 30 0 tcp\nfeed 5 0 0 30 0 tcp\nfeed 5 20 0 30 0 tcp\n"
+	 "arc 10 25 0 30 0 centre 10 20 0 normal 0 0 1 sweep -90 tcp\nfeed 30 25 0 30 0 tcp\nfeed 30 0 0 30 0 tcp\n"},
 	/* The edge's own radius: D2 has 4. */
 	{"F6 G500 T1 M6 D2 G17\nG0 X0 Y0 Z-90\nG41 NORM G450\nG1 X10 Y0\nY20\nG40\nG0 X0 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 6 0 0 0 0\nfeed 6 20 0 0 0\nfeed 10 20 0 0 0 spread 4 4 0\n"
@@ -131,8 +135,13 @@ static const struct refused_words bad[] = {
 	{TOOL "ROT X30\nG41 G1 X10\n",
 	 "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of the "
 	 "machine's axes; CUT2DF corrects in the tilted one"},
-	{"G500 TRAORI\nT1 M6 D1\nG41 G1 F6 X10\n",
-	 "tool radius compensation while TRAORI is on is not supported"},
+	{"G500 TRAORI\nT1 M6 D1\nNORM G41 G1 F6 X10\nX20 A10\n",
+	 "TRAORI turns the tool while tool radius compensation is on, which is not supported: turn it before G41 or G42"},
+	{"G500 TRAORI\nT1 M6 D1\nNORM G41 G1 F6 X10 A3=0 B3=1 C3=1\n",
+	 "TRAORI turns the tool while tool radius compensation is on, which is not supported: turn it before G41 or G42"},
+	{"G500 TRAORI\nT1 M6 D1\nAROT X10\nNORM G41 G1 F6 X10\n",
+	 "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of the "
+	 "machine's axes; CUT2DF corrects in the tilted one"},
 	{"F6 G500\nX10 RND=2 CHF=1\n", "a block can have only one of CHF, CHR and RND"},
 	{"F6 G500\nX10 RND=-2\n", "a chamfer or rounding cannot be negative"},
 	{"F6 G500\nG0 X10 RND=2\n", "CHF, CHR and RND need a block with G1, G2 or G3"},
@@ -222,6 +231,25 @@ START_TEST(start_of_the_machine)
 }
 END_TEST
 
+/* Where an arc goes on in a line, rounding may make a corner of it by 1e-16: that is no whole turn about the corner. */
+START_TEST(tangents_in_frames)
+{
+	for (int degrees = 1; degrees <= 40; degrees++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		strbuf_addf(&program,
+			    TOOL "TRANS X5 Y6 Z7\nAROT X%d\nAROT Y5\nG0 X-20 Y-15 Z20\nCUT2DF NORM G450\n"
+				 "G1 G41 X0 Y0\nX60\nG3 X80 Y20 CR=20\nG1 Y50\nG40 X0\n", degrees);
+		ck_assert_msg(case_run(&c, strbuf_text(&program)), "%s", strbuf_text(&c.messages));
+		ck_assert_msg(!strstr(strbuf_text(&c.moves), "sweep -360"), "%d: %s", degrees, strbuf_text(&c.moves));
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
 START_TEST(refused)
 {
 	sinumerik_refuses_words(&bad[_i]);
@@ -235,6 +263,7 @@ int main(void)
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
 	tcase_add_test(tcase, corners_of_the_machine);
 	tcase_add_test(tcase, start_of_the_machine);
+	tcase_add_test(tcase, tangents_in_frames);
 	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
 	return run_suite("gcode_sinumerik_comp", tcase);
 }

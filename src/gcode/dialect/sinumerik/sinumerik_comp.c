@@ -86,7 +86,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 
 /*
  * 840D sl, job planning, "CUT2D, CUT2DF": CUT2D corrects in the plane of the machine's axes, CUT2DF in that of the
- * frame. They are one where the frame does not tilt the plane, and after CYCLE800 where the table has turned.
+ * frame. They are one where the frame does not tilt the plane, and after CYCLE800 where the table has turned. While
+ * TRAORI is on, the machine's axes are those of the workpiece, however the rotary axes stand.
  */
 static bool check_plane(struct interp *interp, int column)
 {
@@ -95,18 +96,16 @@ static bool check_plane(struct interp *interp, int column)
 	const vec3 normal = {across == SLOT_X, across == SLOT_Y, across == SLOT_Z};
 	vec3 seen = normal;
 
-	if (state->tcp == TCP_BY_LENGTH)
-		return fault(&interp->at, column, "tool radius compensation while TRAORI is on is not supported");
 	if (sinumerik_frame_resizes(interp))
 		return fault(&interp->at, column,
 			     "tool radius compensation while SCALE is in force is not supported yet");
 	if (sinumerik_of(interp)->turns_plane)
 		return true;
-	if (state->tcp == TCP_OFF && state->frame.on)
+	if (state->tcp != TCP_BY_PLANE && state->frame.on)
 		seen = mat3_apply(&state->frame.turn, normal);
 	if (state->tcp == TCP_BY_PLANE && sinumerik_of(interp)->tool_upright && state->plane == G17)
 		return true;
-	return (state->tcp == TCP_OFF && vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen)) ||
+	return (state->tcp != TCP_BY_PLANE && vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen)) ||
 	       fault(&interp->at, column,
 		     "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in "
 		     "the plane of "
@@ -234,6 +233,21 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is "
 			     "not known here; write G700 or G710");
 	sinumerik->allowance = allowance;
+	return true;
+}
+
+bool sinumerik_comp_check_turn(struct interp *interp, const slot_values *target, bool on_circle, int column)
+{
+	const slot_values *place = sinumerik_frame_place(interp);
+
+	if (interp->comp.side == 0 || interp->state.tcp != TCP_BY_LENGTH)
+		return true;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (on_circle || !same_double(target->v[slot], place->v[slot]))
+			return fault(&interp->at, column,
+				     "TRAORI turns the tool while tool radius compensation is on, which is not "
+				     "supported: turn it before G41 or G42");
+	}
 	return true;
 }
 

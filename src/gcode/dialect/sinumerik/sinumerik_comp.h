@@ -17,6 +17,12 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 /* Takes NORM, KONT, G450, G451, DISC, CUT2D, and switches by G40, G41 or G42. */
 bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *block);
 
+/*
+ * Refuses a move to these program coordinates that turns the tool under compensation while TRAORI is on: by the rotary
+ * axes' coordinates, or on a great circle.
+ */
+bool sinumerik_comp_check_turn(struct interp *interp, const slot_values *target, bool on_circle, int column);
+
 /* The program halts here (M0, M1), or has ended. */
 bool sinumerik_comp_stop(struct interp *interp, int column, bool ends);
 

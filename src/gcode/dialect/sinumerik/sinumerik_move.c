@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
+#include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_contour.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_great_circle.h"
@@ -172,6 +173,8 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 		return false;
 	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target, &turn))
 		return false;
+	if (!sinumerik_comp_check_turn(interp, &target, turn.on_circle, sinumerik_block_axis_column(block)))
+		return false;
 	if (turn.on_circle) {
 		const int column = sinumerik_block_axis_column(block);
 		bool evenly;
@@ -253,7 +256,8 @@ static bool run_circle(struct interp *interp, const struct sinumerik_block *bloc
 	if (turn.on_circle)
 		return fault(&interp->at, interp->block.g_column[G_MOTION],
 			     "a circle during which the tool turns on a great circle (ORIVECT) is not supported yet");
-	if (!sinumerik_circle_find(interp, block, &target, &circle))
+	if (!sinumerik_comp_check_turn(interp, &target, false, interp->block.g_column[G_MOTION]) ||
+	    !sinumerik_circle_find(interp, block, &target, &circle))
 		return false;
 	if (circle.straight) {
 		move.kind = CANON_FEED;

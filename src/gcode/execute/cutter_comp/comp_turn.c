@@ -208,6 +208,12 @@ static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_for
 		turn_between(c, turn);
 		return;
 	}
+	/* Rounding alone makes a corner of it: an arc between points that are one would be a whole turn. */
+	if (form == COMP_CORNER_CIRCULAR && c->angle * c->radius <= 2 * SAME_POINT) {
+		add(turn, c->foot);
+		turn->spread_before = turn->spread_after = distance(c->foot, c->next_foot);
+		return;
+	}
 	if (form == COMP_CORNER_CIRCULAR) {
 		add(turn, c->foot);
 		add(turn, c->next_foot);
