@@ -93,6 +93,12 @@ enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_
  */
 enum plane_rotation { PLANE_ROTATION_UNKNOWN, PLANE_ROTATION_COORDINATES, PLANE_ROTATION_TABLE };
 
+/*
+ * How a rotary axis whose display is reduced to 360 degrees goes without M126: by the difference of the two values, or
+ * the shorter way (MP7682 bit 2, shortestDistance).
+ */
+enum rotary_way { ROTARY_WAY_UNKNOWN, ROTARY_WAY_PLAIN, ROTARY_WAY_SHORTER };
+
 /* Whether L and R of TOOL DEF count: with an active tool table they do not. */
 enum tool_def { TOOL_DEF_UNKNOWN, TOOL_DEF_IGNORED };
 
@@ -219,6 +225,7 @@ struct controller {
 	enum swivel_pole swivel_pole;
 	enum plane_retract plane_retract;
 	enum plane_rotation plane_rotation;
+	enum rotary_way rotary_way;
 	enum tool_def tool_def;
 	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;

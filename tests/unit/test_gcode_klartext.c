@@ -287,7 +287,29 @@ START_TEST(rotary_ways)
 	klartext_case(&c);
 	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	ck_assert(!klartext_run(&c, "L C+90 FMAX\nL C+350 FMAX\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "M126 is not in force"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "M126 is not in force: whether the control goes the plain way"));
+	case_release(&c);
+	/* The machine says which: the manual's examples, and half a turn, which is no question then. */
+	for (int way = ROTARY_WAY_PLAIN; way <= ROTARY_WAY_SHORTER; way++) {
+		static const char *const moves[] = {
+			"", "rapid 0 0 0 0 350\nrapid 0 0 0 0 10\nrapid 0 0 0 0 340\nrapid 0 0 0 0 0\nrapid 0 0 0 0 -20\nrapid 0 0 0 0 -360\n",
+			"rapid 0 0 0 0 -10\nrapid 0 0 0 0 10\nrapid 0 0 0 0 -20\nrapid 0 0 0 0 0\nrapid 0 0 0 0 -20\nrapid 0 0 0 0 0\n"};
+
+		klartext_case(&c);
+		c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+		c.config.controller.rotary_way = (enum rotary_way)way;
+		ck_assert_msg(klartext_run(&c, "L C+350 FMAX\nL C+10 FMAX\nL C+340 FMAX\nL C+0 FMAX\nL C-20 FMAX\nL C+0 FMAX\n"),
+			      "%s", strbuf_text(&c.messages));
+		ck_assert_str_eq(strbuf_text(&c.moves), moves[way]);
+		case_release(&c);
+	}
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+	c.config.controller.rotary_way = ROTARY_WAY_PLAIN;
+	ck_assert(klartext_run(&c, "L C+180 FMAX\nL C+0 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 180\nrapid 0 0 0 0 0\n");
+	ck_assert(!klartext_run(&c, "L C+350 FMAX\nL C-20 FMAX\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "outside of 0 to 360 without M126"));
 	case_release(&c);
 	/* Where the display is reduced, M94 has nothing to reduce. */
 	klartext_case(&c);

@@ -259,6 +259,7 @@ static const struct question {
     {"orientation_pole=\"", "orientation_pole=\"axes\"", CHOICE(orientation_pole, ORIENTATION_POLE_AXES)},
     {"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
     {"tool_def=\"", "tool_def=\"ignored\"", CHOICE(tool_def, TOOL_DEF_IGNORED)},
+    {"rotary_way=\"", "rotary_way=\"plain\" or \"shorter\"", CHOICE(rotary_way, ROTARY_WAY_PLAIN)},
     {"plane_rotation=\"", "plane_rotation=\"coordinates\" or \"table\"",
      CHOICE(plane_rotation, PLANE_ROTATION_COORDINATES)},
     {"plane_retract=\"", "plane_retract=\"always\" or \"turning\"", CHOICE(plane_retract, PLANE_RETRACT_ALWAYS)},

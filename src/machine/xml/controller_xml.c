@@ -145,6 +145,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->orientation_pole = ANSWER("orientation_pole", "axes");
 	told->swivel_pole = ANSWER("swivel_pole", "zero", "stays");
 	told->tool_def = ANSWER("tool_def", "ignored");
+	told->rotary_way = ANSWER("rotary_way", "plain", "shorter");
 	told->plane_rotation = ANSWER("plane_rotation", "coordinates", "table");
 	told->plane_retract = ANSWER("plane_retract", "always", "turning");
 }

@@ -19,8 +19,8 @@
 /* ----------------------------------------------------------------- targets */
 
 /*
- * "M126" (iTNC 530 user's manual): without it a rotary axis with a reduced display goes the plain way, with it the
- * shorter one. The machine file tells by wrap what the axis does.
+ * "M126" (iTNC 530 user's manual): with it a rotary axis with a reduced display goes the shorter way, without it as a
+ * parameter of the machine says. The machine file tells by wrap whether the display is reduced.
  */
 static bool check_way(struct interp *interp, int slot, double plain, double target, int column)
 {
@@ -40,13 +40,28 @@ static bool check_way(struct interp *interp, int slot, double plain, double targ
 		    &interp->at, column,
 		    "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
 		    AXIS_LETTERS[slot]);
-	if (klartext->shortest || wrap == WRAP_NONE || fabs(plain - target) < SAME_DEGREES)
+	if (klartext->shortest || wrap == WRAP_NONE || fabs(plain - target) < SAME_DEGREES ||
+	    interp->config->controller.rotary_way == ROTARY_WAY_SHORTER)
 		return true;
+	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
+		return fault(&interp->at, column,
+			     "an angle of %c outside of 0 to 360 without M126: whether the control reduces it before it "
+			     "takes the difference is not known here; write M126, or an angle from 0 to 360",
+			     AXIS_LETTERS[slot]);
 	return fault(
 	    &interp->at, column,
 	    "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
-	    "without it the control goes the plain way; write M126, or wrap=\"none\"",
+	    "whether the control goes the plain way without it is a parameter of the machine: rotary_way=\"plain\" or "
+	    "\"shorter\" of the machine's <controller> says it, or write M126",
 	    AXIS_LETTERS[slot]);
+}
+
+/* Does the axis go by the difference of the angle and the reduced display? */
+static bool goes_plain(const struct interp *interp, int slot, double value)
+{
+	return slot_is_rotary(slot) && interp->config->wrap[slot] == WRAP_SHORTEST &&
+	       !klartext_of(interp)->shortest &&
+	       interp->config->controller.rotary_way == ROTARY_WAY_PLAIN && value >= 0 && value < 360;
 }
 
 static bool find_other(struct interp *interp, const struct klartext_words *words, int slot, slot_values *others)
@@ -71,7 +86,11 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 	/* The plain way, from where the reduced display stands. */
 	plain = value + state->offset.v[slot];
 	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
-		plain += 360 * floor((state->position.v[slot] - state->offset.v[slot]) / 360);
+		plain += 360 * floor((state->position.v[slot] - state->offset.v[slot] + SAME_DEGREES) / 360);
+	if (goes_plain(interp, slot, value)) {
+		others->v[slot] = plain;
+		return true;
+	}
 	return endpoint_absolute(interp, slot, value, state->offset.v[slot], words->column[slot], &others->v[slot]) &&
 	       (!slot_is_rotary(slot) || check_way(interp, slot, plain, others->v[slot], words->column[slot]));
 }

@@ -37,6 +37,7 @@ struct klartext_q {
 	bool given; /* by this program, or by the control */
 	bool read; /* from the control, by FN 18 or FN 28: it has a value, which is not known here */
 	bool undefined; /* by SET UNDEFINED */
+	bool pole; /* read, of an axis that any angle suits: swivel_pole of the machine would say it */
 	struct klartext_query query; /* of FN 18, if it was read by that; an ID of 0: it was not */
 };
 

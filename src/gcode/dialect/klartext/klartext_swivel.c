@@ -333,10 +333,12 @@ bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *
 		if (fabs(here) > SAME_DEGREES && interp->config->controller.swivel_pole != SWIVEL_POLE_ZERO &&
 		    !find_free(interp, request->column, slot, &is_free))
 			return false;
-		if (!is_free)
+		if (!is_free || interp->config->controller.plane_rotation == PLANE_ROTATION_TABLE)
 			klartext_q_set(klartext, 120 + slot - SLOT_A, 0);
 		else if (interp->config->controller.swivel_pole == SWIVEL_POLE_STAYS)
 			klartext_q_set(klartext, 120 + slot - SLOT_A, here);
+		else
+			klartext->q[120 + slot - SLOT_A].pole = true;
 	}
 	return true;
 }
