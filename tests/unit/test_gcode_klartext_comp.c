@@ -285,6 +285,25 @@ START_TEST(plane_rotation)
 }
 END_TEST
 
+/* Where the display is reduced, whole turns are 0: PLANE RESET stays there, or goes to the nearest of them. */
+START_TEST(whole_turns)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+	ck_assert_msg(klartext_run(&c, "L IC+720 A+10 FMAX\nPLANE RESET TURN FMAX\nL IC-20 FMAX\nPLANE RESET TURN FMAX\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "rapid 0 0 0 10 720\nrapid 0 0 0 0 720\nrapid 0 0 0 0 700\nrapid 0 0 0 0 720\n");
+	case_release(&c);
+	klartext_case(&c);
+	ck_assert(!klartext_run(&c, "L IC+720 FMAX\nPLANE RESET TURN FMAX\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "whether PLANE RESET turns C to 0 or to a whole turn"));
+	case_release(&c);
+}
+END_TEST
+
 /* MB of PLANE where no rotary axis has to turn: up to the end of Z, or nothing. */
 START_TEST(retract_standing)
 {
@@ -337,6 +356,7 @@ int main(void)
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, free_axis);
 	tcase_add_test(tcase, plane_rotation);
+	tcase_add_test(tcase, whole_turns);
 	tcase_add_test(tcase, retract_standing);
 	tcase_add_test(tcase, tool_table_counts);
 	tcase_add_test(tcase, blocks_in_order);

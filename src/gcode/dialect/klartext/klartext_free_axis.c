@@ -7,6 +7,16 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
+double klartext_free_axis_zero(const struct interp *interp, int slot)
+{
+	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot] - zero;
+	const double left = remainder(here, 360);
+
+	if (interp->config->wrap[slot] != WRAP_SHORTEST || fabs(left) > 180 - SAME_DEGREES)
+		return zero;
+	return zero + here - left;
+}
+
 /* How far the machine's X, with this axis at this angle, lies along the tilted X. */
 static bool along_tilted_x(struct interp *interp, int column, struct kinematics_turn *turn, int slot, double angle,
 			   const mat3 *tilt, double *found)
@@ -55,7 +65,8 @@ static bool turn_table(struct interp *interp, int column,
 /* COORD ROT leaves a free axis where it is on some controls and takes it to 0 on others. */
 static bool turn_coordinates(struct interp *interp, int column, int slot, double *to)
 {
-	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot] - zero;
+	const double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
+	const double zero = klartext_free_axis_zero(interp, slot);
 	const enum swivel_pole pole = interp->config->controller.swivel_pole;
 
 	if (fabs(remainder(here, 360)) > SAME_DEGREES && !pole)
@@ -65,7 +76,7 @@ static bool turn_coordinates(struct interp *interp, int column, int slot, double
 			     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
 			     "%c to 0 in a block before",
 			     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
-	if (pole == SWIVEL_POLE_ZERO && fabs(here) > 180 + SAME_DEGREES)
+	if (pole == SWIVEL_POLE_ZERO && fabs(interp->state.position.v[slot] - zero) > 180 + SAME_DEGREES)
 		return fault(&interp->at, column,
 			     "PLANE turns %c to 0 or to a whole turn: which one the control takes is not known "
 			     "here; turn %c towards 0 in a block before",

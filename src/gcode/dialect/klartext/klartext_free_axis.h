@@ -8,6 +8,12 @@
 #include "gcode/state.h"
 
 /*
+ * The 0 of a rotary axis, degrees as in a slot: a whole turn away is the same one where the display is reduced, and the
+ * one that is nearest counts.
+ */
+double klartext_free_axis_zero(const struct interp *interp, int slot);
+
+/*
  * Where the free axis of this slot goes, degrees as in a slot, for the plane `tilt`. COORD ROT (`asked`) leaves the
  * axis where it is, or takes it to 0 (swivel_pole); TABLE ROT turns it until the plane's coordinates lie along the
  * machine's. Without either word the machine's plane_rotation counts. False: reported, also where nobody has said it.

@@ -308,7 +308,7 @@ bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *
 	rotary = interp->state.position;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot])
-			rotary.v[slot] = interp->state.offset.v[slot];
+			rotary.v[slot] = klartext_free_axis_zero(interp, slot);
 		if (fabs(rotary.v[slot] - interp->state.position.v[slot]) > 180 + SAME_DEGREES)
 			return fault(&interp->at, request->column,
 				     "whether PLANE RESET turns %c to 0 or to a whole turn is not known here; turn it "
