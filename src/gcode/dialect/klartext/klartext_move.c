@@ -45,14 +45,14 @@ static bool check_way(struct interp *interp, int slot, double plain, double targ
 		return true;
 	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
 		return fault(&interp->at, column,
-			     "an angle of %c outside of 0 to 360 without M126: whether the control reduces it before it "
-			     "takes the difference is not known here; write M126, or an angle from 0 to 360",
+			     "an angle of %c outside of 0 to 360 without M126: whether the control reduces it before "
+			     "it takes the difference is not known here; write M126, or an angle from 0 to 360",
 			     AXIS_LETTERS[slot]);
 	return fault(
 	    &interp->at, column,
 	    "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
-	    "whether the control goes the plain way without it is a parameter of the machine: rotary_way=\"plain\" or "
-	    "\"shorter\" of the machine's <controller> says it, or write M126",
+	    "whether the control goes the plain way without it is a parameter of the machine: rotary_way=\"plain\" "
+	    "or \"shorter\" of the machine's <controller> says it, or write M126",
 	    AXIS_LETTERS[slot]);
 }
 

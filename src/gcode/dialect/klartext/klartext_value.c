@@ -165,8 +165,8 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 		return false;
 	if (q->read && q->pole)
 		return fault(lexer->at, column,
-			     "%.*s is the angle of an axis that any angle suits: whether CYCL DEF 19 leaves it where it "
-			     "is or turns it to 0 depends on the control: swivel_pole=\"stays\" or \"zero\" of the "
+			     "%.*s is the angle of an axis that any angle suits: whether CYCL DEF 19 leaves it where "
+			     "it is or turns it to 0 depends on the control: swivel_pole=\"stays\" or \"zero\" of the "
 			     "machine's <controller> says it",
 			     length, name);
 	if (q->read && number >= 100 && number < 200)
