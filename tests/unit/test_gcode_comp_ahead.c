@@ -103,6 +103,22 @@ START_TEST(planes)
 }
 END_TEST
 
+/*
+ * Fanuc B-64484EN, tilted working plane indexing: compensation works in the tilted plane, here with X' = -X and Y' = Z
+ * from (10, 20, 30), and the tool stays at Y 0. The corners are those of `square`.
+ */
+START_TEST(on_a_tilted_plane)
+{
+	run(A, LINEAR, "G68.2 X10 Y20 Z30 I180 J90 K0\nG53.1\n" SQUARE,
+	    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nfeed 2 0 30 90 0 tcp\nfeed 2 0 52 90 0 tcp\n"
+	    "feed -22 0 52 90 0 tcp\nfeed -22 0 30 90 0 tcp\nfeed -30 0 30 90 0 tcp\n");
+	run(A, CIRCULAR, "G68.2 X10 Y20 Z30 I180 J90 K0\nG53.1\nG94 F9 G1 G41 D1 X10 Y0\nY20\nX30\nG40 Y40\nG69\nM30\n",
+	    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nfeed 2 0 30 90 0 tcp\nfeed 2 0 50 90 0 tcp\n"
+	    "arc 0 0 52 90 0 centre 0 0 50 normal 0 1 0 sweep -90 tcp\nfeed -20 0 52 90 0 tcp\n"
+	    "feed -20 0 70 90 0 tcp\ntcp off length 0 zero A0 C0\n");
+}
+END_TEST
+
 /* G40 alone: the tool is beside the end until its axes move again, whatever else moves before. */
 START_TEST(cancel_alone)
 {
@@ -326,8 +342,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, cancel_alone, every_way_is_covered, faults, alone,
-				nearly_whole_circles};
+	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, on_a_tilted_plane, cancel_alone, every_way_is_covered,
+				faults, alone, nearly_whole_circles};
 
 	return RUN_TESTS("comp_ahead", tests);
 }

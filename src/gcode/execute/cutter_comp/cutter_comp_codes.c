@@ -78,7 +78,8 @@ static bool switch_on_ahead(struct interp *interp)
 	if (comp->side != 0)
 		return fault(&interp->at, column,
 			     "another side or radius of cutter compensation while it is on; G40 first");
-	if (state->tcp != TCP_OFF)
+	/* On a plane that G53.1 has turned the tool to, the rotary axes stand still. */
+	if (state->tcp != TCP_OFF && state->tcp != TCP_BY_PLANE)
 		return fault(&interp->at, column,
 			     "cutter compensation under tool centre point control is not supported");
 	if (!moves && traits_of(interp)->comp_waits != ANSWER_YES &&
