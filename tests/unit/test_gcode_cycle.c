@@ -415,7 +415,8 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER_OF_M6},
     {&dialect_haas, "T2 M6 G28", 4, ORDER_OF_M6},
     {&dialect_haas, "G70 I2. J0. L4", 1, "G70 needs a canned cycle in force, which makes its holes"},
-    {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 9, BESIDE_G70},
+    {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 30,
+     "L belongs to G70 and to G81: which of them has it is not known; write two blocks"},
     {&dialect_haas, "G70 I2. J0. L4 G80", 1, BESIDE_G70},
     {&dialect_fanuc, "G0 X5. M428", 8, "an M-code that switches TCP in a block that moves: whether it comes before or after the move depends on the "
      "control; write two blocks"},

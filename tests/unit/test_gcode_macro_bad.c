@@ -75,7 +75,7 @@ static const struct {
 	 "      ^\n"},
 	{F, "#1=LN[0]\n", "p.nc:1:4: error: LN of 0: only positive numbers have one\n    #1=LN[0]\n       ^\n"},
 	{F, "G54 M98 P48\nO48\nM99\n",
-	 "p.nc:1:9: error: P belongs to M98 and to another code of the block; write two blocks\n    G54 M98 P48\n"
+	 "p.nc:1:9: error: P belongs to G54 and to M98: which of them has it is not known; write two blocks\n    G54 M98 P48\n"
 	 "            ^\n"},
 	{F, "#1=POW[2]\n", "p.nc:1:9: error: POW needs two values, POW[a,b]\n    #1=POW[2]\n            ^\n"},
 	{F, "#1=POW[-1,.5]\n",
@@ -327,7 +327,7 @@ static const struct {
 	{BOTH, "M98 P7 L0\n",
 	 "p.nc:1:8: error: L0: a whole number from 1 to 9999 is needed\n    M98 P7 L0\n           ^\n"},
 	{BOTH, "M98 P7 G4\n",
-	 "p.nc:1:5: error: P belongs to M98 and to another code of the block; write two blocks\n    M98 P7 "
+	 "p.nc:1:5: error: P belongs to G4 and to M98: which of them has it is not known; write two blocks\n    M98 P7 "
 	 "G4\n        ^\n"},
 	{H, "G0 X1. M98 P7 Q5\n",
 	 "p.nc:1:15: error: no code in the block uses the word Q\n    G0 X1. M98 P7 Q5\n                  ^\n"},
@@ -398,7 +398,7 @@ static const struct {
 	{F, "N#1 G0\n",
 	 "p.nc:1:1: error: a line number must be a whole number that is not negative\n    N#1 G0\n    ^\n"},
 	{F, "M98 P1 G10 L2\n",
-	 "p.nc:1:12: error: L belongs to M98 and to another code of the block; write two blocks\n    M98 P1 "
+	 "p.nc:1:12: error: L belongs to G10 and to M98: which of them has it is not known; write two blocks\n    M98 P1 "
 	 "G10 L2\n               ^\n"},
 };
 

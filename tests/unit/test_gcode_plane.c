@@ -57,6 +57,15 @@ START_TEST(rotated_arcs_and_cycles)
 }
 END_TEST
 
+/* A P that is the number of no additional offset is not that of G54. */
+START_TEST(p_beside_g54)
+{
+	run(&dialect_fanuc, "G0 Z5.\nG54 G98 G82 X1. Y2. Z-1. R3. P500 F60.\nM30\n",
+	    "rapid 0 0 5 0 0\nrapid 1 2 5 0 0\nrapid 1 2 3 0 0\nfeed 1 2 -1 0 0\ndwell 0.5\nrapid 1 2 5 0 0\n");
+	run(&dialect_fanuc, "G54 G4 P500\nM30\n", "dwell 0.5\n");
+}
+END_TEST
+
 /*
  * Fanuc B-64484EN, tilted working plane indexing: Z-X'-Z'' by I, J, K. The
  * case's control has TCP on a table C; its G53.1 gives A = 20 here and leaves C.
@@ -386,6 +395,14 @@ static const struct bad bads[] = {
      "P belongs to G54.1 and to G30: which of them has it is not known; write two blocks"},
     {&dialect_haas, "", "G154 P2 G51 X0. Y0.", 6,
      "P belongs to G154 and to G51: which of them has it is not known; write two blocks"},
+    {&dialect_fanuc, "", "G54 G82 X1. Y1. Z-1. R1. P48", 26,
+     "P belongs to G54 and to G82: which of them has it is not known; write two blocks"},
+    {&dialect_fanuc, "", "G54 G4 P5", 8, "P belongs to G54 and to G4: which of them has it is not known; write two blocks"},
+    {&dialect_fanuc, "", "G5.1 Q1 G83 X1. Y1. Z-1. R1.", 6,
+     "Q belongs to G83 and to G5.1: which of them has it is not known; write two blocks"},
+    {&dialect_haas, "", "G154 P2 G4", 6, "P belongs to G154 and to G4: which of them has it is not known; write two blocks"},
+    {&dialect_haas, "", "G187 P2 G82 X1. Y1. Z-1. R1.", 6,
+     "P belongs to G82 and to G187: which of them has it is not known; write two blocks"},
     {&dialect_fanuc, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
     {&dialect_haas, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
     {&dialect_fanuc, "", "G110", 1,
@@ -422,6 +439,7 @@ int main(void)
 
 	tcase_add_test(tcase, rotation);
 	tcase_add_test(tcase, rotated_arcs_and_cycles);
+	tcase_add_test(tcase, p_beside_g54);
 	tcase_add_test(tcase, tilted);
 	tcase_add_test(tcase, tilted_in_every_form);
 	tcase_add_test(tcase, keeps_tip);

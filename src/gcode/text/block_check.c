@@ -264,45 +264,62 @@ static bool check_output(const struct block *block, const struct line_place *at)
 	return true;
 }
 
-/* The words of M97 to M99 can be those of no other code. */
-static bool check_call(struct block *block, const struct line_place *at, const struct dialect *dialect)
+/* "G54.1", "M98" */
+static void name_claim(const struct block_claim *claim, char *name, size_t size)
 {
-	uint32_t used = block_used_letters(block, dialect) & block->letters;
-
-	for (const char *letter = dialect->traits.call_letters; *letter; letter++) {
-		if (used & letter_bit(*letter))
-			return fault(at, block_column(block, *letter),
-				     "%c belongs to M%d and to another code of the block; write two blocks", *letter,
-				     block->m[M_STOP]);
-	}
-	return true;
+	if (claim->kind == 'G')
+		snprintf(name, size, "G%g", claim->code / 10.0);
+	else
+		snprintf(name, size, "M%d", claim->code);
 }
 
-/* Another code of the block that would take the P of an additional work offset as well, and go elsewhere by it. */
-static int other_with_p(const struct block *block)
+/* The first letter of some bits. */
+static char first_letter(uint32_t bits)
 {
-	static const int codes[] = {G10, G30, G53_1, G53_6, G54_2, G54_4, G150};
+	char letter = 'A';
 
-	if (code_tilts(block->g[G_ROTATION]))
-		return block->g[G_ROTATION];
-	if (block->g[G_SCALING] == G51)
-		return G51;
-	for (size_t i = 0; i < sizeof(codes) / sizeof(codes[0]); i++) {
-		if (block->g[G_NONMODAL] == codes[i])
-			return codes[i];
-	}
-	return CODE_NONE;
+	while (!(bits & letter_bit(letter)))
+		letter++;
+	return letter;
 }
 
-/* The P of G54.1, and of G54 where it may have one, cannot be another code's, too. */
-static bool check_offset_number(const struct block *block, const struct line_place *at, const struct dialect *dialect)
+/* One word that two codes take. D and H are numbers of a table, the same for both. */
+static bool check_apart(const struct block *block, const struct line_place *at, const struct block_claim *one,
+			const struct block_claim *other)
 {
-	const int other = other_with_p(block);
+	const uint32_t both = one->letters & other->letters & block->letters & ~letter_bits("DH");
+	char names[2][16], letter;
 
-	return other == CODE_NONE || !block_has(block, 'P') || !block_numbers_offset(block, dialect) ||
-	       fault(at, block_column(block, 'P'),
-		     "P belongs to G%g and to G%g: which of them has it is not known; write two blocks",
-		     block->g[G_SYSTEM] / 10.0, other / 10.0);
+	if (both == 0 || one->kind == '\0' || other->kind == '\0')
+		return true;
+	letter = first_letter(both);
+	name_claim(one, names[0], sizeof(names[0]));
+	name_claim(other, names[1], sizeof(names[1]));
+	return fault(at, block_column(block, letter),
+		     "%c belongs to %s and to %s: which of them has it is not known; write two blocks", letter, names[0],
+		     names[1]);
+}
+
+/* Every word belongs to a code, and to one only where the control does not give it to several. */
+static bool check_words(const struct block *block, const struct line_place *at, const struct dialect *dialect)
+{
+	struct block_claim claims[BLOCK_CLAIMS_MAX];
+	const int count = block_claims(block, dialect, claims);
+	uint32_t unused = block->letters;
+	char letter;
+
+	for (int i = 0; i < count; i++) {
+		unused &= ~claims[i].letters;
+		for (int j = 0; j < i && dialect->traits.words_are_shared != ANSWER_YES; j++) {
+			if (!check_apart(block, at, &claims[j], &claims[i]))
+				return false;
+		}
+	}
+	if (unused == 0)
+		return true;
+	letter = first_letter(unused);
+	return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
+		     letter == 'E' ? "; numbers have no exponent" : "");
 }
 
 /* Axis words of such a code name the axes that are no longer mirrored or scaled, and move nothing. */
@@ -341,7 +358,6 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 {
 	const struct dialect *dialect = config->dialect;
 	int length = block->g[G_LENGTH];
-	uint32_t unused;
 
 	block->vectors = length == G43_5 || (modes->vectors && length == CODE_NONE);
 	if (!check_idle(block, at))
@@ -359,19 +375,7 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		return false;
 	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
 		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
-	if (block->g[G_SYSTEM] != CODE_NONE && !check_offset_number(block, at, dialect))
-		return false;
-	if (block_is_call(block, dialect) && !check_call(block, at, dialect))
-		return false;
-	unused = block->letters & ~block_used_letters(block, dialect);
-	if (block_is_call(block, dialect))
-		unused &= ~letter_bits(dialect->traits.call_letters);
-	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
-		if (unused & letter_bit(letter))
-			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
-				     letter == 'E' ? "; numbers have no exponent" : "");
-	}
-	return true;
+	return check_words(block, at, dialect);
 }
 
 bool block_integer(const struct block *block, const struct line_place *at, char letter, int least, int greatest,

@@ -9,17 +9,6 @@ bool block_is_call(const struct block *block, const struct dialect *dialect)
 	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
 }
 
-bool block_numbers_offset(const struct block *block, const struct dialect *dialect)
-{
-	const int system = block->g[G_SYSTEM];
-
-	if (system == G54_1 || system == G154)
-		return true;
-	return system == G54 && dialect->traits.g54_has_number != ANSWER_NO &&
-	       !(block_is_call(block, dialect) && block_has(block, 'P') &&
-		 block_value(block, 'P') > dialect->traits.additional_offsets);
-}
-
 /* What the words of canned cycles are: execute/canned_cycle.c. */
 static uint32_t cycle_letters(int code, const struct dialect *dialect)
 {
@@ -157,56 +146,72 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 	}
 }
 
-/* Work offsets, turned and scaled coordinates. */
-static uint32_t coordinate_letters(const struct block *block, const struct dialect *dialect)
+/* Does the P of a block with G54 lie beyond the additional offsets, and another code take it? */
+static bool leaves_number(const struct block *block, const struct dialect *dialect)
 {
-	const int rotation = block->g[G_ROTATION];
-	uint32_t used = 0;
-
-	if (block_numbers_offset(block, dialect))
-		used |= letter_bit('P');
-	/* With those of the forms that execute/coordinate_rotation.c refuses. */
-	if (rotation == G68 || code_tilts(rotation))
-		used |= letter_bits("IJKR");
-	if (code_tilts(rotation))
-		used |= letter_bits("PQ");
-	return used | (block->g[G_SCALING] == G51 ? letter_bits("IJKP") : 0);
+	return block_has(block, 'P') && block_value(block, 'P') > dialect->traits.additional_offsets &&
+	       (block_is_call(block, dialect) ||
+		((motion_letters(block, dialect) | nonmodal_letters(block, dialect)) & letter_bit('P')));
 }
 
-/* Tool length, cutter compensation, and the tool's direction. */
-static uint32_t tool_letters(const struct block *block, const struct dialect_traits *traits)
+bool block_numbers_offset(const struct block *block, const struct dialect *dialect)
 {
-	const int length = block->g[G_LENGTH], cutter = block->g[G_CUTTER];
-	uint32_t used = block->vectors ? letter_bits("IJKQ") : 0;
+	const int system = block->g[G_SYSTEM];
 
-	if (cutter != CODE_NONE && cutter != G40)
-		used |= letter_bits("DL");
-	if (traits->h_alone || length == G43 || length == G43_2 || length == G43_4 || length == G43_5 || length == G234)
-		used |= letter_bit('H');
-	return used | (traits->d_alone == ANSWER_YES ? letter_bit('D') : 0);
+	if (system == G54_1 || system == G154)
+		return true;
+	return system == G54 && dialect->traits.g54_has_number != ANSWER_NO && !leaves_number(block, dialect);
+}
+
+static uint32_t system_letters(const struct block *block, const struct dialect *dialect)
+{
+	return block_numbers_offset(block, dialect) ? letter_bit('P') : 0;
+}
+
+/* With those of the forms that execute/coordinate_rotation.c refuses. */
+static uint32_t rotation_letters(int rotation)
+{
+	if (code_tilts(rotation))
+		return letter_bits("IJKRPQ");
+	return rotation == G68 ? letter_bits("IJKR") : 0;
+}
+
+static uint32_t length_letters(int length)
+{
+	const bool has = length == G43 || length == G43_2 || length == G43_4 || length == G43_5 || length == G234;
+
+	return has ? letter_bit('H') : 0;
+}
+
+/* L is the orientation of a lathe tool, which only controls have whose D is a tool. */
+static uint32_t cutter_letters(int cutter, const struct dialect_traits *traits)
+{
+	if (cutter == CODE_NONE || cutter == G40)
+		return 0;
+	return traits->d_word == D_WORD_RADIUS ? letter_bit('D') : letter_bits("DL");
 }
 
 static uint32_t path_letters(const struct block *block, const struct dialect_traits *traits)
 {
-	uint32_t used = block->g[G_CONTOUR] != CODE_NONE ? contour_letters(block->g[G_CONTOUR]) : 0;
-
-	return used | (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO ? letter_bits("PQ") : 0);
+	return block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO ? letter_bits("PQ") : 0;
 }
 
+/* M19 turns the spindle; its time is Q. */
 static uint32_t spindle_letters(const struct block *block, const struct dialect_traits *traits)
 {
-	return (block->g[G_SPINDLE] == G96 ? letter_bit('D') : 0) |
-	       (block->m[M_SPINDLE] == 19 ? letter_bits(traits->m19_has_time == ANSWER_YES ? "PQR" : "PR") : 0);
+	return block->m[M_SPINDLE] == 19 ? letter_bits(traits->m19_has_time == ANSWER_YES ? "PQR" : "PR") : 0;
 }
 
-/* Beside a call, P, Q and L are the call's: what M-codes that move nothing make of them changes nothing. */
-static uint32_t m_letters(const struct block *block, const struct dialect *dialect)
+/*
+ * What may be another code's as well: H and D that stand alone; the directions of G43.5, of which
+ * execute/tool_vector.c sees to it; what M-codes that move nothing make of their words, unless a call has them.
+ */
+static uint32_t idle_letters(const struct block *block, const struct dialect *dialect)
 {
 	const struct dialect_traits *traits = &dialect->traits;
-	uint32_t used = override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
+	uint32_t used = (block->vectors ? letter_bits("IJKQ") : 0) | (traits->h_alone ? letter_bit('H') : 0) |
+			(traits->d_alone == ANSWER_YES ? letter_bit('D') : 0);
 
-	if (block->m[M_TOOL] == 61)
-		used |= letter_bit('Q');
 	if (block_is_call(block, dialect))
 		return used;
 	if (block->m[M_COOLANT] == 8 && traits->m8_has_pressure == ANSWER_YES)
@@ -222,11 +227,33 @@ static uint32_t m_letters(const struct block *block, const struct dialect *diale
 	return used;
 }
 
-uint32_t block_used_letters(const struct block *block, const struct dialect *dialect)
+int block_claims(const struct block *block, const struct dialect *dialect, struct block_claim claims[BLOCK_CLAIMS_MAX])
 {
 	const struct dialect_traits *traits = &dialect->traits;
+	const int *g = block->g, *m = block->m;
+	const struct block_claim all[BLOCK_CLAIMS_MAX] = {
+	    {'G', g[G_SYSTEM], system_letters(block, dialect)},
+	    {'G', g[G_ROTATION], rotation_letters(g[G_ROTATION])},
+	    {'G', g[G_NONMODAL], nonmodal_letters(block, dialect)},
+	    {'G', g[G_SCALING], g[G_SCALING] == G51 ? letter_bits("IJKP") : 0},
+	    {'G', block->motion, motion_letters(block, dialect)},
+	    {'G', g[G_LENGTH], length_letters(g[G_LENGTH])},
+	    {'G', g[G_CUTTER], cutter_letters(g[G_CUTTER], traits)},
+	    {'G', g[G_CONTOUR], g[G_CONTOUR] == CODE_NONE ? 0 : contour_letters(g[G_CONTOUR])},
+	    {'G', g[G_PATH], path_letters(block, traits)},
+	    {'G', g[G_SPINDLE], g[G_SPINDLE] == G96 ? letter_bit('D') : 0},
+	    {'M', m[M_SPINDLE], spindle_letters(block, traits)},
+	    {'M', m[M_OVERRIDE], override_letters(m[M_OVERRIDE])},
+	    {'M', m[M_OUTPUT], output_letters(m[M_OUTPUT])},
+	    {'M', m[M_TOOL], m[M_TOOL] == 61 ? letter_bit('Q') : 0},
+	    {'M', m[M_STOP], block_is_call(block, dialect) ? letter_bits(traits->call_letters) : 0},
+	    {'\0', CODE_NONE, AXIS_BITS | letter_bits("FST") | idle_letters(block, dialect)},
+	};
+	int count = 0;
 
-	return AXIS_BITS | letter_bits("FST") | motion_letters(block, dialect) | nonmodal_letters(block, dialect) |
-	       coordinate_letters(block, dialect) | tool_letters(block, traits) | path_letters(block, traits) |
-	       spindle_letters(block, traits) | m_letters(block, dialect);
+	for (int i = 0; i < BLOCK_CLAIMS_MAX; i++) {
+		if (all[i].letters & block->letters)
+			claims[count++] = all[i];
+	}
+	return count;
 }

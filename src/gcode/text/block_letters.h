@@ -8,14 +8,21 @@
 #include "gcode/dialect.h"
 #include "gcode/text/block.h"
 
-/*
- * The bits of the letters that some code of the block uses; its motion is known. The words of calls are not among them.
- */
-uint32_t block_used_letters(const struct block *block, const struct dialect *dialect);
+/* Words that a code of the block takes. */
+struct block_claim {
+	char kind;	/* 'G' or 'M'; 0: words that may be another code's as well */
+	int code;
+	uint32_t letters;	/* letter bits */
+};
+
+#define BLOCK_CLAIMS_MAX 16
+
+/* What takes words of the block, whose motion is known. Returns how many: codes that take none are left out. */
+int block_claims(const struct block *block, const struct dialect *dialect, struct block_claim claims[BLOCK_CLAIMS_MAX]);
 
 /*
- * Is the block's P the number of an additional work offset (G54.1, G154, G54 where it may have one)? Beside M98, G54
- * leaves it a P that is the number of no such offset.
+ * Is the block's P the number of an additional work offset (G54.1, G154, G54 where it may have one)? G54 leaves
+ * another code a P that is the number of no such offset.
  */
 bool block_numbers_offset(const struct block *block, const struct dialect *dialect);
 

@@ -149,6 +149,8 @@ const struct dialect dialect_linuxcnc = {
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
 		/* "Order of Execution". */
 		.known_order = ANSWER_YES,
+		/* Its 2.9 interpreter, interp_check.cc. */
+		.words_are_shared = ANSWER_YES,
 		.dwell_letters = "P",
 		.dwell_p = DWELL_P_SECONDS,
 		.dwell_alone = ANSWER_NO,
