@@ -131,7 +131,8 @@ struct dialect_traits {
 	struct power_on power_on;
 	enum whole_numbers whole_numbers;
 	enum answer known_order;	/* execute_block has the control's order; no: it is not known */
-	enum answer words_are_shared;	/* each code of a block takes a word that several can have; not known, or no: an error */
+	/* each code of a block takes a word that several can have; not known, or no: an error */
+	enum answer words_are_shared;
 	/* G4: the letters that can have its time, and whether it needs a block without motion. */
 	const char *dwell_letters;
 	enum dwell_p dwell_p;

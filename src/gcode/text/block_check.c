@@ -296,8 +296,8 @@ static bool check_apart(const struct block *block, const struct line_place *at, 
 	name_claim(one, names[0], sizeof(names[0]));
 	name_claim(other, names[1], sizeof(names[1]));
 	return fault(at, block_column(block, letter),
-		     "%c belongs to %s and to %s: which of them has it is not known; write two blocks", letter, names[0],
-		     names[1]);
+		     "%c belongs to %s and to %s: which of them has it is not known; write two blocks", letter,
+		     names[0], names[1]);
 }
 
 /* Every word belongs to a code, and to one only where the control does not give it to several. */
