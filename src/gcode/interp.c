@@ -99,7 +99,9 @@ static bool read_on(struct interp *interp, size_t errors_before)
 
 	if (!interp->config->read.all_faults || interp->diag->errors == errors_before)
 		return false;
-	interp->faulty = true;
+	if (!interp->faulty)
+		interp->program.faulty_from = interp->program.blocks;
+	interp->program.faulty = interp->faulty = true;
 	interp->sink = &deaf;
 	return true;
 }

@@ -11,6 +11,9 @@
 /* Blocks in loops and calls, if the configuration sets no other limit. */
 #define PROGRAM_BLOCKS_MAX 100000000LL
 
+/* The same behind a fault, after which a loop may lack what ends it. */
+#define PROGRAM_FAULTY_BLOCKS_MAX 100000LL
+
 /* All zero before program_open. */
 struct program {
 	struct sources sources;
@@ -18,6 +21,8 @@ struct program {
 	struct position start;	/* of the first line, behind a byte order mark; no source before it was read */
 	unsigned long lines;	/* that were begun, again and again in loops */
 	long long blocks;	/* that were counted in loops and calls */
+	long long faulty_from;	/* the count at the first fault, of a program that is read on */
+	bool faulty;
 	bool repeated;	/* it has been started anew */
 	struct strbuf last_pass;	/* what it left behind then */
 };

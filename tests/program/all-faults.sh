@@ -14,5 +14,8 @@ fivecheck -q --parse-only -a m.xml many.nc 2>&1 | grep -c 'error: '
 fivecheck --parse-only -a m.xml many.nc 2>&1 | grep 'note:'
 printf 'G21 G90\n#1=0\nWHILE [#1 LT 5] DO1\n#1=#1+1\nM31\nEND1\nM30\n' >loop.nc
 status fivecheck --parse-only -a m.xml loop.nc 2>&1
+# The fault leaves the loop without its end.
+printf 'G21 G90\nN10 #1=SQRT[-1]\nGOTO 10\nM30\n' >endless.nc
+status fivecheck --parse-only -a m.xml endless.nc 2>&1
 printf 'G21 G90\nG0 X5.\nM30\n' >good.nc
 status fivecheck -q --parse-only -a m.xml good.nc 2>&1
