@@ -213,6 +213,13 @@ static bool check_data(struct interp *interp, int mode)
 		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
 }
 
+/* LinuxCNC's manual, "G10 L2": R turns the X and Y of a work offset about Z; R0 is the usual end of that. */
+static bool turns_nothing(const struct interp *interp, int mode)
+{
+	return mode == 2 && traits_of(interp)->g10_writes_tools == ANSWER_YES &&
+	       same_double(block_value(&interp->block, 'R'), 0);
+}
+
 /* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
 bool offsets_set(struct interp *interp)
 {
@@ -236,7 +243,7 @@ bool offsets_set(struct interp *interp)
 		return g10_tool_table_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
-	if (block_has(block, 'R'))
+	if (block_has(block, 'R') && !turns_nothing(interp, mode))
 		return fault(&interp->at, block_column(block, 'R'),
 			     "G10 with R: rotation of a coordinate system is not supported yet");
 	if (mode == 2 && traits->g10_first == 1 && same_double(block_value(block, 'P'), 0))
