@@ -26,8 +26,8 @@ bool program_count(struct program *program, long long limit, const struct line_p
 	program->blocks++;
 	if (program->faulty && program->blocks - program->faulty_from > PROGRAM_FAULTY_BLOCKS_MAX)
 		return fault(at, 1,
-			     "%lld blocks of loops and subprograms have been carried out since the first error, without "
-			     "which they may end: what comes behind them is not searched for errors",
+			     "%lld blocks of loops and subprograms have been carried out since the first error, "
+			     "without which they may end: what comes behind them is not searched for errors",
 			     PROGRAM_FAULTY_BLOCKS_MAX);
 	if (program->blocks <= limit)
 		return true;
