@@ -12,6 +12,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_invoke.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
+#include "gcode/dialect/sinumerik/sinumerik_own_block.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
@@ -354,7 +355,7 @@ static bool check_words(struct interp *interp, const struct sinumerik_block *blo
 		return fault(&interp->at, block->call_column, "a call stands in a block without axis words");
 	if (block->modal && ((block->letters & AXIS_BITS) || sinumerik_block_has(block, 'P')))
 		return fault(&interp->at, block->modal_column, "MCALL stands in a block without axis words");
-	return check_swivelled(interp, block);
+	return sinumerik_own_block_check(interp, block) && check_swivelled(interp, block);
 }
 
 static bool run_once(struct interp *interp, const struct sinumerik_block *block, bool *done)
@@ -458,6 +459,9 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) ||
 	    !run_once(interp, block, &done))
 		return false;
+	/* It holds from the next motion on. */
+	if (done && block->code[SINUMERIK_MOTION] != CODE_NONE)
+		interp->state.motion = block->code[SINUMERIK_MOTION];
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;
 	if (!sinumerik_invoke_call(interp, lexer, block))
