@@ -107,6 +107,9 @@ static const struct program {
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=$P_UIFR[1,X,TR]+5 TRANS Y1\nD0 SUPA G0 X1\nG54 G1 X2 Y2\n$P_UIFR[1]=CTRANS(Y,7)\n"
 	 "G500 X0\nG54 Y0\n",
 	 "feed 10 0 0 0 0\nrapid 1 0 0 0 0\nfeed 17 23 0 0 0\nfeed 0 23 0 0 0\nfeed 0 8 0 0 0\n"},
+	{"F6 G500\n$P_UIFR[1]=CTRANS(X,1,Y,2):CFINE(X,0.5):CROT(X,0,Z,0):CSCALE(X,1)\nG54 X0 Y0\n"
+	 "$P_UIFR[1]=CROT()\nG54 X0 Y0\n",
+	 "feed 1.5 2 0 0 0\nfeed 0 0 0 0 0\n"},
 	{"F6 G500\nTRANS X1\n$P_PFRAME=$P_PFRAME:CTRANS(X,10,Y,20):CROT(Z,90)\nX1 Y0\n", "feed 11 21 0 0 0\n"},
 	{"F6 G500\nTRANS X1\n$P_PFRAME=CTRANS(X,10,Y,20):CROT(Z,90)\nX1 Y0\n$P_PFRAME=CMIRROR(X):CTRANS(X,5)\nX1 Y1\n"
 	 "$P_PFRAME=CSCALE(X,2,Y,2)\nX1 Y1\n$P_PFRAME=CTRANS()\nX1 Y1\n",
@@ -175,6 +178,8 @@ static const struct refused_words bad[] = {
 	 "<variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine's <controller> says it"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
 	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
+	{"$P_UIFR[1]=CTRANS(X,1):CROT(X,0,Z,10)\n",
+	 "$P_UIFR that turns or scales is not supported yet, only its shift; ROT and SCALE behind the work offset can say it"},
 	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},
 	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
 	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported yet, only RNDM=0"},
@@ -192,7 +197,7 @@ static const struct refused_words bad[] = {
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not certain: "
 	 "write CYCLE800 behind it"},
 	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},
-	{"$P_UIFR[1]=CROT(X,5)\n",
+	{"$P_UIFR[1]=CMIRROR(X)\n",
 	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},
 	{"$TC_DP3[1,1]=5\n", "$TC_DP3: a program that writes data of the control is not supported yet"},
 	{"SETMS(3) S1=5\n",

@@ -18,26 +18,84 @@ static bool set_component(struct interp *interp, int system, int slot, double va
 	return true;
 }
 
-/* CTRANS(X,1,Y,2): what is not named is 0. */
-static bool read_translation(struct interp *interp, struct lexer *lexer, int system)
+/* What a part of a frame says of each axis, as it is written. */
+struct part_values {
+	bool has[SLOT_COUNT];
+	double value[SLOT_COUNT];
+};
+
+/* (X,1,Y,2) behind the name of a part, or (X,Y) where it has no values. */
+static bool read_values(struct interp *interp, struct lexer *lexer, const char *name, bool valued,
+			struct part_values *values)
 {
 	int slot;
-	double value;
 
-	if (!sinumerik_name_take(lexer, "CTRANS"))
-		return fault(lexer->at, expr_column(lexer),
-			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not "
-			     "supported yet");
-	for (slot = 0; slot < SLOT_COUNT; slot++)
-		set_component(interp, system, slot, 0);
-	if (!sinumerik_name_need(lexer, '(', "CTRANS") || sinumerik_name_take_byte(lexer, ')'))
-		return lexer->at->text[lexer->position - 1] == ')';
-	do {
-		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_name_need(lexer, ',', "the axis") ||
-		    !sinumerik_expr_number(interp, lexer, &value) || !set_component(interp, system, slot, value))
+	*values = (struct part_values){{false}, {0}};
+	if (!sinumerik_name_need(lexer, '(', name))
+		return false;
+	while (lexer_peek(lexer) != ')') {
+		if (!sinumerik_expr_axis(interp, lexer, &slot))
 			return false;
-	} while (sinumerik_name_take_byte(lexer, ','));
-	return sinumerik_name_need(lexer, ')', "CTRANS");
+		values->has[slot] = true;
+		if (valued && (!sinumerik_name_need(lexer, ',', "the axis") ||
+			       !sinumerik_expr_number(interp, lexer, &values->value[slot])))
+			return false;
+		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
+			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
+	}
+	lexer_take(lexer);
+	return true;
+}
+
+/* Does every value that is given leave the coordinates as they are? */
+static bool all_are(const struct part_values *values, double nothing)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (values->has[slot] && !same_double(values->value[slot], nothing))
+			return false;
+	}
+	return true;
+}
+
+/* One part of $P_UIFR, of which CTRANS and the fine shift CFINE are added up. */
+static bool read_offset_part(struct interp *interp, struct lexer *lexer, slot_values *shift)
+{
+	static const struct {
+		const char *name;
+		bool shifts;
+		double nothing;
+	} parts[] = {{"CTRANS", true, 0}, {"CFINE", true, 0}, {"CROT", false, 0}, {"CSCALE", false, 1}};
+	const int column = expr_column(lexer);
+	struct part_values values;
+	size_t i = 0;
+
+	while (i < sizeof(parts) / sizeof(parts[0]) && !sinumerik_name_take(lexer, parts[i].name))
+		i++;
+	if (i == sizeof(parts) / sizeof(parts[0]))
+		return fault(lexer->at, column,
+			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet");
+	if (!read_values(interp, lexer, parts[i].name, true, &values))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT && parts[i].shifts; slot++)
+		shift->v[slot] += values.value[slot];
+	return parts[i].shifts || all_are(&values, parts[i].nothing) ||
+	       fault(lexer->at, column,
+		     "$P_UIFR that turns or scales is not supported yet, only its shift; ROT and SCALE behind the work "
+		     "offset can say it");
+}
+
+/* CTRANS(X,1,Y,2):CROT(Z,0): what is not named is 0. */
+static bool read_offset_frame(struct interp *interp, struct lexer *lexer, int system)
+{
+	slot_values shift = {{0}};
+
+	do {
+		if (!read_offset_part(interp, lexer, &shift))
+			return false;
+	} while (sinumerik_name_take_byte(lexer, ':'));
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		set_component(interp, system, slot, shift.v[slot]);
+	return true;
 }
 
 /*
@@ -60,7 +118,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		interp->state.work_assigned = true;
 	}
 	if (sinumerik_name_take_byte(lexer, ']'))
-		return sinumerik_name_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);
+		return sinumerik_name_need(lexer, '=', "$P_UIFR[]") && read_offset_frame(interp, lexer, system);
 	if (!sinumerik_name_need(lexer, ',', "the number of $P_UIFR") || !sinumerik_expr_axis(interp, lexer, &slot) ||
 	    !sinumerik_name_need(lexer, ',', "the axis"))
 		return false;
@@ -88,8 +146,8 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 		     {"CMIRROR", SINUMERIK_MIRROR}};
 	const int column = expr_column(lexer);
 	struct sinumerik_frame_words words = {.added = !first, .column = column};
+	struct part_values values;
 	size_t i = 0;
-	int slot;
 
 	if (first && sinumerik_name_take(lexer, "$P_PFRAME"))
 		return true;
@@ -98,21 +156,14 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 	if (i == sizeof(parts) / sizeof(parts[0]))
 		return fault(lexer->at, column, "CTRANS, CROT, CSCALE or CMIRROR is needed here");
 	words.code = parts[i].code;
-	if (!sinumerik_name_need(lexer, '(', parts[i].name))
+	if (!read_values(interp, lexer, parts[i].name, words.code != SINUMERIK_MIRROR, &values))
 		return false;
-	while (lexer_peek(lexer) != ')') {
-		if (!sinumerik_expr_axis(interp, lexer, &slot))
-			return false;
-		words.has[slot] = true;
-		if (words.code != SINUMERIK_MIRROR && (!sinumerik_name_need(lexer, ',', "the axis") ||
-						       !sinumerik_expr_number(interp, lexer, &words.value[slot])))
-			return false;
-		if (words.code == SINUMERIK_TRANS && !slot_is_rotary(slot))
-			words.value[slot] *= sinumerik_of(interp)->feed_scale;
-		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
-			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const bool is_length = words.code == SINUMERIK_TRANS && !slot_is_rotary(slot);
+
+		words.has[slot] = values.has[slot];
+		words.value[slot] = values.value[slot] * (is_length ? sinumerik_of(interp)->feed_scale : 1);
 	}
-	lexer_take(lexer);
 	return sinumerik_frame_set(interp, &words);
 }
 
@@ -160,8 +211,8 @@ static bool refuse_base_frame(struct interp *interp, const char *name, int colum
 /* $P_CHBFR[0]=CTRANS() */
 static bool clear_base_frame(struct interp *interp, struct lexer *lexer, const char *name, int column)
 {
-	int index, slot;
-	double value;
+	struct part_values values;
+	int index;
 
 	if (sinumerik_name_take_byte(lexer, '[') &&
 	    (!sinumerik_expr_whole(interp, lexer, "the number of a base frame", 0, 15, &index) ||
@@ -169,19 +220,10 @@ static bool clear_base_frame(struct interp *interp, struct lexer *lexer, const c
 		return false;
 	if (!sinumerik_name_need(lexer, '=', name))
 		return false;
-	if (!sinumerik_name_take(lexer, "CTRANS") || !sinumerik_name_need(lexer, '(', "CTRANS"))
+	if (!sinumerik_name_take(lexer, "CTRANS"))
 		return refuse_base_frame(interp, name, column);
-	while (lexer_peek(lexer) != ')') {
-		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_name_need(lexer, ',', "the axis") ||
-		    !sinumerik_expr_number(interp, lexer, &value))
-			return false;
-		if (!same_double(value, 0))
-			return refuse_base_frame(interp, name, column);
-		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
-			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
-	}
-	lexer_take(lexer);
-	return true;
+	return read_values(interp, lexer, "CTRANS", true, &values) &&
+	       (all_are(&values, 0) || refuse_base_frame(interp, name, column));
 }
 
 bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column)
