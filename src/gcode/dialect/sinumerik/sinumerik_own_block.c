@@ -30,7 +30,8 @@ static int taker_column(const struct sinumerik_block *block)
 static bool refuse(struct interp *interp, int column, int taker)
 {
 	return fault(&interp->at, column,
-		     "the code at column %d takes the words of its block, and leaves none for this one: write two blocks",
+		     "the code at column %d takes the words of its block, and leaves none for this one: write two "
+		     "blocks",
 		     taker);
 }
 
