@@ -162,6 +162,15 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:10: error: any angle of C suits this plane: whether the table turns or the coordinates alone is a "
 	 "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's <controller> says it, "
 	 "or COORD ROT or TABLE ROT of PLANE"},
+	/* Posts end shift and plane in this order: whether the shift from before the plane is ended, too, is not known. */
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
+	 "PLANE RESET STAY\nL Y+1 Z+2 FMAX\nL X-7 R0 FMAX M91\nL X+1 FMAX\n",
+	 "p.nc:10:3: error: the datum of X was shifted before a tilted plane, and in it again: whether the first shift "
+	 "counts behind the plane is not known here; write CYCL DEF 7 with X again, or end the plane before the shift"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+0\n"
+	 "PLANE RESET STAY\nCC X+0 Y+0\nLP PR+10 PA+0 FMAX\n",
+	 "p.nc:9:4: error: the datum of Y was shifted before a tilted plane, and in it again: whether the first shift "
+	 "counts behind the plane is not known here; write CYCL DEF 7 with Y again, or end the plane before the shift"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+180 TURN FMAX TABLE ROT\n",
 	 "p.nc:2:7: error: TABLE ROT: how far C turns is not known here; turn it in a block before, or write COORD ROT"},
 	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",

@@ -201,6 +201,10 @@ static const struct klartext_program planes[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\n"
 	 "CYCL DEF 7.1 Z+5\nL X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 11 8 -2 90 0 tcp\n"},
+	/* Ended in the plane, and once more behind it, as posts do at the end of a job and before the next one. */
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
+	 "PLANE RESET STAY\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL X+1 Y+2 FMAX\n",
+	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\nrapid 1 2 0 90 0\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nF100\nL X+10 Y+0\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nfeed 10 0 0 90 0 tcp\n"
 	 "arc 0 0 -10 90 0 centre 0 0 0 normal 0 1 0 sweep 90 tcp\n"},

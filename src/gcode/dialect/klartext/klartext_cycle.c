@@ -385,7 +385,8 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->waits)
 		return fault(&interp->at, column,
 			     "a cycle before the rotary axes stand where PLANE ... STAY needs them");
-	if (!klartext_preset_check_plane(interp, column))
+	if (!klartext_preset_check_plane(interp, column) ||
+	    !klartext_frame_check_shift(interp, 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z, column))
 		return false;
 	if (klartext->corner.waits)
 		return fault(&interp->at, column, "RND and CHF need a straight line behind them");

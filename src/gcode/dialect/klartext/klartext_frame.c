@@ -177,6 +177,19 @@ bool klartext_frame_check_zero(struct interp *interp, int column)
 	return true;
 }
 
+bool klartext_frame_check_shift(const struct interp *interp, unsigned axes, int column)
+{
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (axes & klartext_of(interp)->shift_open & 1U << slot)
+			return fault(&interp->at, column,
+				     "the datum of %c was shifted before a tilted plane, and in it again: whether the "
+				     "first shift counts behind the plane is not known here; write CYCL DEF 7 with %c "
+				     "again, or end the plane before the shift",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
 bool klartext_frame_is_scaled(const struct interp *interp)
 {
 	const vec3 factor = klartext_of(interp)->frame.factor;

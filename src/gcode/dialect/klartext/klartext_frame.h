@@ -40,6 +40,12 @@ vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
  */
 bool klartext_frame_check_zero(struct interp *interp, int column);
 
+/*
+ * Is the datum shift of these axes, bits 1 << slot, known? It is not where a shift in a tilted plane has named an axis
+ * that one from before the plane shifts, and the plane has ended since. False: reported.
+ */
+bool klartext_frame_check_shift(const struct interp *interp, unsigned axes, int column);
+
 /* Has SCALING (CYCL DEF 11, 26) factors other than 1? */
 bool klartext_frame_is_scaled(const struct interp *interp);
 

@@ -112,6 +112,21 @@ static bool read_row(struct interp *interp, const struct klartext_cycle *cycle, 
 }
 
 /*
+ * The manual wants shifts taken back in the reverse order. What remains of a shift from before the plane when the same
+ * axis is shifted in the plane, as posts do to end both, is not in it.
+ */
+static void note_order(struct klartext *klartext, int slot, bool increment)
+{
+	const vec3 before = klartext->frame.shift;
+	const double outer[] = {before.x, before.y, before.z};
+
+	if (klartext->frame.tilted && !same_double(outer[slot], 0))
+		klartext->shift_in_plane |= 1U << slot;
+	if (!klartext->frame.tilted && !increment)
+		klartext->shift_open &= ~(1U << slot);
+}
+
+/*
  * iTNC 530 user's manual, "DATUM SHIFT (Cycle 7)": absolute values count from the preset, I values from the shift in
  * force. "WORKING PLANE (Cycle 19)", combining cycles: a shift before the tilting is one of the machine-based
  * coordinates, and a later one of the tilted coordinates. What a shift does while mirror, rotation or scaling is in
@@ -139,6 +154,8 @@ static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 		if (slot_is_rotary(slot) && frame->tilted && !same_double(word->value, 0))
 			return word_fault(interp, word,
 					  "a shift of a rotary axis in a tilted plane is not supported yet");
+		if (slot <= SLOT_Z)
+			note_order(klartext_of(interp), slot, increment);
 		if (slot_is_rotary(slot) || slot > SLOT_Z)
 			shift.v[slot] = word->value * (slot_is_rotary(slot) ? 1 : interp->state.scale) +
 					(increment ? shift.v[slot] : 0);

@@ -101,7 +101,8 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 
 	/* Before coordinates are asked for: the preset gives them. */
 	if (words->axes && (!klartext_preset_check(interp, words->first_column) ||
-			    !klartext_preset_check_plane(interp, words->first_column)))
+			    !klartext_preset_check_plane(interp, words->first_column) ||
+			    !klartext_frame_check_shift(interp, words->axes, words->first_column)))
 		return false;
 	target->others = interp->state.position;
 	target->turns = words->axes & (1U << SLOT_A | 1U << SLOT_B | 1U << SLOT_C);

@@ -58,6 +58,8 @@ static bool stands(const struct interp *interp, int slot)
 
 bool klartext_pole_check(struct interp *interp, unsigned axes, int column)
 {
+	if (!klartext_frame_check_shift(interp, axes, column))
+		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (axes & 1U << slot && klartext_of(interp)->has_pole[slot] && !stands(interp, slot))
 			return fault(

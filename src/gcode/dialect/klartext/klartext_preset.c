@@ -36,6 +36,7 @@ static void cancel_shift(struct interp *interp)
 		interp->state.shift.v[slot] = 0;
 	}
 	klartext->frame.shift = (vec3){0, 0, 0};
+	klartext->shift_in_plane = klartext->shift_open = 0;
 	klartext_frame_update(interp);
 }
 

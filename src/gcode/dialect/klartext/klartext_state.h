@@ -264,6 +264,11 @@ struct klartext {
 	double spatial_angle[3]; /* degrees */
 	bool cautioned_wrap, cautioned_teeth, preset_settled;
 	struct klartext_frame frame;
+	/*
+	 * Bits of X, Y and Z: a shift in the tilted plane names an axis that one from before shifts, too; behind the
+	 * plane it is open whether that one still counts.
+	 */
+	unsigned shift_in_plane, shift_open;
 	bool preset_in_plane; /* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */
 	/* PLANE ... STAY: linear axes wait until the rotary axes stand where the plane needs them. */
 	bool waits;

@@ -283,6 +283,8 @@ static bool leave(struct interp *interp, int column)
 	if (interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, column, TCP_OFF))
 		return false;
 	klartext->frame.tilted = klartext->waits = klartext->preset_in_plane = false;
+	klartext->shift_open |= klartext->shift_in_plane;
+	klartext->shift_in_plane = 0;
 	klartext->frame.tilt = mat3_identity();
 	klartext_frame_update(interp);
 	return true;
