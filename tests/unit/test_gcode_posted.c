@@ -84,6 +84,12 @@ START_TEST(arcs)
 	init(&c, &dialect_haas);
 	c.config.controller.arc_radius_tolerance = 2;
 	expect_fault(&c, spiral, "the radius of the arc is 10 mm at its start and 12 mm at its end\n");
+	/* X20 counts 0.02 mm here. */
+	init(&c, &dialect_haas);
+	c.config.controller.least_input = 0.001;
+	expect_fault(&c, "F9 G0 X10. Y0.\nG3 X20 Y0. I5.\nM30\n",
+		     "the radius of the arc is 5 mm at its start and 14.98 mm at its end; X, which has no decimal point, "
+		     "counts 0.02 (least_input)\n");
 	/* Beside a spiral the engine of cutter compensation knows no point. */
 	init(&c, &dialect_fanuc);
 	c.config.controller.arc_radius_tolerance = 2;

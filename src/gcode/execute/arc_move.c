@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
@@ -50,6 +51,27 @@ static bool centre_word(struct interp *interp, char letter, enum axis_slot slot,
 }
 
 /*
+ * Where a word of the arc counts as increments for want of a decimal point, that is likely to be why its radii differ:
+ * says so, to be appended to a message; else "".
+ */
+static const char *whole_number_hint(const struct interp *interp, char *text, size_t size)
+{
+	const struct block *block = &interp->block;
+	const uint32_t whole = block->letters & ~block->points;
+	const double increment = interp->config->controller.least_input;
+
+	*text = '\0';
+	if (traits_of(interp)->whole_numbers != WHOLE_NUMBERS_INCREMENTS || !(increment > 0 && increment < 1))
+		return text;
+	for (const char *letter = "XYZIJK"; *letter && *text == '\0'; letter++) {
+		if ((whole & letter_bit(*letter)) && !same_double(block_value(block, *letter), 0))
+			snprintf(text, size, "; %c, which has no decimal point, counts %.6g (least_input)", *letter,
+				 block_value(block, *letter));
+	}
+	return text;
+}
+
+/*
  * Fanuc B-63324EN and B-64484EN, "Circular Interpolation": where the end does not lie on the arc, the radius changes
  * linearly with the angle, up to a difference that parameter 3410 gives.
  */
@@ -57,21 +79,23 @@ static bool check_spiral(struct interp *interp, double r0, double r1)
 {
 	double most = interp->config->controller.arc_radius_tolerance;
 	int column = block_motion_column(&interp->block);
+	char text[80];
+	const char *hint = whole_number_hint(interp, text, sizeof(text));
 
 	if (traits_of(interp)->arc_spirals != ANSWER_YES)
 		return fault(&interp->at, column,
-			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end", r0, r1);
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end%s", r0, r1, hint);
 	if (!(most > 0))
 		return fault(&interp->at, column,
 			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end; if this control "
 			     "makes a spiral of it, arc_radius_tolerance=\"\" of the machine's <controller> says up to "
-			     "which difference",
-			     r0, r1);
+			     "which difference%s",
+			     r0, r1, hint);
 	if (fabs(r0 - r1) > most)
 		return fault(&interp->at, column,
 			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end, which is more than "
-			     "arc_radius_tolerance of the machine file allows",
-			     r0, r1);
+			     "arc_radius_tolerance of the machine file allows%s",
+			     r0, r1, hint);
 	if (cutter_comp_is_on(interp) || corner_insert_concerns(interp))
 		return fault(&interp->at, column,
 			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end: such a spiral "
