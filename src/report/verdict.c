@@ -202,12 +202,31 @@ static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* Where nothing is known to be inside, something may get there unseen. */
+static bool caution_open(struct strbuf *out, const struct scene *scene)
+{
+	const bool several = scene->open_bodies > 1;
+
+	if (!scene->open_bodies)
+		return false;
+	format_units_add_plain(out, scene->bodies[scene->first_open].body->name);
+	if (several)
+		strbuf_addf(out, " and %zu more have open meshes", scene->open_bodies - 1);
+	else
+		strbuf_addf(out, " has an open mesh");
+	strbuf_addf(out,
+		    ": contact with %s surface is found, but not what is inside, or gets there through a gap; close "
+		    "the mesh (--check-machine names the gaps), or give it checked=\"reason\"",
+		    several ? "their" : "its");
+	return true;
+}
+
 static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 {
 	const struct scene_pair *pair;
 
 	if (!v->stats->pairs_unknown)
-		return false;
+		return caution_open(out, v->scene);
 	pair = &v->scene->pairs[v->stats->first_unknown];
 	format_units_add_count(out, v->stats->pairs_unknown, "pair");
 	strbuf_addf(out, " of bodies checked as surfaces only, the first ");

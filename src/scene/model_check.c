@@ -9,6 +9,7 @@
 #include "scene/joint_check.h"
 #include "scene/missing_check.h"
 #include "scene/neighbour_check.h"
+#include "scene/open_check.h"
 #include "scene/placed_box.h"
 #include "scene/placement_check.h"
 #include "scene/ring_check.h"
@@ -149,6 +150,7 @@ void model_check(struct scene *scene)
 	const struct spindle *spindle = &machine->spindle;
 	const struct workholding *workholding = &machine->workholding;
 
+	open_check(scene);
 	kinematics_check(machine, doubts);
 	value_check(machine, doubts);
 	check_turning(scene, doubts);

@@ -66,7 +66,9 @@ struct scene {
 	struct scene_pair *pairs;	/* every pair: (0,1) (0,2) ...; a cutter and a part have one for each fault */
 	size_t pair_count;
 	size_t meshes_read;	/* of files; a tool's pieces that are made of sections are not counted */
-	struct doubts doubts;	/* filled by model_check */
+	struct doubts doubts;	/* filled by model_check, with the next two */
+	size_t open_bodies;	/* how many bodies of checked pairs have an open mesh */
+	int first_open;	/* the first of them */
 	struct sweep sweep;	/* working storage for what one thread asks of a model */
 };
 

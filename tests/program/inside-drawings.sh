@@ -54,3 +54,17 @@ T1 M6
 G0 X1
 NC
 "$FIVECHECK" -q -s s.xml t.xml t.nc | grep surfaces
+echo "== a probe that comes down through the missing lid"
+awk '/^facet|^ *facet/ { facet = ""; top = 1; inside = 1 } inside { facet = facet $0 "\n" } /vertex/ && $4 != 50 { top = 0 }
+	/endfacet/ { if (!top) printf "%s", facet; inside = 0; next } !inside' once.stl >lidless.stl
+for drawing in once lidless reason; do
+	cp ${drawing%reason}.stl block.stl 2>/dev/null || true
+	machine z.xml <<XML
+  <body name="block" mesh="block.stl" $([ $drawing != reason ] || echo 'checked="a chip tray"')/>
+  <axis name="Z" type="linear" direction="0 0 1" limit_min="-500" limit_max="0" rate_max="6000">
+    <body name="probe" mesh="probe.stl" location="0 0 200"/>
+  </axis>
+XML
+	echo "G0 Z-200" >z.nc
+	"$FIVECHECK" -q z.xml z.nc | grep -E 'collision:|clear|open mesh' || true
+done

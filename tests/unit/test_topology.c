@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/mem.h"
+#include "geom/edge_balance.h"
 #include "suite.h"
 
 static uint64_t random_bits(uint64_t *state)
@@ -293,6 +294,40 @@ START_TEST(random_soups)
 }
 END_TEST
 
+/* What the quick question says of cubes, of cubes without one triangle or with one turned round, and of both sides. */
+START_TEST(balanced_edges)
+{
+	struct mesh mesh = {0}, both = {0};
+
+	add_cube(&mesh, (vec3){100, -0.0, 0}, 3);
+	add_cube(&mesh, (vec3){103, 0, 0}, -2);
+	ck_assert(edge_balance_is_closed(&mesh));
+	for (size_t i = 0; i < mesh.count; i++) {
+		const mesh_triangle last = mesh.triangles[mesh.count - 1], kept = mesh.triangles[i];
+
+		flip(&mesh.triangles[i]);
+		ck_assert(!edge_balance_is_closed(&mesh));
+		mesh.triangles[i] = last;
+		mesh.count--;
+		ck_assert(!edge_balance_is_closed(&mesh));
+		mesh.triangles[mesh.count++] = last;
+		mesh.triangles[i] = kept;
+	}
+	ck_assert(edge_balance_is_closed(&mesh));
+	for (int side = 0; side < 2; side++) {
+		for (int i = 0; i < 11; i++) {
+			add_triangle(&both, mesh_corner(&mesh.triangles[i], 0), mesh_corner(&mesh.triangles[i], 1),
+				     mesh_corner(&mesh.triangles[i], 2));
+			if (side)
+				flip(&both.triangles[both.count - 1]);
+		}
+	}
+	ck_assert(!edge_balance_is_closed(&both));
+	mesh_release(&mesh);
+	mesh_release(&both);
+}
+END_TEST
+
 /* Far more vertices than 32-bit hashes keep apart: none may be welded to another. */
 START_TEST(many_vertices)
 {
@@ -402,6 +437,7 @@ int main(void)
 	tcase_add_test(tcase, broken_cubes);
 	tcase_add_test(tcase, moebius_strip);
 	tcase_add_test(tcase, random_soups);
+	tcase_add_test(tcase, balanced_edges);
 	tcase_add_test(tcase, many_vertices);
 	tcase_add_test(tcase, winding_matches_rays);
 	tcase_add_test(tcase, winding_near_and_far);
