@@ -130,7 +130,7 @@ const struct topic topics[TOPIC_COUNT] = {
 	{NULL, "A body with an open mesh is checked as a surface.",
 	 "Where a mesh has gaps, nobody knows what is inside it. A body that is wholly inside another one, or gets "
 	 "there through a gap, may be missed; contact of the surfaces is not.",
-	 "Close the mesh. --check-machine names the gaps. checked=\"reason\" of a body says that its gaps are right."},
+	 "Close the mesh. --check-machine names the gaps."},
     [TOPIC_CAUTIONS + CAUTION_MESH_CUTTER] =
 	{NULL, "A cutter that is a mesh is not checked against the part at rapid.",
 	 "How deep such a cutter enters the part cannot be told, so that a rapid through the part is not found for "
