@@ -42,7 +42,7 @@ struct ray {
 	double from_origin[3];	/* the point relative to the tree's origin */
 	double along[3];	/* the direction, no component near 0 */
 	double rounding;	/* mm */
-	int *windings;	/* of each shell */
+	int *windings;	/* of each shell; NULL: the ray ends at the first triangle that it crosses */
 };
 
 /* 1, -1, or 0 where rounding may have made the sign. */
@@ -54,7 +54,10 @@ static int sign_of_triple(vec3 d, vec3 a, vec3 b)
 	return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
-/* Counts the triangle if the ray crosses it; false: the ray passes too near its edge, or begins too near its plane. */
+/*
+ * Counts the triangle if the ray crosses it. False: the ray ends here, passes too near the triangle's edge, or begins
+ * too near its plane.
+ */
 static bool cross_triangle(struct ray *ray, size_t triangle)
 {
 	const mesh_triangle *t = &ray->bvh->mesh.triangles[triangle];
@@ -75,6 +78,8 @@ static bool cross_triangle(struct ray *ray, size_t triangle)
 	/* The line crosses where (a, b, c) has the sign of the three, in front of the point or behind it. */
 	if (ahead != ab)
 		return true;
+	if (!ray->windings)
+		return false;
 	ray->windings[shell] += ab;
 	return true;
 }
@@ -111,6 +116,38 @@ static bool cross_node(struct ray *ray, const struct bvh_node *node)
 	return true;
 }
 
+/* Along no edge or diagonal that people draw. */
+static const vec3 directions[] = {
+    {0.4179, 0.6133, 0.6702},
+    {-0.7211, 0.3571, 0.5937},
+    {0.5309, -0.7823, 0.3259},
+    {-0.3361, -0.5531, -0.7623},
+};
+enum { DIRECTIONS = sizeof(directions) / sizeof(directions[0]) };
+
+/* False: see cross_triangle. */
+static bool cast(const struct bvh *bvh, const uint32_t *shell_of, vec3 point, vec3 direction, int *windings)
+{
+	const vec3 off = vec3_sub(point, bvh->origin);
+	struct ray ray = {
+		.bvh = bvh, .shell_of = shell_of, .point = point, .direction = direction,
+		.from_origin = {off.x, off.y, off.z},
+		.along = {direction.x, direction.y, direction.z},
+		.rounding = SLAB_ROUNDING * (bvh->radius + vec3_norm(off)), .windings = windings,
+	};
+
+	return cross_node(&ray, &bvh->nodes[0]);
+}
+
+bool mesh_ray_is_free(const struct bvh *bvh, vec3 point)
+{
+	for (int i = 0; i < DIRECTIONS; i++) {
+		if (cast(bvh, NULL, point, directions[i], NULL))
+			return true;
+	}
+	return false;
+}
+
 /*
  * How often a ray from the point leaves each shell less how often it enters it: the winding numbers of the closed
  * ones. windings is the caller's, topology->shell_count long, or 1 without shells. Costs a walk down the tree.
@@ -118,28 +155,13 @@ static bool cross_node(struct ray *ray, const struct bvh_node *node)
  */
 static bool cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings)
 {
-	/* Along no edge or diagonal that people draw. */
-	static const vec3 directions[] = {
-	    {0.4179, 0.6133, 0.6702},
-	    {-0.7211, 0.3571, 0.5937},
-	    {0.5309, -0.7823, 0.3259},
-	    {-0.3361, -0.5531, -0.7623},
-	};
 	size_t count = topology->shells ? topology->shell_count : 1;
-	vec3 off = vec3_sub(point, bvh->origin);
 	bool good = false;
 
-	for (size_t i = 0; i < sizeof(directions) / sizeof(directions[0]) && !good; i++) {
-		struct ray ray = {
-			.bvh = bvh, .shell_of = topology->shell_of, .point = point, .direction = directions[i],
-			.from_origin = {off.x, off.y, off.z},
-			.along = {directions[i].x, directions[i].y, directions[i].z},
-			.rounding = SLAB_ROUNDING * (bvh->radius + vec3_norm(off)), .windings = windings,
-		};
-
+	for (int i = 0; i < DIRECTIONS && !good; i++) {
 		for (size_t k = 0; k < count; k++)
 			windings[k] = 0;
-		good = cross_node(&ray, &bvh->nodes[0]);
+		good = cast(bvh, topology->shell_of, point, directions[i], windings);
 	}
 	return good;
 }

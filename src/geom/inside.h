@@ -27,6 +27,12 @@ enum inside {
  */
 enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
 
+/*
+ * Does one of a few rays from the point cross no triangle? Then mesh_inside does not say INSIDE_YES of the point, and no
+ * topology is needed to know that.
+ */
+bool mesh_ray_is_free(const struct bvh *bvh, vec3 point);
+
 /* The winding number about the point of one oriented shell of a mesh that has shells. */
 int shell_winding_number(const struct mesh *mesh, const struct topology *topology, uint32_t shell, vec3 point);
 

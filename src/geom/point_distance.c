@@ -143,12 +143,17 @@ static void try_node(struct search *search, const struct bvh_node *node)
 	}
 }
 
-double mesh_point_distance(const struct bvh *bvh, vec3 point)
+double mesh_point_distance_above(const struct bvh *bvh, vec3 point, double enough)
 {
-	struct search search = search_of(bvh, point, INFINITY, -1);
+	struct search search = search_of(bvh, point, INFINITY, enough * enough);
 
 	try_node(&search, &bvh->nodes[0]);
 	return sqrt(search.best);
+}
+
+double mesh_point_distance(const struct bvh *bvh, vec3 point)
+{
+	return mesh_point_distance_above(bvh, point, 0);
 }
 
 double triangle_point_distance(const mesh_triangle *triangle, vec3 point)

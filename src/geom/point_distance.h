@@ -11,6 +11,9 @@
 /* mm, to within rounding; costs a walk down the tree. */
 double mesh_point_distance(const struct bvh *bvh, vec3 point);
 
+/* The same if it is more than `enough` mm; else the distance of any triangle that is as near, which is found faster. */
+double mesh_point_distance_above(const struct bvh *bvh, vec3 point, double enough);
+
 /* A triangle of the tree, and how far a point is from it. */
 struct nearest_triangle {
 	double distance;	/* mm, to within rounding */

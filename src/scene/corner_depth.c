@@ -8,6 +8,8 @@
 
 /* Points of a body that are tested. */
 enum { POINTS_TRIED = 400 };
+/* Balls that are kept: more of them would be looked through for longer than they save. */
+enum { BALLS_KEPT = 32 };
 
 /* The corners of a triangle, and then its middle. */
 static vec3 point_of(const mesh_triangle *t, int k)
@@ -22,15 +24,44 @@ static double room_in_box(const struct bvh *solid, vec3 p)
 {
 	vec3 off = vec3_sub(p, solid->origin);
 
-	return fmin(solid->half.x - fabs(off.x), fmin(solid->half.y - fabs(off.y), solid->half.z - fabs(off.z)));
+	return smaller(solid->half.x - fabs(off.x), smaller(solid->half.y - fabs(off.y), solid->half.z - fabs(off.z)));
 }
 
-/* On which side of the body's surface the point lies that has so much room in its box. */
-static enum inside side_of(struct scene *scene, int body, vec3 p, double room)
+/* Balls around points on one side of a surface that do not meet it: all that is in them is on that side. */
+struct cleared {
+	vec3 centre[BALLS_KEPT];
+	double radius[BALLS_KEPT];
+	int count;
+};
+
+static bool is_cleared(const struct cleared *cleared, vec3 p)
 {
-	if (!(room > 0))
+	for (int i = 0; i < cleared->count; i++) {
+		if (vec3_norm2(vec3_sub(p, cleared->centre[i])) < cleared->radius[i] * cleared->radius[i])
+			return true;
+	}
+	return false;
+}
+
+static void clear_ball(struct cleared *cleared, vec3 centre, double radius)
+{
+	if (cleared->count == BALLS_KEPT)
+		return;
+	cleared->centre[cleared->count] = centre;
+	cleared->radius[cleared->count++] = radius;
+}
+
+/*
+ * On which side of the body's surface the point lies that has so much room in its box. INSIDE_NO where `side` is
+ * INSIDE_YES means only that the point is not inside.
+ */
+static enum inside side_of(struct scene *scene, int body, vec3 p, double room, enum inside side)
+{
+	const struct bvh *solid = scene->bodies[body].bvh;
+
+	if (!(room > 0) || (side == INSIDE_YES && mesh_ray_is_free(solid, p)))
 		return INSIDE_NO;
-	return mesh_inside(scene->bodies[body].bvh, scene_body_topology(scene, body), p);
+	return mesh_inside(solid, scene_body_topology(scene, body), p);
 }
 
 /* The pose of a body's mesh when the axes are at q. */
@@ -47,6 +78,8 @@ double corner_depth(struct scene *scene, int inner, int outer, const axis_values
 	const xform own = pose_of(scene, inner, q), base = pose_of(scene, outer, q), back = xform_inverse(&base);
 	const xform pose = xform_mul(&back, &own);
 	size_t points = 4 * other->mesh.count, step = points / POINTS_TRIED + 1;
+	const enum inside other_side = side == INSIDE_YES ? INSIDE_NO : INSIDE_YES;
+	struct cleared cleared = {.count = 0};
 	double depth = 0;
 
 	/* With an odd step all points of triangles have their turn. */
@@ -54,14 +87,20 @@ double corner_depth(struct scene *scene, int inner, int outer, const axis_values
 	for (size_t i = 0; i < points; i += step) {
 		vec3 p = xform_apply(&pose, point_of(&other->mesh.triangles[i / 4], (int)(i % 4)));
 		const double least = larger(depth, beyond), room = room_in_box(solid, p);
+		enum inside found;
 		double distance;
 
-		if (side == INSIDE_YES && !(room > least))
+		if ((side == INSIDE_YES && !(room > least)) || is_cleared(&cleared, p))
 			continue;
-		distance = mesh_point_distance(solid, p);
+		distance = mesh_point_distance_above(solid, p, least);
 		/* Which side a point is on takes longer to find than how far it is from the surface. */
-		if (distance > least && side_of(scene, outer, p, room) == side)
+		if (!(distance > least))
+			continue;
+		found = side_of(scene, outer, p, room, side);
+		if (found == side)
 			depth = distance;
+		else if (found == other_side)
+			clear_ball(&cleared, p, distance);
 	}
 	return depth;
 }

@@ -83,6 +83,7 @@ struct motion_interval {
 	struct box_motion boxes;
 	bool halved;
 	struct motion_interval *halves[2];	/* the earlier first; valid once halved */
+	size_t users;	/* as interval_pool.h counts them */
 };
 
 /* Fills an interval that covers the whole of the chord or box. */

@@ -6,6 +6,7 @@
 #include "base/mem.h"
 #include "base/units.h"
 #include "geom/tolerance.h"
+#include "scene/box_query.h"
 #include "scene/static_query.h"
 #include "scene/tool_contact.h"
 
@@ -115,24 +116,19 @@ static void keep_contact(const struct scene *scene, const struct scene_pair *pai
 /* Are the boxes around the bodies apart in some corner of the travel? */
 static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *low, const axis_values *high)
 {
-	const struct box a = box_whole(bodies->a), b = box_whole(bodies->b);
-	const vec3 no_axis_displacement[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
-	const double no_displacement[VIEWS] = {0, 0};
-
 	for (size_t corner = 0; corner < (size_t)1 << bodies->chain->count; corner++) {
-		struct box_motion boxes;
+		struct box_query boxes;
 		axis_values q = *low;
-		xform ends[2];
-		float lost;
+		xform pose;
 
 		for (size_t i = 0; i < bodies->chain->count; i++) {
 			int slot = bodies->chain->joints[i].slot;
 
 			q.v[slot] = (corner >> i & 1 ? high : low)->v[slot];
 		}
-		ends[0] = ends[1] = body_pair_pose(bodies, &q);
-		box_motion_init(&boxes, bodies->a, bodies->b, ends, no_axis_displacement, no_displacement);
-		if (box_pair_apart(&boxes, &a, &b, &lost) > 0)
+		pose = body_pair_pose(bodies, &q);
+		box_query_init(&boxes, bodies->a, bodies->b, &pose);
+		if (box_query_parts_boxes(&boxes))
 			return true;
 	}
 	return false;

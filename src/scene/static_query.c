@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "geom/topology.h"
-#include "scene/bvh_pair.h"
+#include "scene/box_query.h"
 
 static bool in_box(vec3 p, const struct bvh *bvh)
 {
@@ -12,13 +12,23 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 	return fabs(off.x) <= bvh->half.x && fabs(off.y) <= bvh->half.y && fabs(off.z) <= bvh->half.z;
 }
 
-/* One vertex of each component of the body's surface; *own is where a single one can be. */
-static const vec3 *component_points(struct scene *scene, int body, vec3 *own, size_t *count)
+/* Two bodies at one pose; a's coordinates are the pair's first body's. */
+struct placed_pair {
+	struct box_query boxes;
+	int bodies[2];
+	xform to[2];	/* the other body's coordinates -> those of bodies[i] */
+};
+
+/*
+ * One vertex of each component of the body's surface. *own is where a single one can be: `together` says that the
+ * components are all inside the other body, or all outside of it.
+ */
+static const vec3 *component_points(struct scene *scene, int body, bool together, vec3 *own, size_t *count)
 {
 	const struct topology *topology;
 
 	/* A tool's piece that is made of sections is one surface (tool_solid_mesh). */
-	if (scene->bodies[body].body->profile) {
+	if (together || scene->bodies[body].body->profile) {
 		*own = mesh_corner(&scene_body_bvh(scene, body)->mesh.triangles[0], 0);
 		*count = 1;
 		return own;
@@ -28,21 +38,23 @@ static const vec3 *component_points(struct scene *scene, int body, vec3 *own, si
 	return topology->component_point;
 }
 
-/* Is a component of `inner` inside `outer`? `pose` takes inner's coordinates to outer's. */
-static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point)
+/* Is a component of the other body inside bodies[side]? *point is in the coordinates of bodies[side]. */
+static enum inside holds(struct scene *scene, const struct placed_pair *at, int side, vec3 *point)
 {
-	const struct bvh *solid = scene_body_bvh(scene, outer);
+	const struct bvh *solid = at->boxes.bodies[side];
+	const bool together = box_query_parts_surface(&at->boxes, side) &&
+			      scene_body_topology(scene, at->bodies[side])->plain;
 	enum inside result = INSIDE_NO;
 	size_t count;
 	vec3 own;
-	const vec3 *points = component_points(scene, inner, &own, &count);
+	const vec3 *points = component_points(scene, at->bodies[1 - side], together, &own, &count);
 
 	for (size_t i = 0; i < count; i++) {
-		vec3 p = xform_apply(pose, points[i]);
+		vec3 p = xform_apply(&at->to[side], points[i]);
 		enum inside inside = INSIDE_NO;
 
 		if (in_box(p, solid))
-			inside = mesh_inside(solid, scene_body_topology(scene, outer), p);
+			inside = mesh_inside(solid, scene_body_topology(scene, at->bodies[side]), p);
 		if (inside == INSIDE_YES) {
 			*point = p;
 			return INSIDE_YES;
@@ -53,37 +65,25 @@ static enum inside holds(struct scene *scene, int outer, int inner, const xform 
 	return result;
 }
 
-/* Do the boxes around the bodies overlap, so that one body may contain the other? */
-static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
-{
-	xform a_in_b = xform_inverse(b_in_a);
-	vec3 to_b = vec3_sub(xform_apply(b_in_a, bodies->b->origin), bodies->a->origin);
-	vec3 to_a = vec3_sub(xform_apply(&a_in_b, bodies->a->origin), bodies->b->origin);
-	double reach_b = bodies->b->radius, reach_a = bodies->a->radius;
-	vec3 ha = bodies->a->half, hb = bodies->b->half;
-
-	return fabs(to_b.x) <= ha.x + reach_b && fabs(to_b.y) <= ha.y + reach_b && fabs(to_b.z) <= ha.z + reach_b &&
-	       fabs(to_a.x) <= hb.x + reach_a && fabs(to_a.y) <= hb.y + reach_a && fabs(to_a.z) <= hb.z + reach_a;
-}
-
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
 				   vec3 *point)
 {
 	const struct body_pair bodies = scene_pair_bodies(scene, pair);
-	const xform b_in_a = body_pair_pose(&bodies, q);
+	struct placed_pair at = {.bodies = {pair->a, pair->b}};
 	enum inside in_b, in_a;
-	xform a_in_b;
 	vec3 place;
 
-	if (!boxes_overlap(&bodies, &b_in_a))
+	at.to[0] = body_pair_pose(&bodies, q);
+	at.to[1] = xform_inverse(&at.to[0]);
+	box_query_init(&at.boxes, bodies.a, bodies.b, &at.to[0]);
+	if (box_query_parts_boxes(&at.boxes))
 		return INSIDE_NO;
-	a_in_b = xform_inverse(&b_in_a);
-	in_a = holds(scene, pair->a, pair->b, &b_in_a, point);
+	in_a = holds(scene, &at, 0, point);
 	if (in_a == INSIDE_YES)
 		return INSIDE_YES;
-	in_b = holds(scene, pair->b, pair->a, &a_in_b, &place);
+	in_b = holds(scene, &at, 1, &place);
 	if (in_b == INSIDE_YES)
-		*point = xform_apply(&b_in_a, place);
+		*point = xform_apply(&at.to[0], place);
 	return in_b == INSIDE_NO ? in_a : in_b;
 }
 

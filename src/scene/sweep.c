@@ -18,7 +18,7 @@
  */
 #define LOST 0.1f
 
-/* The most intervals to keep; a sweep that needs more is done in parts. */
+/* The most intervals of one walk; a sweep that needs more is done in parts. */
 #define INTERVALS_MAX 4096
 
 /* Halving an interval takes as long as looking at this many node pairs. */
@@ -42,6 +42,7 @@ struct walk {
 	double coherence_margin;	/* mm: what the remembered axes must prove beyond the clearance */
 	struct contact *contact;
 	size_t depth;	/* the stack's entries in use */
+	size_t intervals;	/* made so far */
 	bool any;	/* any contact will do, early or late */
 	long visits_end;	/* stop at this many visits of the sweep */
 	double from, to;	/* of a chord: look only at intervals that have an instant between these */
@@ -51,9 +52,7 @@ void sweep_release(struct sweep *sweep)
 {
 	free(sweep->stack);
 	free(sweep->queue);
-	for (size_t i = 0; i < sweep->interval_capacity; i++)
-		free(sweep->intervals[i]);
-	free(sweep->intervals);
+	interval_pool_release(&sweep->intervals);
 	*sweep = (struct sweep){0};
 }
 
@@ -72,24 +71,18 @@ struct bvh_pair *sweep_queue_reserve(struct sweep *sweep, size_t count)
 	return sweep->queue;
 }
 
-static struct motion_interval *new_interval(struct sweep *sweep)
-{
-	if (sweep->interval_count == sweep->interval_capacity) {
-		sweep->intervals = mem_grow(sweep->intervals, &sweep->interval_slots, sweep->interval_capacity + 1,
-					  sizeof(struct motion_interval *));
-		sweep->intervals[sweep->interval_capacity++] = mem_alloc(sizeof(struct motion_interval));
-	}
-	return sweep->intervals[sweep->interval_count++];
-}
-
-/* Adds an entry to the stack, which the caller fills in; other entries may move. */
-static struct sweep_entry *push(struct walk *walk)
+/* Adds an entry for the interval to the stack; the caller fills in the rest. Other entries may move. */
+static struct sweep_entry *push(struct walk *walk, struct motion_interval *interval)
 {
 	struct sweep *sweep = walk->sweep;
+	struct sweep_entry *entry;
 
 	if (walk->depth == sweep->stack_capacity)
 		sweep->stack = mem_grow(sweep->stack, &sweep->stack_capacity, walk->depth + 1, sizeof(*sweep->stack));
-	return &sweep->stack[walk->depth++];
+	entry = &sweep->stack[walk->depth++];
+	entry->interval = interval;
+	interval_pool_share(interval);
+	return entry;
 }
 
 static bool is_final(const struct walk *walk, const struct motion_interval *interval)
@@ -103,25 +96,26 @@ enum progress { GOES_ON, FINISHED, TOO_DEEP, TOO_MANY_INTERVALS };
 /* Pushes the later half first, so that the earlier one is looked at first. */
 static enum progress push_halves(struct walk *walk, const struct sweep_entry *entry)
 {
+	struct interval_pool *pool = &walk->sweep->intervals;
 	struct motion_interval *interval = entry->interval;
-	struct sweep_entry half = *entry;
 
 	if (interval->depth >= DEPTH_MAX)
 		return TOO_DEEP;
-	if (!interval->halved && walk->sweep->interval_count + 2 > INTERVALS_MAX)
+	if (!interval->halved && walk->intervals + 2 > INTERVALS_MAX)
 		return TOO_MANY_INTERVALS;
 	if (!interval->halved) {
-		struct motion_interval *first = new_interval(walk->sweep), *second = new_interval(walk->sweep);
-
-		motion_interval_halve(interval, walk->pair, first, second);
+		motion_interval_halve(interval, walk->pair, interval_pool_take(pool), interval_pool_take(pool));
+		walk->intervals += 2;
 		walk->sweep->bisections++;
 		walk->sweep->visits += HALVING_VISITS;
 	}
-	half.tested = false;
-	half.interval = interval->halves[1];
-	*push(walk) = half;
-	half.interval = interval->halves[0];
-	*push(walk) = half;
+	for (int i = 2; i-- > 0;) {
+		struct sweep_entry *half = push(walk, interval->halves[i]);
+
+		half->a = entry->a;
+		half->b = entry->b;
+		half->tested = false;
+	}
 	return GOES_ON;
 }
 
@@ -152,8 +146,7 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 			walk->sweep->certificates++;
 			continue;
 		}
-		child = push(walk);
-		child->interval = interval;
+		child = push(walk, interval);
 		child->a = open_a ? subtree_child(node, l) : kept;
 		child->b = open_a ? kept : subtree_child(node, l);
 		child->tested = true;
@@ -226,30 +219,42 @@ static bool is_left_out(const struct walk *walk, const struct motion_interval *i
 	return interval->s0 >= walk->contact->s || interval->s1 < walk->from || interval->s0 > walk->to;
 }
 
+/* One step, unless the walk is to stop. */
+static enum progress limited_step(struct walk *walk, struct sweep_entry *entry)
+{
+	struct sweep *sweep = walk->sweep;
+
+	if (sweep_breaks_off(sweep))
+		return TOO_DEEP;
+	if (sweep->visits > walk->visits_end) {
+		sweep->exhausted = true;
+		return TOO_DEEP;
+	}
+	return step(walk, entry);
+}
+
 /* Goes on with the contact that was found so far. */
 static enum progress run(struct walk *walk, const struct motion_interval *part)
 {
+	struct sweep *sweep = walk->sweep;
+	struct motion_interval *whole = interval_pool_copy(&sweep->intervals, part);
+	struct sweep_entry *root = push(walk, whole);
 	enum progress progress = GOES_ON;
-	struct motion_interval *whole;
 
-	walk->sweep->interval_count = 0;
-	whole = new_interval(walk->sweep);
-	*whole = *part;
-	walk->depth = 0;
-	*push(walk) = (struct sweep_entry){whole, subtree_root(walk->pair->a), subtree_root(walk->pair->b), false, 0};
+	root->a = subtree_root(walk->pair->a);
+	root->b = subtree_root(walk->pair->b);
+	root->tested = false;
+	walk->intervals = 1;
+	interval_pool_leave(&sweep->intervals, whole);
 	while (walk->depth && progress == GOES_ON) {
-		struct sweep_entry entry = walk->sweep->stack[--walk->depth];
+		struct sweep_entry entry = sweep->stack[--walk->depth];
 
-		if (is_left_out(walk, entry.interval))
-			continue;
-		if (sweep_breaks_off(walk->sweep))
-			return TOO_DEEP;
-		if (walk->sweep->visits > walk->visits_end) {
-			walk->sweep->exhausted = true;
-			return TOO_DEEP;
-		}
-		progress = step(walk, &entry);
+		if (!is_left_out(walk, entry.interval))
+			progress = limited_step(walk, &entry);
+		interval_pool_leave(&sweep->intervals, entry.interval);
 	}
+	while (walk->depth)
+		interval_pool_leave(&sweep->intervals, sweep->stack[--walk->depth].interval);
 	return progress;
 }
 

@@ -11,6 +11,7 @@
 #include "base/callbacks.h"
 #include "geom/tri.h"
 #include "scene/bvh_pair.h"
+#include "scene/interval_pool.h"
 #include "scene/motion_interval.h"
 #include "scene/tri_pair.h"
 
@@ -22,9 +23,7 @@ struct sweep {
 	size_t stack_capacity;
 	struct bvh_pair *queue;
 	size_t queue_capacity;
-	struct motion_interval **intervals;
-	size_t interval_count, interval_capacity;	/* in use, allocated */
-	size_t interval_slots;
+	struct interval_pool intervals;
 	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */
 	long visits;	/* node pairs looked at */

@@ -236,7 +236,7 @@ START_TEST(ray_matches_solid_angles)
 	struct mesh mesh = {0};
 	struct model model;
 	struct random state = random_case(77, 0);
-	int inside = 0;
+	int inside = 0, free_rays = 0;
 
 	for (int i = 0; i < N * N; i++) {
 		vec3 p[4];
@@ -258,8 +258,12 @@ START_TEST(ray_matches_solid_angles)
 
 		ck_assert_int_eq(mesh_inside(model.bvh, &model.topology, p), truth ? INSIDE_YES : INSIDE_NO);
 		inside += truth;
+		free_rays += mesh_ray_is_free(model.bvh, p);
+		ck_assert(!truth || !mesh_ray_is_free(model.bvh, p));
 	}
 	ck_assert_int_gt(inside, 150);
+	/* Of the points outside of the torus most have one, those in its hole too. */
+	ck_assert_int_gt(free_rays, (1000 - inside) * 9 / 10);
 	model_release(&model);
 }
 END_TEST
