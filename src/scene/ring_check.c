@@ -42,42 +42,60 @@ struct rings {
 	double nearest, diameter;
 };
 
-static struct corner corner_of(const struct rings *rings, vec3 p)
-{
-	vec3 off = vec3_sub(p, rings->location);
+/* The frame of the axis in the coordinates of a body's mesh. */
+struct frame {
+	vec3 location, direction, across[2];
+};
 
-	return (struct corner){vec3_dot(off, rings->direction), vec3_dot(off, rings->across[0]),
-			       vec3_dot(off, rings->across[1])};
+static struct frame frame_of(const struct rings *rings, const struct body *body)
+{
+	const xform back = xform_inverse(&body->placement);
+
+	return (struct frame){
+		.location = xform_apply(&back, rings->location),
+		.direction = mat3_apply(&back.rotation, rings->direction),
+		.across = {mat3_apply(&back.rotation, rings->across[0]), mat3_apply(&back.rotation, rings->across[1])},
+	};
+}
+
+static struct corner corner_of(const struct frame *frame, vec3 off, double height)
+{
+	return (struct corner){height, vec3_dot(off, frame->across[0]), vec3_dot(off, frame->across[1])};
 }
 
 /* A wall stands on a plane with one edge; triangles that lie in a plane have nothing to say. */
-static void add_wall(struct rings *rings, const struct corner corners[3])
+static void add_wall(struct rings *rings, const struct frame *frame, const mesh_triangle *triangle)
 {
-	int level[3], levels = 0, from = 0;
+	int levels = 0, from = 0, to;
+	double height[3];
+	vec3 off[3];
 
 	for (int k = 0; k < 3; k++) {
-		level[k] = fabs(corners[k].height - corners[(k + 1) % 3].height) < SAME;
-		levels += level[k];
-		from = level[k] ? k : from;
+		off[k] = vec3_sub(mesh_corner(triangle, k), frame->location);
+		height[k] = vec3_dot(off[k], frame->direction);
+	}
+	for (int k = 0; k < 3; k++) {
+		const bool level = fabs(height[k] - height[(k + 1) % 3]) < SAME;
+
+		levels += level;
+		from = level ? k : from;
 	}
 	if (levels != 1)
 		return;
-	rings->edges = mem_grow(rings->edges, &rings->capacity, rings->count + 1, sizeof(*rings->edges));
-	rings->edges[rings->count++] = (struct edge){{corners[from], corners[(from + 1) % 3]}};
+	to = (from + 1) % 3;
+	if (rings->count == rings->capacity)
+		rings->edges = mem_grow(rings->edges, &rings->capacity, rings->count + 1, sizeof(*rings->edges));
+	rings->edges[rings->count++] = (struct edge){{corner_of(frame, off[from], height[from]),
+						      corner_of(frame, off[to], height[to])}};
 }
 
 static void add_walls(struct rings *rings, const struct scene_body *body)
 {
 	const struct mesh *mesh = &body->bvh->mesh;
+	const struct frame frame = frame_of(rings, body->body);
 
-	for (size_t t = 0; t < mesh->count; t++) {
-		struct corner corners[3];
-
-		for (int k = 0; k < 3; k++)
-			corners[k] = corner_of(
-			    rings, xform_apply(&body->body->placement, mesh_corner(&mesh->triangles[t], k)));
-		add_wall(rings, corners);
-	}
+	for (size_t t = 0; t < mesh->count; t++)
+		add_wall(rings, &frame, &mesh->triangles[t]);
 }
 
 /* Corners are numbered edge * 2 + end. */
@@ -86,9 +104,13 @@ static struct corner end_of(const struct rings *rings, size_t corner)
 	return rings->edges[corner / 2].ends[corner % 2];
 }
 
+/* Coordinates are far below 2^63 times SAME. */
 static int64_t grid(double v)
 {
-	return (int64_t)floor(v / SAME + 0.5);
+	const double place = v / SAME + 0.5;
+	const int64_t towards_0 = (int64_t)place;
+
+	return towards_0 - ((double)towards_0 > place);
 }
 
 /* Corners on one point of a grid are one corner. */
