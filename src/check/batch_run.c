@@ -264,10 +264,19 @@ static void start_background(struct checker *c)
 	c->scheduler.loop = &c->second.loop;
 }
 
+/* Would one more thread have something to do? Where nothing is done in the background it would share heavy batches. */
+static bool can_use_thread(const struct checker *c)
+{
+	if (c->options->method == CHECK_NOTHING)
+		return false;
+	return c->background || can_check_in_background(c) || c->options->block_clearances ||
+	       scheduler_is_heavy(&c->scheduler);
+}
+
 /* If another program is done, its thread helps from now on. */
 static void take_spare_thread(struct checker *c)
 {
-	if (c->options->method == CHECK_NOTHING || !spare_threads_take(c->options->spare))
+	if (!can_use_thread(c) || !spare_threads_take(c->options->spare))
 		return;
 	c->borrowed++;
 	checker_settle(c);

@@ -254,13 +254,18 @@ static bool is_complete(const struct scheduler *scheduler)
 	return true;
 }
 
+bool scheduler_is_heavy(const struct scheduler *scheduler)
+{
+	return scheduler->work > HEAVY;
+}
+
 bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int tool,
 		   const struct check_options *options)
 {
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options};
 
 	plan(scheduler, batch, tool, options);
-	do_tasks(scheduler, scheduler->work > HEAVY ? scheduler->threads : 1, &work);
+	do_tasks(scheduler, scheduler_is_heavy(scheduler) ? scheduler->threads : 1, &work);
 	gather(scheduler);
 	return is_complete(scheduler);
 }

@@ -48,6 +48,9 @@ void scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 		    const struct cancel *cancel, struct pair_measuring measuring);
 void scheduler_release(struct scheduler *scheduler);
 
+/* Did the last batch take so much work that threads share the next one? Not during a batch. */
+bool scheduler_is_heavy(const struct scheduler *scheduler);
+
 /* From now on one thread more may work. Not during a batch. */
 void scheduler_add_thread(struct scheduler *scheduler);
 

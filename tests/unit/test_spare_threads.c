@@ -7,6 +7,7 @@
 #include "base/parallel_for.h"
 #include "base/strbuf.h"
 #include "check/check.h"
+#include "check/measure/path_record.h"
 #include "model_case.h"
 #include "scene/pairs.h"
 #include "suite.h"
@@ -60,6 +61,7 @@ struct heard {
 	int until;	/* so many calls of progress, then there are spare threads */
 	int more;	/* so many */
 	bool ends;	/* the check is interrupted as soon as they are taken */
+	int least;	/* spare threads since then */
 	int events;
 };
 
@@ -87,6 +89,8 @@ static bool on_progress(void *context, long lines)
 	(void)lines;
 	if (heard->until-- == 0)
 		spare_threads_give(&heard->spare, heard->more);
+	else if (heard->until < 0 && heard->spare.count < heard->least)
+		heard->least = heard->spare.count;
 	return !heard->ends || heard->until >= 0 || heard->spare.count > 0;
 }
 
@@ -219,10 +223,45 @@ START_TEST(an_interrupted_check_gives_its_threads_back)
 }
 END_TEST
 
+/* The least number of spare threads, of one, while the check runs. */
+static int least_spare(struct model *model, FILE *in, struct path_record *record)
+{
+	struct heard heard = {.more = 1, .least = 1};
+	const struct check_options options = {.tolerance = 0.001, .threads = 1, .spare = &heard.spare,
+					      .record = record};
+	const struct check_sink sink = {&heard, on_finding, on_progress, NULL};
+	struct diag diag = {.handle = on_diag, .context = &heard};
+	struct check_stats stats;
+
+	rewind(in);
+	ck_assert_int_eq(check_run(model->scene, &options, in, "a.nc", &sink, &diag, &stats, NULL), CHECK_CLEAR);
+	strbuf_release(&heard.text);
+	return heard.least;
+}
+
+/* A check that records its path has nothing for a second thread to do; the check of another program may have. */
+START_TEST(a_thread_of_no_use_is_left)
+{
+	struct path_record record;
+	struct model model;
+	FILE *in = program_with(-1, -1);
+
+	place_bodies(&model);
+	ck_assert_int_eq(least_spare(&model, in, NULL), 0);
+	ck_assert(path_record_init(&record));
+	path_record_start(&record);
+	ck_assert_int_eq(least_spare(&model, in, &record), 1);
+	path_record_release(&record);
+	model_release(&model);
+	fclose(in);
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {none_is_lost, a_clear_check_stays_clear, findings_and_faults_stay_the_same,
-				      an_interrupted_check_gives_its_threads_back};
+				      an_interrupted_check_gives_its_threads_back,
+				      a_thread_of_no_use_is_left};
 
 	return RUN_TESTS("spare_threads", tests);
 }
