@@ -115,7 +115,7 @@ bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag 
 	}
 	if (!model_add_scene(model, clearance, diag))
 		return false;
-	model_check(model->scene);
+	model_check(model->scene, model->threads);
 	return true;
 }
 

@@ -290,7 +290,7 @@ static enum run_status run_machine(const struct job *job, const struct options *
 	struct strbuf text = {0};
 	bool good = !options->report || program_reports_may_replace("report", options->report, diag);
 
-	model_check(scene);
+	model_check(scene, options->check.threads);
 	good = good && oddities_find(&oddities, scene, diag) &&
 	       (!options->report || axis_page_write(options->report, scene, diag));
 	if (good && as_json) {

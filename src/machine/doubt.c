@@ -10,6 +10,12 @@ void doubts_add(struct doubts *doubts, const struct doubt *doubt)
 	doubts->items[doubts->count++] = *doubt;
 }
 
+void doubts_add_all(struct doubts *doubts, const struct doubts *others)
+{
+	for (size_t i = 0; i < others->count; i++)
+		doubts_add(doubts, &others->items[i]);
+}
+
 void doubts_release(struct doubts *doubts)
 {
 	free(doubts->items);

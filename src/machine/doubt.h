@@ -91,6 +91,8 @@ struct doubts {
 };
 
 void doubts_add(struct doubts *doubts, const struct doubt *doubt);
+/* Appends copies of the others. */
+void doubts_add_all(struct doubts *doubts, const struct doubts *others);
 void doubts_release(struct doubts *doubts);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/parallel_for.h"
 #include "machine/chain.h"
 #include "machine/kinematics_check.h"
 #include "machine/value_check.h"
@@ -143,9 +144,9 @@ static void check_size(const struct scene *scene, struct doubts *doubts)
 		doubts_add(doubts, &doubt);
 }
 
-void model_check(struct scene *scene)
+/* Do the links, the spindle and the work stand where their motions say? */
+static void check_places(struct scene *scene, struct doubts *doubts)
 {
-	struct doubts *doubts = &scene->doubts;
 	const struct machine *machine = scene->machine;
 	const struct spindle *spindle = &machine->spindle;
 	const struct workholding *workholding = &machine->workholding;
@@ -163,9 +164,38 @@ void model_check(struct scene *scene)
 		check_mount(scene, DOUBT_WORKHOLDING_FAR, workholding->link, workholding->frame.translation,
 			    WORKHOLDING_OFF, doubts);
 	check_size(scene, doubts);
-	if (missing_is_drawn(scene)) {
+	if (missing_is_drawn(scene))
 		joint_check(scene, doubts);
-		neighbour_check(scene, doubts);
+}
+
+/* The two checks that take longest, about the same time. Only the first uses the scene's sweep. */
+enum { PLACES, NEIGHBOURS, LONG_CHECKS };
+
+struct long_checks {
+	struct scene *scene;
+	struct doubts doubts[LONG_CHECKS];
+};
+
+static void run_long_check(void *context, int worker, size_t i)
+{
+	struct long_checks *checks = context;
+
+	(void)worker;
+	if (i == PLACES)
+		check_places(checks->scene, &checks->doubts[i]);
+	else if (missing_is_drawn(checks->scene))
+		neighbour_check(checks->scene, &checks->doubts[i]);
+}
+
+void model_check(struct scene *scene, int threads)
+{
+	struct long_checks checks = {.scene = scene};
+	struct doubts *doubts = &scene->doubts;
+
+	parallel_for(LONG_CHECKS, threads < LONG_CHECKS ? threads : LONG_CHECKS, run_long_check, &checks);
+	for (int i = 0; i < LONG_CHECKS; i++) {
+		doubts_add_all(doubts, &checks.doubts[i]);
+		doubts_release(&checks.doubts[i]);
 	}
 	missing_check(scene, doubts);
 	placement_check(scene, doubts);

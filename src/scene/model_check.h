@@ -10,8 +10,8 @@
 
 /*
  * Fills scene->doubts: the doubts about the machine's motions (kinematics_check), then those about its bodies and the
- * setup.
+ * setup. They do not depend on the number of threads.
  */
-void model_check(struct scene *scene);
+void model_check(struct scene *scene, int threads);
 
 #endif

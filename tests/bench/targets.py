@@ -125,10 +125,15 @@ class Targets:
         small = Scene('small', self.folder('small'), small_machine, None, program)
         loads = [self.tools.check(mega) for _ in range(self.tools.runs)]
         smalls = [self.tools.check(small) for _ in range(10 * self.tools.runs)]
-        one, two = rounds(self.tools.runs, lambda: self.tools.check(mega, ['-j', '1']).phases()[0],
-                          lambda: self.tools.check(mega, ['-j', '2']).phases()[0])
+        single, double, pair = rounds(self.tools.runs, lambda: self.tools.check(mega, ['-j', '1']),
+                                      lambda: self.tools.check(mega, ['-j', '2']),
+                                      lambda: self.tools.check_twice(mega, ['-j', '1']))
+        one, two = ([s.phases()[0] for s in runs] for runs in (single, double))
         self.at_most('loading 1,000,000 triangles', 0.25, median(one), 'files in memory, wall time', ' s')
-        self.at_most('the same with two threads', 0.5, ratio(two, one), 'wall time against one thread')
+        # Two processes share nothing but the machine: what each takes more than one alone, two threads must take, too.
+        self.at_most('the same with two threads', 0.5, ratio(two, one),
+                     'wall time against one thread; two processes at once, each with one thread, take %.3gx a load' %
+                     (0.5 * ratio([s.wall for s in pair], [s.wall for s in single])))
         self.at_most('small machine, start to exit', 10, 1e3 * median([s.wall for s in smalls]),
                      '1,000 triangles', ' ms')
         bytes_each = (median([s.peak for s in loads]) - median([s.peak for s in smalls])) / (MEGA - 1000)

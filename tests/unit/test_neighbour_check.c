@@ -1,8 +1,10 @@
 /* test_neighbour_check.c - excused neighbours that meet when their joint moves, in closed forms. */
 #include "scene/neighbour_check.h"
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "model_case.h"
+#include "scene/model_check.h"
 #include "suite.h"
 
 /*
@@ -124,9 +126,77 @@ START_TEST(endless_rotary)
 }
 END_TEST
 
+static void add_shell(struct mesh *mesh, double half, bool inverted)
+{
+	struct mesh box = {0};
+
+	solid_box(&box, (vec3){half, half, half});
+	for (size_t i = 0; i < box.count; i++) {
+		const tri t = tri_of(&box, i);
+
+		solid_add(mesh, t.p[0], t.p[inverted ? 2 : 1], t.p[inverted ? 1 : 2]);
+	}
+	mesh_release(&box);
+}
+
+/* What stands in a cavity is in no material, however large the solid around it: only the wall that it enters counts. */
+START_TEST(in_a_cavity)
+{
+	static const struct {
+		double most, depth;
+	} cases[] = {{150, 0}, {220, 0}, {270, 70}};
+
+	for (int i = 0; i < COUNT(cases); i++) {
+		struct mesh housing = {0};
+		struct model model;
+
+		model_init(&model);
+		add_shell(&housing, 400, false);
+		add_shell(&housing, 250, true);
+		model_mesh(&model, model_body(&model, ROLE_MACHINE, LINK_BASE), &housing);
+		model_box(&model, ROLE_MACHINE, LINK_X, (vec3){-50, -50, -50}, (vec3){50, 50, 50});
+		model.machine.axes[LINK_X - 1].limit_min = 0;
+		model.machine.axes[LINK_X - 1].limit_max = cases[i].most;
+		excuse(&model, PAIR_ADJACENT);
+		expect(&model, cases[i].depth, cases[i].most);
+		model_release(&model);
+	}
+}
+END_TEST
+
+/* All doubts of a model come in the same order from two threads: neighbours, a gap, a travel, a spindle that is far. */
+START_TEST(threads_change_nothing)
+{
+	struct doubts doubts[2] = {{0}, {0}};
+
+	for (int k = 0; k < 2; k++) {
+		struct model model;
+
+		start(&model, 230);
+		model_box(&model, ROLE_MACHINE, LINK_Z, (vec3){-50, -50, 400}, (vec3){50, 50, 500});
+		model_box(&model, ROLE_MACHINE, LINK_C, (vec3){-50, -50, -400}, (vec3){50, 50, -300});
+		excuse(&model, PAIR_ADJACENT);
+		model_check(model.scene, 1 + k);
+		doubts_add_all(&doubts[k], &model.scene->doubts);
+		model_release(&model);
+	}
+	ck_assert_ptr_nonnull(model_doubt(&doubts[0], DOUBT_NEIGHBOURS_MEET));
+	ck_assert_uint_gt(doubts[0].count, 3);
+	ck_assert_uint_eq(doubts[0].count, doubts[1].count);
+	for (size_t i = 0; i < doubts[0].count; i++) {
+		ck_assert_int_eq(doubts[0].items[i].kind, doubts[1].items[i].kind);
+		ck_assert_int_eq(doubts[0].items[i].axis, doubts[1].items[i].axis);
+		ck_assert(same_double(doubts[0].items[i].value, doubts[1].items[i].value));
+	}
+	doubts_release(&doubts[0]);
+	doubts_release(&doubts[1]);
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {linear, not_judged, as_deep_at_home, endless_rotary};
+	const TTest *const tests[] = {linear, not_judged, as_deep_at_home, endless_rotary, in_a_cavity,
+				      threads_change_nothing};
 
 	return RUN_TESTS("neighbour_check", tests);
 }
