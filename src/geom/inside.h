@@ -28,8 +28,8 @@ enum inside {
 enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
 
 /*
- * Does one of a few rays from the point cross no triangle? Then mesh_inside does not say INSIDE_YES of the point, and no
- * topology is needed to know that.
+ * Does one of a few rays from the point cross no triangle? Then mesh_inside does not say INSIDE_YES of the point, and
+ * no topology is needed to know that.
  */
 bool mesh_ray_is_free(const struct bvh *bvh, vec3 point);
 

@@ -1,4 +1,4 @@
-/* test_box_query.c - what boxes say of two bodies at rest, against all triangles of one and the faces of the other's box. */
+/* test_box_query.c - two bodies' boxes at rest, against all triangles of one and the faces of the other's box. */
 #include "scene/box_query.h"
 
 #include "solids.h"

@@ -32,9 +32,10 @@ START_TEST(nearest_to_a_point)
 		bvh->simd_level = (int)(n % (simd_level() + 1));
 		for (size_t i = 0; i < bvh->mesh.count; i++)
 			least = fmin(least, to_triangle(bvh, i, point));
-		require(fabs(mesh_point_distance_above(bvh, point, 0.9 * least) - least) < 1e-9, "case %ld: not nearest",
-			n);
-		require(mesh_point_distance_above(bvh, point, 1.5 * least) <= 1.5 * least + 1e-9, "case %ld: too far", n);
+		require(fabs(mesh_point_distance_above(bvh, point, 0.9 * least) - least) < 1e-9,
+			"case %ld: not the nearest", n);
+		require(mesh_point_distance_above(bvh, point, 1.5 * least) <= 1.5 * least + 1e-9,
+			"case %ld: too far", n);
 		if (mesh_nearest_triangle(bvh, point, within, 0, &nearest, &visits)) {
 			struct nearest_triangle any;
 			const double enough = random_size(&random, 1, 3) * least;
