@@ -4,7 +4,7 @@
 
 #include "scene/scene.h"
 
-/* Counts into scene->open_bodies, and sets scene->first_open. Left out are bodies of no checked pair, and checked="". */
+/* Fills scene->open_bodies and first_open. Bodies of no checked pair, and those with checked="", do not count. */
 void open_check(struct scene *scene);
 
 #endif
