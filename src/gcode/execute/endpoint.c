@@ -89,10 +89,8 @@ static void caution_probe(struct interp *interp)
 	interp->cautioned_probe = true;
 	caution(&interp->at, block_motion_column(&interp->block),
 		"this path depends on where the probe has stopped: under TCP, in turned coordinates, with cutter "
-		"compensation "
-		"and for rotary axes it is proved from the end of the probe's way only, here and further on; lead the "
-		"probed "
-		"axis back by an absolute coordinate in a block of its own first");
+		"compensation and for rotary axes it is proved from the end of the probe's way only, here and further "
+		"on; lead the probed axis back by an absolute coordinate in a block of its own first");
 }
 
 /* The word leads the axis there from wherever a probe has stopped it, or from there on. */

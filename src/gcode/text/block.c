@@ -62,38 +62,45 @@ const struct code *block_find_g(struct block *block, const struct dialect *diale
 	return block->recent;
 }
 
-static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
-		  const struct dialect *dialect)
+/* Finds the code that a word means. False, reported: it is not known, not read, or may not stand there. */
+static bool find_code_of_word(struct block *block, const struct line_place *at, const struct word *word,
+			      const struct dialect *dialect, const struct code **found)
 {
-	double tenths = word->value * 10, nearest = tenths;
-	const struct code *code = NULL;
+	const double tenths = word->value * 10;
+	const int number = tenths < 10000 ? (int)(tenths + 0.5) : 10000;
+	const struct code *code;
 	char text[256];
-	int number = 0;
 
 	if (tenths < 0)
 		return fault(at, word->column, "a G-code cannot be negative");
-	if (tenths < 10000)
-		nearest = (int)(tenths + 0.5);
 	/* LinuxCNC takes what is within 0.0001 of a code for it. */
-	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
-		number = (int)nearest;
-		code = block_find_g(block, dialect, number);
-	}
-	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
+	if (number == 10000 || fabs(tenths - number) > 0.001)
+		return fault(at, word->column, "%g is no G-code", word->value);
+	*found = code = block_find_g(block, dialect, number);
+	if (code && code->group != GROUP_STATEMENT && code->state != CODE_REFUSED)
+		return true;
+	if (!code)
 		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
 			 dialect->traits.call_letters
 			     ? "; <macro code=\"\"/> of the machine's <controller> declares one that the builder made"
 			     : "");
-		return fault_g(at, word, number, text);
-	}
-	if (!code)
-		return fault(at, word->column, "%g is no G-code", word->value);
-	if (code->group == GROUP_STATEMENT)
-		return fault_g(at, word, number, " stands before every other word of its block but N");
-	if (code->state == CODE_REFUSED) {
+	else if (code->group == GROUP_STATEMENT)
+		snprintf(text, sizeof(text), " stands before every other word of its block but N");
+	else
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
-		return fault_g(at, word, number, text);
-	}
+	return fault_g(at, word, number, text);
+}
+
+static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
+		  const struct dialect *dialect)
+{
+	const struct code *code;
+	char text[256];
+	int number;
+
+	if (!find_code_of_word(block, at, word, dialect, &code))
+		return false;
+	number = code->number;
 	if (code->group == GROUP_NONE) {
 		block->idle = number;
 		block->idle_column = word->column;
