@@ -5,8 +5,8 @@ import tempfile
 
 import fixtures
 from bench import same, test, true
-from jobs_page import ADVICE, drop
-from page_bench import VERDICTS
+from jobs_page import ADVICE
+from page_bench import VERDICTS, drop
 
 SAID = "[...document.querySelectorAll('.program .verdict')].map((e) => e.textContent)"
 
@@ -28,9 +28,7 @@ def wrong_type(bench):
     """A server that does not know the type of a module: the page works all the same."""
     bench.site.types = {"/fivecheck.wasm": "application/octet-stream"}
     page = bench.open()
-    bench.example(page, "cb-head")
-    bench.check(page)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.works(page)
     bench.done(page)
 
 
@@ -61,7 +59,7 @@ def no_examples(bench):
     page = bench.open()
     true("it is told", "The examples cannot be loaded" in page.run("document.querySelector('#examples').textContent"))
     with tempfile.TemporaryDirectory() as work:
-        drop(page, os.path.dirname(fixtures.boxes(work)[0]))
+        bench.boxes(page, work)
         bench.check(page)
         same("verdict", page.run(VERDICTS), [["part.nc", "found"]])
     page.close()
@@ -73,9 +71,7 @@ def no_storage(bench):
     page = bench.open(before="""for (const name of ['localStorage', 'sessionStorage', 'indexedDB', 'caches'])
         Object.defineProperty(window, name, {get() { throw new DOMException('denied', 'SecurityError'); }});
         if (window === top) navigator.serviceWorker.register = () => (window.asked = true, Promise.reject(new DOMException('denied', 'SecurityError')));""")
-    bench.example(page, "cb-head")
-    bench.check(page)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.works(page)
     page.run("await new Promise((done) => { const look = () => window.asked ? done() : requestAnimationFrame(look); look(); })")
     page.run("await until('report-shown', 2)")
     bench.done(page)
@@ -89,8 +85,7 @@ def names(bench):
     """Whatever files are called, they are called so, and checked."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
-        machine, _, program = fixtures.boxes(work)
-        drop(page, os.path.dirname(machine))
+        _, program = bench.boxes(page, work)
         with open(program, encoding="utf-8") as file:
             text = file.read()
         page.run("await fivecheckPage.add(%s.map((name) => [`boxes-00/${name}`, new Blob([%s])]))" % (json.dumps(NAMES), json.dumps(text)))
@@ -112,9 +107,7 @@ def meanwhile(bench):
     page.run("((done) => { window.checkedOnce = new Promise((told) => document.addEventListener('checked', told)); done.click(); })(document.querySelector('#check'))")
     page.run("await fivecheckPage.add([['new.nc', new Blob(['G21 G90\\nM2\\n'])]])")
     other = bench.open()
-    bench.example(other, "ac-trunnion")
-    bench.check(other)
-    same("another tab", sorted(verdict for _, verdict in other.run(VERDICTS)), ["clear", "found"])
+    bench.works(other, "another tab")
     other.close()
     page.run("await checkedOnce")
     same("what was checked", [path for path, _ in page.run(VERDICTS)], ["examples/cb-head/clear.nc", "examples/cb-head/collision.nc"])
@@ -128,9 +121,7 @@ def meanwhile(bench):
     page.reload()
     page.run("await until('fivecheck-ready', 1)")
     same("a new page", page.run("[document.querySelectorAll('.program').length, document.querySelector('#check').disabled]"), [0, True])
-    bench.example(page, "cb-head")
-    bench.check(page)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.works(page)
     bench.done(page)
 
 

@@ -8,7 +8,7 @@ import time
 
 from bench import same, test, true
 from driver import BrowserError
-from page_bench import VERDICTS, Bench, Site
+from page_bench import Bench, Site
 
 CACHES = "(await caches.keys()).length"
 # Asks for an update of the page until a newer build came so far; the browser may be asking for it by itself, too.
@@ -109,9 +109,7 @@ def newer_build(bench):
         same("caches", page.run(CACHES), 1)
         true("a part of the newer build", page.run("(await (await fetch('fivecheck-more.wasm')).arrayBuffer()).byteLength"
              " === (await (await fetch('fivecheck-klartext.wasm')).arrayBuffer()).byteLength"))
-        visitor.example(page, "cb-head")
-        visitor.check(page)
-        same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+        visitor.works(page)
         visitor.done(page)
 
 
@@ -130,3 +128,32 @@ def half_a_build(bench):
         page.run(UPDATED % "installed")
         load_again(page, "newer")
         page.close()
+
+
+# Before the service worker's own script: once it answers for the page, its browser opens no cache any more.
+CLOSED = """{
+    const open = caches.open.bind(caches);
+    caches.open = (name) => registration.active ? Promise.reject(new DOMException('none is opened', 'UnknownError')) : open(name);
+}
+"""
+
+
+@test
+def no_cache(bench):
+    """Where the browser opens no cache any more, or threw away what was in it, the server answers: the page is loaded and works."""
+    for closed in (True, False):
+        with copy_of_page(bench) as (folder, visitor):
+            worker = os.path.join(folder, "service_worker.js")
+            with open(worker, encoding="utf-8") as file:
+                text = file.read()
+            with open(worker, "w", encoding="utf-8") as file:
+                file.write(CLOSED * closed + text)
+            page = visited(visitor)
+            if not closed:
+                page.run("await Promise.all((await caches.keys()).map((name) => caches.delete(name)))")
+            before = len(visitor.site.asked)
+            load_again(page, "fivecheck")
+            true("the service worker is there, and the server was asked", page.run("navigator.serviceWorker.controller !== null")
+                 and "/" in [path for _, path, _ in visitor.site.asked[before:]])
+            visitor.works(page)
+            visitor.done(page)

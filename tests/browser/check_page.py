@@ -108,7 +108,7 @@ def cancel(bench):
     page.run("document.querySelector('#empty').click()")
     bench.example(page, "cb-head", 2)
     bench.check(page, 2)
-    same("verdicts of the next check", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.verdicts(page, "verdicts of the next check")
     bench.done(page)
 
 
@@ -189,7 +189,7 @@ def keys(bench):
     page.run("(window.focused = [], document.addEventListener('focusin', ({target}) => focused.push(target.id)))")
     page.press("Enter")
     page.run("await until('checked', 1)")
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.verdicts(page)
     same("focus", page.run("[...focused, document.activeElement.id]"), ["cancel", "check", "check"])
     bench.done(page)
 
@@ -222,7 +222,7 @@ def lacking(bench):
     true("its reason", "fivecheck.wasm cannot be loaded: the server answers 404" in page.run("document.querySelector('.program').textContent"))
     bench.site.missing = {"/examples/examples/b-head-c-table/setup.xml"}
     bench.check(page, 2)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.verdicts(page)
     bench.example(page, "b-head-c-table", 2)
     true("a file of an example", "setup.xml cannot be loaded" in page.run("document.querySelector('#job').textContent"))
     same("nothing is half there", page.run("document.querySelector('#check').disabled"), True)
@@ -245,7 +245,7 @@ def offline(bench):
     page.run("await until('fivecheck-ready', 1)")
     bench.example(page, "cb-head")
     bench.check(page)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.verdicts(page)
     page.close()
 
 

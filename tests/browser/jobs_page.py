@@ -8,7 +8,7 @@ import zipfile
 
 import fixtures
 from bench import same, test, true
-from page_bench import VERDICTS
+from page_bench import VERDICTS, drop
 
 CARDS = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.job, card.dataset.path, card.dataset.verdict])"
 JOBS = "[...document.querySelectorAll('.job')].map((part) => [part.dataset.job, part.dataset.verdict, part.querySelector('h3').textContent])"
@@ -25,16 +25,6 @@ def write(path, text):
 def read(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
-
-
-def drop(page, *paths):
-    """Folders are dropped, files are chosen: a browser that cannot be told to drop does that, too."""
-    shown = page.run("counts['files-shown']")
-    if any(map(os.path.isdir, paths)):
-        page.drop(640, 200, list(paths))
-    else:
-        page.choose("#choose", list(paths))
-    page.run(f"await until('files-shown', {shown + 1})")
 
 
 def waive(bench, folder, *words):

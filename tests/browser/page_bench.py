@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 
+import fixtures
 from bench import same
 
 
@@ -78,6 +79,16 @@ window.until = (name, count) => counts[name] >= count ? Promise.resolve()
 """ % json.dumps(EVENTS)
 
 
+def drop(page, *paths):
+    """Folders are dropped, files are chosen: a browser that cannot be told to drop does that, too."""
+    shown = page.run("counts['files-shown']")
+    if any(map(os.path.isdir, paths)):
+        page.drop(640, 200, list(paths))
+    else:
+        page.choose("#choose", list(paths))
+    page.run(f"await until('files-shown', {shown + 1})")
+
+
 class Bench:
     def __init__(self, arguments, site, browser):
         self.fivecheck = arguments.fivecheck
@@ -100,6 +111,22 @@ class Bench:
     def check(self, page, count=1):
         page.run("document.querySelector('#check').click()")
         page.run(f"await until('checked', {count})")
+
+    def verdicts(self, page, what="verdicts"):
+        """One of the example's two programs is clear."""
+        same(what, sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+
+    def works(self, page, what="verdicts"):
+        """An example can be opened and checked, and has its verdicts."""
+        self.example(page, "cb-head", page.run("counts['example-open']") + 1)
+        self.check(page, page.run("counts.checked") + 1)
+        self.verdicts(page, what)
+
+    def boxes(self, page, work):
+        """Drops the folder of a small machine, and says where it is, and its program."""
+        machine, _, program = fixtures.boxes(work)
+        drop(page, os.path.dirname(machine))
+        return os.path.dirname(machine), program
 
     def native(self, name, program, *options):
         return subprocess.run([self.fivecheck, *options, f"--setup=examples/{name}/setup.xml", f"machines/{name}/machine.xml",

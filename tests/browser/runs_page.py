@@ -5,8 +5,8 @@ import threading
 
 import fixtures
 from bench import PHONE, same, test, true
-from jobs_page import CARDS, drop, native, write
-from page_bench import VERDICTS
+from jobs_page import CARDS, native, write
+from page_bench import drop
 
 # Addresses of files that were made and not given back; listeners of the window that go with nothing.
 WATCH_OPEN = """
@@ -48,7 +48,7 @@ def cancel_at_once(bench):
     same("cancelled", page.run("[...document.querySelectorAll('.program .verdict')].map((e) => e.textContent)"), ["Cancelled: nothing is known of this program."] * 2)
     held.set()
     bench.check(page, 2)
-    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    bench.verdicts(page)
     bench.done(page)
 
 

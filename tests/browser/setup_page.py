@@ -6,8 +6,7 @@ import tempfile
 
 from bench import same, test, true
 from forms_page import after, enter, faults, write
-from jobs_page import drop
-from page_bench import VERDICTS
+from page_bench import VERDICTS, drop
 
 XML = "document.querySelector('#setup-xml').value"
 TABLE = """number,name,type,length,diameter,flute_length,shank_diameter,stickout,holder_diameter
