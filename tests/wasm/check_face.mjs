@@ -116,6 +116,18 @@ tests['bytes of all kinds, folders, and paths that lead nowhere'] = () => {
 	assert.deepEqual([...bytes.contents()], [0, 0, 0, 0]);
 };
 
+tests['progress is that of the check, not of the digests before it'] = () => {
+	const told = [], line = 'G1 X1 F1000\nG1 X0\n';
+	const job = exampleJob('clear', {options: ['--parse-only'], onEvent: ({kind}) => told.push(kind), onProgress: (part) => told.push(part)});
+	job.programs = ['long.nc'];
+	job.files.add('long.nc', line.repeat(40000));
+	delete job.setup;
+	assert.equal(fivecheck.check(job).status, STATUS.CLEAR);
+	assert.equal(told[0], 'header');
+	const parts = told.slice(1, told.indexOf('program'));
+	assert.ok(parts.length > 2 && parts[0] < 0.5 && parts.at(-1) === 1 && parts.every((part, i) => i === 0 || part > parts[i - 1]));
+};
+
 tests['a long program is read in slices'] = () => {
 	const line = 'G1 X1 F1000\nG1 X0\n', count = 400000;
 	let most = 0;

@@ -23,7 +23,7 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, LACKING};
  * @property {boolean} [report] write a report to look at
  * @property {(event: Record<string, any>) => void} [onEvent] each line of NDJSON as it comes (fivecheck(1), "ndjson")
  * @property {(message: string) => void} [onMessage] what the command line would say on standard error
- * @property {(part: number) => void} [onProgress] how much of all programs was read, 0 to 1
+ * @property {(part: number) => void} [onProgress] how much of all programs was read to be checked, 0 to 1
  */
 
 /**
@@ -165,7 +165,7 @@ export class Fivecheck {
  */
 function collect(job, run) {
 	/** @type {Record<string, any>[]} */
-	const events = [];
+	const events = [], progress = progressOf(job);
 	let messages = '';
 	const out = new Lines((line) => {
 		const event = JSON.parse(line);
@@ -177,7 +177,11 @@ function collect(job, run) {
 		job.onMessage?.(line);
 	});
 	job.files.folder(RESULTS);
-	const {status, memory} = run({onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes), onRead: progressOf(job)});
+	const {status, memory} = run({
+		onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes),
+		// The first line has digests of all files, which are read for that: the check begins after it.
+		onRead: (node, offset) => events.length && progress?.(node, offset),
+	});
 	err.add(new TextEncoder().encode('\n'));
 	return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job), memory};
 }
