@@ -26,16 +26,26 @@ bool step_may_leave_path(const struct chain *chain, const struct motion_step *st
 	return false;
 }
 
+static bool may_be_off(const struct chain *chain, const struct motion_step *step)
+{
+	for (size_t i = 0; i < chain->count; i++) {
+		const int slot = chain->joints[i].slot;
+
+		if (step->span.chord_error.v[slot] > 0 || step->tolerance.v[slot] > 0)
+			return true;
+	}
+	return false;
+}
+
 struct position_errors step_errors(const struct chain *chain, const struct motion_step *step)
 {
-	struct position_errors errors = {.any = false};
+	struct position_errors errors = {.any = may_be_off(chain, step)};
 
-	for (size_t i = 0; i < chain->count; i++) {
+	for (size_t i = 0; i < chain->count && errors.any; i++) {
 		int slot = chain->joints[i].slot;
 
 		errors.chord.v[slot] = step->span.chord_error.v[slot];
 		errors.path.v[slot] = step->tolerance.v[slot];
-		errors.any |= errors.chord.v[slot] > 0 || errors.path.v[slot] > 0;
 	}
 	return errors;
 }

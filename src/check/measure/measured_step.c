@@ -37,19 +37,23 @@ void measured_step_init(struct measured_step *measured, const struct measured_pa
 	measured->errors = step_errors(pair->bodies.chain, step);
 	measured->path = 0;
 	measured->seen = INFINITY;
+	measured->wanted = pair->bound;
 }
 
-/* mm: what is wanted of planes, as far as it is known how near the bodies come. */
-static double wanted_of(const struct measured_pair *pair, const struct measured_step *measured)
+/* Two triangles are `distance` mm apart somewhere on the step. */
+static void see(struct measured_step *measured, const struct measured_pair *pair, double distance)
 {
-	return fmin(pair->bound, clearance_accuracy_enough(pair->accuracy, measured->seen - measured->path,
-						     pair->bound));
+	if (!(distance < measured->seen))
+		return;
+	measured->seen = distance;
+	measured->wanted = smaller(pair->bound, clearance_accuracy_enough(pair->accuracy, distance - measured->path,
+									  pair->bound));
 }
 
 /* mm: the gap that planes must leave for that. */
-static double needed_of(const struct measured_pair *pair, const struct measured_step *measured)
+static double needed_of(const struct measured_step *measured)
 {
-	return wanted_of(pair, measured) + measured->path;
+	return measured->wanted + measured->path;
 }
 
 static bool is_at(const struct chain *chain, const axis_values *a, const axis_values *b)
@@ -83,18 +87,16 @@ static double useful_distance(const struct measured_pair *pair, const struct mea
 static void look_at(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 		    const axis_values *q, double kept)
 {
-	measured->seen = smaller(measured->seen,
-				 near_pair_improve(&pair->bodies, pose_at(pair, q),
-						   useful_distance(pair, measured, kept), &sweep->visits));
+	see(measured, pair, near_pair_improve(&pair->bodies, pose_at(pair, q), useful_distance(pair, measured, kept),
+					      &sweep->visits));
 }
 
 /* The same at a fraction of the cost: finds those that have come beside the ones that were close before. */
 static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			const axis_values *q, double kept)
 {
-	measured->seen = smaller(measured->seen,
-				 near_pair_improve_once(&pair->bodies, pose_at(pair, q),
-							useful_distance(pair, measured, kept), &sweep->visits));
+	see(measured, pair, near_pair_improve_once(&pair->bodies, pose_at(pair, q),
+						   useful_distance(pair, measured, kept), &sweep->visits));
 }
 
 /* mm: what kept planes prove of the motion; they are not asked for more than what is wanted of them. */
@@ -103,7 +105,7 @@ static double kept_for(struct measured_pair *pair, const struct measured_step *m
 {
 	if (!WITH_PLANES)
 		return -INFINITY;
-	return plane_cells_rest(&pair->planes, motion, needed_of(pair, measured), asked) - measured->path;
+	return plane_cells_rest(&pair->planes, motion, needed_of(measured), asked) - measured->path;
 }
 
 /* Does a search for planes at q pay, and prove what is wanted of them in this part of the step? */
@@ -116,7 +118,7 @@ static bool new_planes_prove(struct measured_pair *pair, const struct measured_s
 	if (!WITH_PLANES || !plane_account_allows(&pair->account))
 		return false;
 	/* Of kept planes what they prove is known already, and that other triangles are nearer, too. */
-	held = plane_cells_search(&pair->planes, q, part, needed_of(pair, measured));
+	held = plane_cells_search(&pair->planes, q, part, needed_of(measured));
 	plane_account_add_search(&pair->account, pair->planes.visits - before);
 	return held;
 }
@@ -152,7 +154,7 @@ static double distance_at(struct measured_pair *pair, struct measured_step *meas
 			.distance = distance,
 		};
 	}
-	measured->seen = smaller(measured->seen, distance);
+	see(measured, pair, distance);
 	return distance;
 }
 
@@ -167,10 +169,10 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 	axis_values nearest = part->q1;
 	double at0;
 
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return nearest;
 	at0 = distance_at(pair, measured, &part->q0);
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return nearest;
 	if (part->straight && smaller(at0, at1) > ALIKE * larger(at0, at1))
 		nearest = plane_motion_middle(part);
@@ -183,14 +185,14 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 /* Does the plane that was measured last leave enough there? Then the motion is too long for it, and for others, too. */
 static bool is_good_where_measured(const struct measured_pair *pair, const struct measured_step *measured)
 {
-	return plane_cells_gap_of_whole(&pair->planes) > needed_of(pair, measured);
+	return plane_cells_gap_of_whole(&pair->planes) > needed_of(measured);
 }
 
 /* mm: what the plane of the whole bodies proves, measured again at the motion's end; `along` as for plane_cells.h. */
 static double carried_on(struct measured_pair *pair, const struct measured_step *measured,
 			 const struct plane_motion *motion, const vec3 *along)
 {
-	return plane_cells_carry_whole(&pair->planes, &motion->q1, motion, needed_of(pair, measured), along) -
+	return plane_cells_carry_whole(&pair->planes, &motion->q1, motion, needed_of(measured), along) -
 	       measured->path;
 }
 
@@ -200,7 +202,7 @@ static double proved_of_half(struct measured_pair *pair, const struct measured_s
 {
 	const double kept = kept_for(pair, measured, half, PLANES_ALL);
 
-	return kept > wanted_of(pair, measured) ? kept : larger(kept, carried_on(pair, measured, half, NULL));
+	return kept > measured->wanted ? kept : larger(kept, carried_on(pair, measured, half, NULL));
 }
 
 static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
@@ -217,12 +219,12 @@ static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct
 	const bool may_halve = part->straight && halvings > 0;
 	axis_values nearest;
 
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return true;
 	nearest = look_around(pair, sweep, measured, part, kept);
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return true;
-	if (!(wanted_of(pair, measured) > 0))
+	if (!(measured->wanted > 0))
 		return false;
 	if (!(may_halve && is_good_where_measured(pair, measured)) && new_planes_prove(pair, measured, part, &nearest))
 		return true;
@@ -251,7 +253,7 @@ static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct
 			 const struct plane_motion *motion, double kept)
 {
 	look_at(pair, sweep, measured, &motion->q1, kept);
-	if (kept < SEEN_TOO_FAR * wanted_of(pair, measured) &&
+	if (kept < SEEN_TOO_FAR * measured->wanted &&
 	    distance_at(pair, measured, &motion->q0) <= measured->seen)
 		look_at(pair, sweep, measured, &motion->q0, kept);
 }
@@ -280,13 +282,13 @@ static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struc
 
 	if (kept > 0 && !far)
 		look_beside(pair, sweep, measured, &motion->q1, kept);
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return kept;
 	proved = larger(kept, carried_on(pair, measured, motion, NULL));
-	if (proved > wanted_of(pair, measured) || !(proved > 0) || far)
+	if (proved > measured->wanted || !(proved > 0) || far)
 		return proved;
 	look_at_ends(pair, sweep, measured, motion, proved);
-	if (proved > wanted_of(pair, measured))
+	if (proved > measured->wanted)
 		return proved;
 	along = near_pair_direction(&pair->bodies, pose_at(pair, &motion->q1));
 	return larger(proved, carried_on(pair, measured, motion, &along));
@@ -298,11 +300,11 @@ static double carry_parts(struct measured_pair *pair, struct sweep *sweep, struc
 {
 	double proved;
 
-	if (kept > wanted_of(pair, measured))
+	if (kept > measured->wanted)
 		return kept;
-	proved = plane_cells_carry_parts(&pair->planes, &motion->q1, motion, needed_of(pair, measured));
+	proved = plane_cells_carry_parts(&pair->planes, &motion->q1, motion, needed_of(measured));
 	proved = larger(kept, proved - measured->path);
-	if (proved > 0 && !(proved > wanted_of(pair, measured)))
+	if (proved > 0 && !(proved > measured->wanted))
 		look_at_ends(pair, sweep, measured, motion, proved);
 	return proved;
 }
@@ -316,17 +318,17 @@ static double carry_planes(struct measured_pair *pair, struct sweep *sweep, stru
 
 	if (allowed) {
 		distance_at(pair, measured, &motion->q1);
-		if (!(kept > wanted_of(pair, measured)))
+		if (!(kept > measured->wanted))
 			kept = carry_whole(pair, sweep, measured, motion, kept);
 	}
-	pair->by_parts = !(kept > wanted_of(pair, measured));
+	pair->by_parts = !(kept > measured->wanted);
 	if (pair->by_parts && !by_parts)
 		kept = larger(kept, kept_for(pair, measured, motion, PLANES_OF_PARTS));
 	if (!allowed)
 		return kept;
 	if (pair->by_parts)
 		kept = carry_parts(pair, sweep, measured, motion, kept);
-	plane_account_add_carried(&pair->account, pair->planes.visits - before, kept > wanted_of(pair, measured));
+	plane_account_add_carried(&pair->account, pair->planes.visits - before, kept > measured->wanted);
 	return kept;
 }
 
@@ -343,11 +345,11 @@ bool measured_step_by_planes(struct measured_step *measured, struct measured_pai
 		distance_at(pair, measured, seen_at(pair, &motion.q0) ? &motion.q0 : &motion.q1);
 	kept = kept_for(pair, measured, &motion, pair->by_parts ? PLANES_ALL : PLANES_OF_WHOLE);
 	pair->is_near = !(kept > pair->bound);
-	if (!(kept > wanted_of(pair, measured)))
+	if (!(kept > measured->wanted))
 		kept = carry_planes(pair, sweep, measured, &motion, kept);
 	if (!planes_prove(pair, sweep, measured, &motion, kept, WITH_PLANES ? HALVINGS : 0))
 		return false;
-	wanted = wanted_of(pair, measured);
+	wanted = measured->wanted;
 	if (pair->accuracy == CLEARANCE_SHARP)
 		wanted = larger(wanted, kept > wanted ? kept : kept_for(pair, measured, &motion, PLANES_ALL));
 	pair->bound = smaller(pair->bound, wanted);

@@ -54,6 +54,7 @@ struct measured_step {
 	struct position_errors errors;
 	double path;	/* mm: no path displacement is larger */
 	double seen;	/* mm: two triangles were this close somewhere on it: the bodies are no farther apart */
+	double wanted;	/* mm: what is wanted of planes, as far as it is known how near the bodies come */
 	double rest;	/* mm: what the budget proves */
 };
 
