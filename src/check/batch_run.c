@@ -11,7 +11,7 @@ static void add_clearance(struct checker *c, long block, size_t pair, double cle
 	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap, so_far};
 
 	if (!least.capped || !c->options->least_clearances)
-		block_log_add_clearance(&c->log, block, &least);
+		block_log_add_expected(&c->log, block, least);
 }
 
 /* Logs what scheduler_measure and stock_check_measure found. */
@@ -20,6 +20,7 @@ static void take_clearances(struct checker *c)
 	for (size_t i = 0; i < c->scheduler.count; i++) {
 		const struct pair_check *check = &c->scheduler.checks[i];
 
+		block_log_expect_clearances(&c->log, check->clearance_count);
 		for (size_t k = 0; k < check->clearance_count; k++)
 			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance,
 				      check->clearances[k].so_far);
@@ -27,6 +28,7 @@ static void take_clearances(struct checker *c)
 	for (size_t i = 0; i < c->stock.pair_count; i++) {
 		const struct stock_clearance *measured = &c->stock.clearances[i];
 
+		block_log_expect_clearances(&c->log, measured->block_count);
 		for (size_t k = 0; k < measured->block_count; k++)
 			add_clearance(c, measured->blocks[k].block, c->stock.pairs[i].pair,
 				      measured->blocks[k].clearance, false);

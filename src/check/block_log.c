@@ -144,11 +144,16 @@ void block_log_drop_findings(struct block_log *log, size_t count)
 
 /* ----------------------------------------------------------- measurements */
 
+void block_log_expect_clearances(struct block_log *log, size_t count)
+{
+	log->clearances = mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + count,
+				   sizeof(*log->clearances));
+}
+
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least)
 {
-	log->clearances =
-	    mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + 1, sizeof(*log->clearances));
-	log->clearances[log->clearance_count++] = (struct block_pair_clearance){.block = block, .least = *least};
+	block_log_expect_clearances(log, 1);
+	block_log_add_expected(log, block, *least);
 }
 
 /* Chains the clearances of each complete block, in the order in which they came. */

@@ -74,6 +74,16 @@ void block_log_release(struct block_log *log);
 void block_log_begin(struct block_log *log, long block);
 
 void block_log_add_finding(struct block_log *log, const struct block_finding *finding);
+
+/* Makes room for so many clearances. */
+void block_log_expect_clearances(struct block_log *log, size_t count);
+
+/* Room for it was made. */
+static inline void block_log_add_expected(struct block_log *log, long block, struct pair_clearance least)
+{
+	log->clearances[log->clearance_count++] = (struct block_pair_clearance){.block = block, .least = least};
+}
+
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least);
 
 /* The block is complete. Its text and its callers are copied. The result may be changed until the log is used again. */

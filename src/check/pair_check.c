@@ -323,13 +323,13 @@ bool pair_check_has_clearance(const struct pair_check *check)
 }
 
 /* mm: the largest clearance that is of interest in so many steps from `from` on. */
-static double most_of(const double *most, const struct batch *batch, size_t from, size_t steps)
+static double most_of(const struct measure_plan *plan, const struct batch *batch, size_t from, size_t steps)
 {
 	const size_t to = from + steps < batch->step_count ? from + steps : batch->step_count;
 	double largest = 0;
 
-	for (size_t i = from; i < to; i++)
-		largest = larger(largest, most[i]);
+	for (size_t i = from; i < to && largest < plan->largest; i++)
+		largest = larger(largest, plan->most[i]);
 	return largest;
 }
 
@@ -338,11 +338,11 @@ static double most_of(const double *most, const struct batch *batch, size_t from
  * far.
  */
 static bool box_clears(struct block_clearance *block, const struct batch *batch, enum batch_box size, size_t i,
-		       const double *most, double proved)
+		       const struct measure_plan *plan, double proved)
 {
 	const struct batch_chunk *box = batch_box_from(batch, size, i);
 	const size_t steps = batch_box_steps(size);
-	const double largest = box ? most_of(most, batch, i, steps) : 0;
+	const double largest = box ? most_of(plan, batch, i, steps) : 0;
 
 	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
@@ -464,7 +464,7 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		}
 		if (i % CHUNK_STEPS == 0)
-			chunk_is_clear = box_clears(block, batch, BOX_CHUNK, i, plan->most, proved);
+			chunk_is_clear = box_clears(block, batch, BOX_CHUNK, i, plan, proved);
 		if (i % CHUNK_STEPS == 0 && chunk_is_clear && !needs_each_step(check, options)) {
 			if (!options->least_clearances)
 				add_clear_chunk(check, batch, plan, i);
@@ -472,7 +472,7 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		}
 		if (i % PIECE_STEPS == 0)
-			clears = chunk_is_clear || box_clears(block, batch, BOX_PIECE, i, plan->most, proved);
+			clears = chunk_is_clear || box_clears(block, batch, BOX_PIECE, i, plan, proved);
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);

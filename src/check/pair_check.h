@@ -40,6 +40,7 @@ enum measure_wish {
 /* What is to be measured of a batch, with options->least_clearances; else effort and wishes do not matter. */
 struct measure_plan {
 	const double *most;	/* mm, above 0: for each step that of its block; a larger clearance is given as this */
+	double largest;	/* mm: of what `most` begins with; none is larger */
 	const enum measure_wish *wishes;	/* for each step that of its block */
 	/*
 	 * After so many node pairs a point of the curve is no longer measured, and what must be measured is measured

@@ -409,6 +409,7 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	for (size_t i = 0; i < batch->step_count; i++)
 		scheduler->most[i] = options->block_clearance_cap;
 	measure.most = scheduler->most;
+	measure.largest = options->block_clearance_cap;
 	measure.wishes = scheduler->wishes;
 	/* How many are measured together does not depend on the number of threads, so neither do the clearances. */
 	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {

@@ -71,11 +71,13 @@ static char *put_integer(char *to, long long value, int places)
 	return to + (sizeof(digits) - at);
 }
 
+/* A field with an integer. */
 static void add_integer(struct strbuf *row, long long value)
 {
-	char digits[INTEGER_BYTES];
+	char field[INTEGER_BYTES + 1], *end = put_integer(field, value, 0);
 
-	strbuf_add(row, digits, (size_t)(put_integer(digits, value, 0) - digits));
+	*end++ = ',';
+	strbuf_add(row, field, (size_t)(end - field));
 }
 
 static void add_all(struct strbuf *row, const struct strbuf *text)
@@ -83,27 +85,36 @@ static void add_all(struct strbuf *row, const struct strbuf *text)
 	strbuf_add(row, strbuf_text(text), text->length);
 }
 
-/* The field with a text; as a rule it is the text of the block before. */
-static const struct strbuf *field_of(struct table_field *field, const char *text)
+static bool is_text(const struct strbuf *buf, const char *text)
 {
-	if (!field->text.length || strcmp(strbuf_text(&field->text), text) != 0) {
-		strbuf_clear(&field->text);
-		strbuf_clear(&field->field);
-		strbuf_add(&field->text, text, strlen(text));
-		add_text(&field->field, text);
-	}
-	return &field->field;
+	return buf->length && strcmp(buf->text, text) == 0;
+}
+
+static void set_text(struct strbuf *buf, const char *text)
+{
+	strbuf_clear(buf);
+	strbuf_add(buf, text, strlen(text));
+}
+
+/* The fields with the names of the program and the file; as a rule they are those of the block before. */
+static const struct strbuf *names_of(struct table_names *names, const char *program, const char *file)
+{
+	if (is_text(&names->program, program) && is_text(&names->file, file))
+		return &names->fields;
+	set_text(&names->program, program);
+	set_text(&names->file, file);
+	strbuf_clear(&names->fields);
+	add_text(&names->fields, program);
+	add_text(&names->fields, file);
+	return &names->fields;
 }
 
 static void add_place(struct block_tables *tables, struct strbuf *row, const char *program,
 		      const struct check_block *block)
 {
-	add_all(row, field_of(&tables->program, program));
-	add_all(row, field_of(&tables->file, block->file));
+	add_all(row, names_of(&tables->names, program, block->file));
 	add_integer(row, block->line);
-	strbuf_add(row, ",", 1);
 	add_integer(row, block->number);
-	strbuf_add(row, ",", 1);
 }
 
 /* Writes what the rows of each pair have in common, once for the whole table. */
@@ -211,10 +222,11 @@ bool block_tables_commit(struct block_tables *tables, struct diag *diag)
 	return (!tables->timing.file || output_commit(&tables->timing, diag)) && good;
 }
 
-static void release_field(struct table_field *field)
+static void release_names(struct table_names *names)
 {
-	strbuf_release(&field->text);
-	strbuf_release(&field->field);
+	strbuf_release(&names->program);
+	strbuf_release(&names->file);
+	strbuf_release(&names->fields);
 }
 
 void block_tables_discard(struct block_tables *tables)
@@ -223,8 +235,7 @@ void block_tables_discard(struct block_tables *tables)
 	output_discard(&tables->timing);
 	strbuf_release(&tables->row);
 	strbuf_release(&tables->place);
-	release_field(&tables->program);
-	release_field(&tables->file);
+	release_names(&tables->names);
 	for (size_t i = 0; i < tables->pair_count; i++) {
 		strbuf_release(&tables->pairs[i].names);
 		strbuf_release(&tables->pairs[i].capped);

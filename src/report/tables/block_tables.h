@@ -10,9 +10,9 @@
 #include "report/output.h"
 #include "scene/scene.h"
 
-/* A text, and how it is written as a field of a table, its comma included. */
-struct table_field {
-	struct strbuf text, field;
+/* A program and a file of it, and how both are written as fields of a table, the commas behind them included. */
+struct table_names {
+	struct strbuf program, file, fields;
 };
 
 /* What the rows of one pair have in common. */
@@ -26,7 +26,7 @@ struct block_tables {
 	struct output clearance, timing;
 	struct strbuf row, place;	/* of the present row and block */
 	double cap;	/* mm: in the rows' ends that are written already */
-	struct table_field program, file;	/* of the last block */
+	struct table_names names;	/* of the last block */
 	struct pair_fields *pairs;	/* owned: of each pair of the scene; NULL: none written yet */
 	size_t pair_count;
 	size_t names_most;	/* bytes: of the longest names */
