@@ -489,5 +489,7 @@ long pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			leave_open(check, i);
 		check->clearances[check->clearance_count - 1].clearance = block->pair.bound;
 	}
+	if (check->measured_first)
+		check->measured_steps += (long)(batch->step_count - check->open_count);
 	return looked_at(check, sweep) - before;
 }

@@ -85,6 +85,7 @@ struct pair_check {
 	bool measured_first;
 	size_t *open;
 	size_t open_count, open_capacity;
+	long measured_steps;	/* that were left out so far */
 	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 

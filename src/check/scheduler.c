@@ -448,6 +448,7 @@ void scheduler_collect(struct scheduler *scheduler, const struct check_options *
 			continue;
 		stats->budgets += check->methods->strategy.covered_steps;
 		stats->planes += check->methods->strategy.plane_steps;
+		stats->measured += check->measured_steps;
 		stats->queries += check->methods->strategy.queries;
 		stats->samples += check->methods->sampler.samples;
 		if (check->unknown_block >= 0 && check->unknown_block <= last_block) {

@@ -17,6 +17,7 @@ struct check_stats {
 	struct far_cutters far_cutters;	/* all 0 unless the program was checked to its end */
 	long budgets;	/* steps of pairs proved by a motion budget alone */
 	long planes;	/* the same by travelling planes */
+	long measured;	/* steps of pairs that were measured as clear, and so not checked besides */
 	long queries;	/* distance queries */
 	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */

@@ -26,6 +26,11 @@ fivecheck -q -o without m.xml a.nc
 cmp verdict without
 fivecheck -q -j 8 --clearance-report again.csv --clearance-cap 3.5 -o verdict m.xml a.nc
 cmp report.csv again.csv
+# What was measured as clear is not checked again; what is as near as the clearance and the tolerance is.
+spans() { awk '$1 == "measured" || $1 == "budgets" || $1 == "planes" { print $1, $2 }'; }
+fivecheck --stats --clearance-report again.csv m.xml a.nc | spans
+fivecheck -a --stats --clearance 1 --clearance-report again.csv m.xml a.nc | spans
+fivecheck -a --stats --clearance 1 --clearance-cap 0.5 --clearance-report again.csv m.xml a.nc | spans
 # Up to the block that ended the check, or through all of them.
 box "table, big" -50 -50 -20 50 50 0
 sed -e 's/name="table" mesh="table.stl"/name="table, big" mesh="table, big.stl"/' m.xml >big.xml
@@ -42,7 +47,9 @@ machine in.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" rate_max="6000" home="30"><body name="bead" mesh="bead.stl"/></axis>
 XML
 printf 'G0 X%s\n' 28 0 1 30 31 >in.nc
-fivecheck -q -a --clearance-report report.csv --clearance-cap 16 -o /dev/null in.xml in.nc
+fivecheck -q -a --clearance-report report.csv --clearance-cap 16 -o verdict in.xml in.nc
+fivecheck -q -a -o without in.xml in.nc
+cmp verdict without
 cut -d , -f 3,7,8 report.csv | sed 's/1[3-8]\..*,0/*,0/'
 # Several programs, subprograms, a program that breaks off, standard input.
 printf 'o<near> sub\nG0 X%s\no<near> endsub\n' 20 >near.ngc

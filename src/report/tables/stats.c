@@ -22,6 +22,7 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 	to->findings += stats->findings;
 	to->budgets += stats->budgets;
 	to->planes += stats->planes;
+	to->measured += stats->measured;
 	to->queries += stats->queries;
 	to->certificates += stats->certificates;
 	to->bisections += stats->bisections;
@@ -68,6 +69,9 @@ static void add_work(struct strbuf *out, const struct check_stats *stats, enum c
 	strbuf_addf(out, "  budgets       %ld steps of pairs passed on a proven distance\n", stats->budgets);
 	strbuf_addf(out, "  planes        %ld steps of pairs passed by planes that travel with a link\n",
 		    stats->planes);
+	if (stats->measured)
+		strbuf_addf(out, "  measured      %ld steps of pairs passed by what the clearance report proved\n",
+			    stats->measured);
 	strbuf_addf(out, "  queries       %ld\n", stats->queries);
 	strbuf_addf(out, "  certificates  %ld\n", stats->certificates);
 	strbuf_addf(out, "  bisections    %ld\n", stats->bisections);
