@@ -56,7 +56,7 @@ enum doubt_kind {
 	DOUBT_FLOATS, /* the body is `value` away from all that could hold it; `against` is the nearest of it */
 	DOUBT_SINKS, /* the body is `value` deep inside `against` */
 	DOUBT_PART_LARGE, /* the body is `value` large, the longest travel is `limit` */
-	DOUBT_PART_SMALL, /* the same */
+	DOUBT_BODY_SMALL, /* the same */
 	DOUBT_PART_BELOW_CUTTERS, /* the body is `value` large, the thinnest cutter `limit` */
 	DOUBT_OUT_OF_STOCK, /* the part's corner is `value` outside of the stock, `against` */
 	DOUBT_PART_BESIDE, /* the tool's tip comes no nearer than `value` to the body along `direction` */

@@ -108,7 +108,7 @@ static const char *const texts[] = {
 	[DOUBT_SINKS] = "{body} stands {value} mm deep in {against}; check its location, rotation and units" OR_CHECKED,
 	[DOUBT_PART_LARGE] = "{body} is {value 5} mm large, but the machine's longest travel is {limit 5} mm; check "
 			     "its units" OR_CHECKED,
-	[DOUBT_PART_SMALL] = "{body} is only {value} mm large, but the machine's longest travel is {limit 5} mm; check "
+	[DOUBT_BODY_SMALL] = "{body} is only {value} mm large, but the machine's longest travel is {limit 5} mm; check "
 			     "its units " HAS_NO_UNITS OR_CHECKED,
 	[DOUBT_PART_BELOW_CUTTERS] = "{body} is only {value} mm large, less than the thinnest cutter ({limit} mm); "
 				     "check its units " HAS_NO_UNITS OR_CHECKED,

@@ -15,17 +15,13 @@
 #include "scene/placement_check.h"
 #include "scene/ring_check.h"
 #include "scene/setup_check.h"
+#include "scene/size_check.h"
 #include "scene/stock_fit.h"
 #include "scene/tool_check.h"
 
 /* mm: a gauge point or a workholding may be this far from the body that it belongs to (nose rings, cut-outs). */
 static const double SPINDLE_OFF = 30;
 static const double WORKHOLDING_OFF = 50;
-/*
- * The size of the drawing divided by the longest travel. Outside of this range the units are doubted; real machines
- * have 1 to 8.
- */
-static const double SIZE_LEAST = 0.1, SIZE_MOST = 25;
 
 /* The body of a link whose box is nearest to a point; -1: the link has no body. */
 static int nearest_body(const struct scene *scene, int link, vec3 point, double *distance)
@@ -121,29 +117,6 @@ static void check_turning(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* A body that is marked checked="" may have any size, and all with it. */
-static void check_size(const struct scene *scene, struct doubts *doubts)
-{
-	struct placed_box box = placed_box_empty();
-	struct doubt doubt = {.limit = kinematics_longest_travel(scene->machine)};
-
-	for (size_t i = 0; i < scene->body_count; i++) {
-		const struct body *body = scene->bodies[i].body;
-
-		if (body->role != ROLE_MACHINE)
-			continue;
-		if (body->checked)
-			return;
-		box = placed_box_union(box, placed_box_of(scene, (int)i));
-	}
-	if (!(doubt.limit > 0) || isinf(box.least.x))
-		return;
-	doubt.value = placed_box_size(box);
-	doubt.kind = doubt.value < doubt.limit ? DOUBT_BODIES_SMALL : DOUBT_BODIES_LARGE;
-	if (doubt.value < SIZE_LEAST * doubt.limit || doubt.value > SIZE_MOST * doubt.limit)
-		doubts_add(doubts, &doubt);
-}
-
 /* Do the links, the spindle and the work stand where their motions say? */
 static void check_places(struct scene *scene, struct doubts *doubts)
 {
@@ -163,7 +136,7 @@ static void check_places(struct scene *scene, struct doubts *doubts)
 	if (workholding->present && !workholding->checked && claims_place(scene))
 		check_mount(scene, DOUBT_WORKHOLDING_FAR, workholding->link, workholding->frame.translation,
 			    WORKHOLDING_OFF, doubts);
-	check_size(scene, doubts);
+	size_check(scene, doubts);
 	if (missing_is_drawn(scene))
 		joint_check(scene, doubts);
 }

@@ -164,7 +164,7 @@ static void check_sizes(const struct scene *scene, struct doubts *doubts)
 			continue;
 		doubt.value = placed_box_size(placed_box_of(scene, i));
 		if (travel > 0 && doubt.value < PART_LEAST * travel) {
-			doubt.kind = DOUBT_PART_SMALL;
+			doubt.kind = DOUBT_BODY_SMALL;
 		} else if (doubt.value < cutter && !isinf(cutter) && scene->bodies[i].body->role == ROLE_PART) {
 			doubt.kind = DOUBT_PART_BELOW_CUTTERS;
 			doubt.limit = cutter;
