@@ -21,7 +21,9 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 {
 	struct srcloc loc = {program, guess->sign.line, 0};
 
-	if (guess->against.line)
+	if (guess->advice)
+		diag_error(diag, loc, "%s", guess->advice);
+	else if (guess->against.line)
 		diag_error(diag, (struct srcloc){program, guess->against.line, 0},
 			   "--dialect=auto: this looks like %s (%s), but line %ld like %s (%s); " NAME_IT,
 			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,

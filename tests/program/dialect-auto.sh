@@ -9,7 +9,9 @@ printf '%%\nO1\nG90 G21\nG0 X1.\nM30\n%%\n' >either.nc
 printf 'G21\nG0 X1\nM2\n' >plain.nc
 printf '%%\nO1\n#<depth> = 3\nM30\n%%\n' >both.nc
 mkdir folder.nc
-for name in haas fanuc linuxcnc either plain both missing folder; do
+gzip -c haas.nc >packed.nc
+iconv -t UTF-16 haas.nc >wide.nc
+for name in haas fanuc linuxcnc either plain both missing folder packed wide; do
 	echo "$name"
 	status fivecheck --dialect=auto --parse-only c.xml $name.nc 2>&1 | grep -v '^  \|^[0-9]* blocks\|incomplete'
 done

@@ -323,15 +323,20 @@ struct family_guess family_guess(struct reader *reader)
 {
 	struct family_guess guess = {.row = -1};
 	unsigned dialects = ~0U;
+	enum reader_status status = READER_LINE;
 	long long start = 0;
 	const char *text;
 	bool agreed = true;
 
-	while (agreed && reader->line < FAMILY_LINES && reader_next(reader, &text) == READER_LINE) {
+	while (agreed && reader->line < FAMILY_LINES && status == READER_LINE) {
+		status = reader_next(reader, &text);
 		if (reader->line == 1)
 			start = reader->start;
-		agreed = narrow(text, reader->line, &dialects, &guess);
+		if (status == READER_LINE)
+			agreed = narrow(text, reader->line, &dialects, &guess);
 	}
+	if (status == READER_NO_TEXT)
+		guess.advice = text;
 	if (reader->line > 0)
 		reader_seek(reader, start, 1);
 	reader->furthest = 0;

@@ -25,6 +25,7 @@ struct family_guess {
 	int row;	/* of control/dialects.h; -1: it is not certain */
 	struct family_sign sign;	/* what shows it; line 0: no sign of any control was found */
 	struct family_sign against;	/* a sign of another control; line 0: there is none */
+	const char *advice;	/* what to do with a file that is no text (base/file_signature.h), or NULL */
 };
 
 /*
