@@ -18,8 +18,10 @@ static const double SIZE_LEAST = 0.1, SIZE_MOST = 25;
  */
 static const double BODY_LEAST = 0.001, LINK_LEAST = 0.025, LINK_LARGE = 100;
 
-/* A body that is marked checked="" may have any size, and all with it. */
-static void check_all(const struct scene *scene, struct doubts *doubts)
+/*
+ * A body that is marked checked="" may have any size, and all with it. False: all together are doubted to be too small.
+ */
+static bool check_all(const struct scene *scene, struct doubts *doubts)
 {
 	struct placed_box box = placed_box_empty();
 	struct doubt doubt = {.limit = kinematics_longest_travel(scene->machine)};
@@ -30,15 +32,16 @@ static void check_all(const struct scene *scene, struct doubts *doubts)
 		if (body->role != ROLE_MACHINE)
 			continue;
 		if (body->checked)
-			return;
+			return true;
 		box = placed_box_union(box, placed_box_of(scene, (int)i));
 	}
 	if (!(doubt.limit > 0) || isinf(box.least.x))
-		return;
+		return true;
 	doubt.value = placed_box_size(box);
 	doubt.kind = doubt.value < doubt.limit ? DOUBT_BODIES_SMALL : DOUBT_BODIES_LARGE;
 	if (doubt.value < SIZE_LEAST * doubt.limit || doubt.value > SIZE_MOST * doubt.limit)
 		doubts_add(doubts, &doubt);
+	return doubt.value >= SIZE_LEAST * doubt.limit;
 }
 
 static bool is_own(const struct scene *scene, size_t body)
@@ -75,7 +78,7 @@ static void check_bodies(const struct scene *scene, struct doubts *doubts)
 
 void size_check(const struct scene *scene, struct doubts *doubts)
 {
-	check_all(scene, doubts);
-	if (missing_is_drawn(scene))
+	/* One unit that is wrong for all bodies is one doubt. */
+	if (check_all(scene, doubts) && missing_is_drawn(scene))
 		check_bodies(scene, doubts);
 }

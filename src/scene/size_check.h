@@ -6,8 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * The size of all bodies together against the longest travel; then single bodies, and links with all that is drawn on
- * them, that are far too small for it. Bodies with checked="" are left out.
+ * The size of all bodies together against the longest travel; if it is not too small, then single bodies, and links
+ * with all that is drawn on them, that are far too small for it. Bodies with checked="" are left out.
  */
 void size_check(const struct scene *scene, struct doubts *doubts);
 

@@ -50,9 +50,27 @@ START_TEST(both_sides)
 }
 END_TEST
 
+/* Where all bodies are too small for the travels, they are doubted together, and not one by one. */
+START_TEST(all_too_small)
+{
+	struct doubts doubts = {0};
+	struct model model;
+
+	model_init(&model);
+	model_box(&model, ROLE_MACHINE, LINK_BASE, (vec3){0, 0, 0}, (vec3){0.3, 0.2, 0.1});
+	model_box(&model, ROLE_MACHINE, LINK_X, (vec3){0, 0, 0.2}, (vec3){0.1, 0.1, 0.3});
+	model_box(&model, ROLE_MACHINE, LINK_Z, (vec3){0, 0, 0.4}, (vec3){0.1, 0.1, 0.5});
+	size_check(model.scene, &doubts);
+	ck_assert_uint_eq(doubts.count, 1);
+	ck_assert_int_eq(doubts.items[0].kind, DOUBT_BODIES_SMALL);
+	doubts_release(&doubts);
+	model_release(&model);
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {both_sides};
+	const TTest *const tests[] = {both_sides, all_too_small};
 
 	return RUN_TESTS("size_check", tests);
 }
