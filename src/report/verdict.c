@@ -215,9 +215,10 @@ static bool caution_open(struct strbuf *out, const struct scene *scene)
 	else
 		strbuf_addf(out, " has an open mesh");
 	strbuf_addf(out,
-		    ": contact with %s surface is found, but not what is inside, or gets there through a gap; close "
-		    "the mesh (--check-machine names the gaps), or give it checked=\"reason\"",
-		    several ? "their" : "its");
+		    ": contact with %s is found, but not what is inside, or gets there through a gap; close the %s "
+		    "(--check-machine names the gaps), or give the %s checked=\"reason\"",
+		    several ? "their surfaces" : "its surface", several ? "meshes" : "mesh",
+		    several ? "bodies" : "body");
 	return true;
 }
 
