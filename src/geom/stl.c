@@ -129,9 +129,10 @@ static bool is_written_to_end(struct reader *r, const struct mesh *mesh)
 {
 	size_t zeros = zeros_at_end(mesh);
 
-	return zeros < 2 || fail(r, "the last %zu of its %zu triangles are zeros: it was not written or copied to its "
-				    "end",
-				 zeros, mesh->count);
+	if (zeros < 2)
+		return true;
+	return fail(r, "the last %zu of its %zu triangles are zeros: it was not written or copied to its end", zeros,
+		    mesh->count);
 }
 
 static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)

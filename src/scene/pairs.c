@@ -98,8 +98,8 @@ struct contact_rule {
 static const struct contact_rule *contact_rule(const struct scene *scene, const struct body *cutter)
 {
 	static const struct contact_rule rules[] = {
-		[TOOL_TURNS] = {STEP_RAPID | STEP_FEED_STANDING | STEP_FEED_REVERSED, STEP_FEED_TURNING, "at rapid or "
-													 "standing"},
+		[TOOL_TURNS] = {STEP_RAPID | STEP_FEED_STANDING | STEP_FEED_REVERSED, STEP_FEED_TURNING,
+				"at rapid or standing"},
 		[TOOL_STANDS] = {STEP_RAPID, STEP_FEED_TURNING | STEP_FEED_STANDING, "at rapid"},
 		[TOOL_PROBES] = {STEP_RAPID | STEP_PROBE_TRAVEL, STEP_FEED_STANDING, "unless it measures"},
 	};
