@@ -79,3 +79,10 @@ G0 Z5
 G0 X-15.4
 NC
 status fivecheck -q --stock-tolerance=0.8 --sensitivity=0.25,0,0,0 -s s.xml m.xml p.nc
+
+echo '== past the wall, about as near as the least distance that is told from none: the search ends'
+for gap in 0.04 0.05 0.06 0.07 0.09; do
+	printf 'G0 X-80 Y-60 Z-60\nG1 X-%s F6000\nY60\n' "$(awk "BEGIN { print 40 + $gap }")" | program_of >p.nc
+	fivecheck -q --stock-tolerance=0.8 --clearance-report=near.csv -s s.xml m.xml p.nc | head -n 1
+	awk -F, -v gap="$gap" '$3 == 6 && $6 == "T1 holder" { print gap, $7 <= gap, ($7 > 0.5 * gap), $8 }' near.csv
+done

@@ -88,7 +88,8 @@ static void search_distance(struct stock_clearance *clearance, const struct moti
 			low = target;
 		else
 			high = target;
-		target = low > least ? sqrt(low * high) : 0.5 * high;
+		/* Always between both, else the search would not end. A small distance that is proved says little. */
+		target = larger(sqrt(low * high), low > least ? 0 : 0.5 * high);
 	}
 	clearance->bound = low > least ? smaller(clearance->bound, low) : 0;
 }
