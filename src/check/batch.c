@@ -34,30 +34,28 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 	copy->number = number;
 }
 
-static void widen(struct batch_chunk *chunk, const struct motion_step *step)
+/* The slots without an axis stay as the first step has them. */
+static void widen(struct batch_chunk *chunk, const struct motion_step *step, const struct machine *machine)
 {
 	const struct span *span = &step->span;
 
-	for (int i = 0; i < SLOT_COUNT; i++) {
-		double off = span->chord_error.v[i];
-		double least = span->q0.v[i] < span->q1.v[i] ? span->q0.v[i] : span->q1.v[i];
-		double most = span->q0.v[i] < span->q1.v[i] ? span->q1.v[i] : span->q0.v[i];
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const int slot = machine->axes[i].slot;
+		const double off = span->chord_error.v[slot], from = span->q0.v[slot], to = span->q1.v[slot];
 
-		if (least - off < chunk->low.v[i])
-			chunk->low.v[i] = least - off;
-		if (most + off > chunk->high.v[i])
-			chunk->high.v[i] = most + off;
-		if (step->tolerance.v[i] > chunk->errors.path.v[i]) {
-			chunk->errors.path.v[i] = step->tolerance.v[i];
+		chunk->low.v[slot] = smaller(smaller(from, to) - off, chunk->low.v[slot]);
+		chunk->high.v[slot] = larger(larger(from, to) + off, chunk->high.v[slot]);
+		if (step->tolerance.v[slot] > chunk->errors.path.v[slot]) {
+			chunk->errors.path.v[slot] = step->tolerance.v[slot];
 			chunk->errors.any = true;
 		}
 	}
 }
 
-static bool is_beyond_travel(const struct motion_step *step)
+static bool is_beyond_travel(const struct motion_step *step, const struct machine *machine)
 {
-	for (int i = 0; i < SLOT_COUNT; i++)
-		if (step->tolerance.v[i] > REACH_MARGIN)
+	for (size_t i = 0; i < machine->axis_count; i++)
+		if (step->tolerance.v[machine->axes[i].slot] > REACH_MARGIN)
 			return true;
 	return step->outside;
 }
@@ -79,7 +77,7 @@ static size_t count_of(const struct batch *batch, size_t steps)
 	return (batch->step_count + steps - 1) / steps;
 }
 
-static void fill_pieces(struct batch *batch)
+static void fill_pieces(struct batch *batch, const struct machine *machine)
 {
 	batch->pieces = mem_grow(batch->pieces, &batch->piece_capacity, count_of(batch, PIECE_STEPS),
 				 sizeof(*batch->pieces));
@@ -89,18 +87,18 @@ static void fill_pieces(struct batch *batch)
 
 		if (i % PIECE_STEPS == 0)
 			*piece = (struct batch_chunk){.low = step->motion.span.q0, .high = step->motion.span.q0};
-		widen(piece, &step->motion);
-		step->beyond = is_beyond_travel(&step->motion);
+		widen(piece, &step->motion, machine);
+		step->beyond = is_beyond_travel(&step->motion, machine);
 		piece->beyond |= step->beyond;
 		piece->classes |= step->motion.step_class;
 	}
 }
 
-void batch_close(struct batch *batch)
+void batch_close(struct batch *batch, const struct machine *machine)
 {
 	enum { PIECES = CHUNK_STEPS / PIECE_STEPS };
 
-	fill_pieces(batch);
+	fill_pieces(batch, machine);
 	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count_of(batch, CHUNK_STEPS),
 				 sizeof(*batch->chunks));
 	for (size_t i = 0; i < count_of(batch, PIECE_STEPS); i++) {

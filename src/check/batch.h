@@ -7,6 +7,7 @@
 
 #include "check/path_copies.h"
 #include "check/step.h"
+#include "machine/machine.h"
 #include "motion/events.h"
 
 /* A step and its place in the program. */
@@ -49,8 +50,8 @@ void batch_clear(struct batch *batch);
 /* Copies a step and its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block, long number);
 
-/* Fills in chunks and pieces. Call it after the last batch_add, before they are used. */
-void batch_close(struct batch *batch);
+/* Fills in chunks and pieces of this machine's steps. Call it after the last batch_add, before they are used. */
+void batch_close(struct batch *batch, const struct machine *machine);
 
 /* How many steps a box of the size holds; the last one of a batch may hold less. */
 static inline size_t batch_box_steps(enum batch_box size)

@@ -101,7 +101,7 @@ static bool run_batch(void *context, size_t number)
 
 	if (!pending->runs)
 		return true;
-	batch_close(&pending->batch);
+	batch_close(&pending->batch, c->scene->machine);
 	pending->complete = !measures_first(c->options) || measure(c, pending);
 	if (pending->complete) {
 		pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
