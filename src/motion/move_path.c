@@ -5,14 +5,14 @@
 #include "base/same_double.h"
 #include "geom/tolerance.h"
 
-/* The end without the rounding dust that lies between it and the start. */
-static axis_values cleaned(const axis_values *end, const axis_values *start)
+/* Ends the path there, without the rounding dust that lies between the end and the start. */
+static void end_at(struct path *path, const axis_values *end)
 {
-	axis_values clean;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const double start = path->start.v[slot], there = end->v[slot];
 
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		clean.v[slot] = fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST ? start->v[slot] : end->v[slot];
-	return clean;
+		path->end.v[slot] = fabs(there - start) <= OFFSET_DUST ? start : there;
+	}
 }
 
 bool move_path_moves(const struct path *path)
@@ -74,7 +74,7 @@ void move_path_set(struct path *path, const struct move_start *from, const struc
 		path->start = *from->controller;
 	else
 		path->start = tcp_from_machine(from->tcp, from->position);
-	path->end = cleaned(&move->end, &path->start);
+	end_at(path, &move->end);
 	if (path->circular) {
 		path->arc = move->arc;
 		/* An arc keeps its X Y Z, which belong to its centre and sweep. */
@@ -86,7 +86,7 @@ void move_path_set(struct path *path, const struct move_start *from, const struc
 
 		*guided = *path;
 		path->start = *from->position;
-		path->end = cleaned(&end, &path->start);
+		end_at(path, &end);
 	}
 	path->kind = kind_of(from, move, path);
 	path->tcp = path->kind == PATH_TCP ? from->tcp : NULL;
