@@ -96,7 +96,7 @@ struct canon_move {
 	double seconds;	/* DWELL */
 	int tool;	/* TOOL_CHANGE */
 	bool machine_coordinates;	/* G53, G28 and the like: no offset led to its end */
-	struct canon_origin origin;
+	const struct canon_origin *origin;	/* valid as long as the event */
 };
 
 /*

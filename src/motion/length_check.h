@@ -33,7 +33,7 @@ void length_check_look(struct length_check *check, struct diag *diag, struct src
 static inline void length_check_move(struct length_check *check, struct diag *diag, struct srcloc at,
 				     const struct canon_move *move)
 {
-	const double length = move->origin.length;
+	const double length = move->origin->length;
 
 	if (check->tool && move->kind != CANON_RAPID && move->spindle_turns &&
 	    (length < check->last || length > check->last))

@@ -6,7 +6,7 @@
 
 struct motion_modes motion_modes_of(const struct canon_move *move)
 {
-	const struct canon_origin *origin = &move->origin;
+	const struct canon_origin *origin = move->origin;
 
 	return (struct motion_modes){
 		.work_offset = move->machine_coordinates ? NULL : origin->work_offset,

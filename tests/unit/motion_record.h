@@ -121,10 +121,12 @@ static inline void start(struct record *record, const struct machine *machine)
 	record->last = record->converter.position;
 }
 
+static const struct canon_origin no_origin;
+
 static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
 {
 	return (struct canon_move){.kind = kind, .file = "part.nc", .line = 12, .number = 1, .end = end,
-				   .feed = {.linear = 20, .angular = radians(30)}};
+				   .origin = &no_origin, .feed = {.linear = 20, .angular = radians(30)}};
 }
 
 static inline bool carry_out(struct record *record, const struct canon_move *move)

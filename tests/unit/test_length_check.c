@@ -20,21 +20,22 @@ static void start(void)
 		tools[i] = (struct tool){.number = i + 1, .name = "", .length = all[i], .length_offset = all[i]};
 }
 
-static struct canon_move move_of(enum canon_kind kind, bool turns, double length)
+static struct canon_move move_of(enum canon_kind kind, bool turns, const struct canon_origin *origin)
 {
 	struct canon_move move;
 
 	memset(&move, 0, sizeof(move));
 	move.kind = kind;
 	move.spindle_turns = turns;
-	move.origin.length = length;
+	move.origin = origin;
 	return move;
 }
 
 /* How often is it said in a move of that tool? */
 static int said(int tool, double length)
 {
-	const struct canon_move move = move_of(CANON_FEED, true, length);
+	const struct canon_origin origin = {.length = length};
+	const struct canon_move move = move_of(CANON_FEED, true, &origin);
 	struct length_check check = {.told = false};
 	struct diag diag = {0};
 
@@ -84,8 +85,9 @@ END_TEST
 
 START_TEST(which_moves)
 {
-	const struct canon_move rapid = move_of(CANON_RAPID, true, 120), standing = move_of(CANON_FEED, false, 120);
-	const struct canon_move own = move_of(CANON_ARC, true, 100), arc = move_of(CANON_ARC, true, 120);
+	static const struct canon_origin own_length = {.length = 100}, other = {.length = 120};
+	const struct canon_move rapid = move_of(CANON_RAPID, true, &other), standing = move_of(CANON_FEED, false, &other);
+	const struct canon_move own = move_of(CANON_ARC, true, &own_length), arc = move_of(CANON_ARC, true, &other);
 	struct length_check check = {.told = false};
 	const struct srcloc at = {"p.nc", 1, 0};
 	struct diag diag = {0};

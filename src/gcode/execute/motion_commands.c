@@ -17,7 +17,7 @@
 /* What the modes and the block say about a move. */
 static void fill_in(struct interp *interp, struct canon_move *move)
 {
-	const struct state *state = &interp->state;
+	struct state *state = &interp->state;
 
 	move->file = interp->at.file;
 	move->line = interp->at.line;
@@ -32,9 +32,9 @@ static void fill_in(struct interp *interp, struct canon_move *move)
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
 	if (move->turn == TURN_UNKNOWN && state->spindle != SPINDLE_STOPPED)
 		move->turn = state->spindle == SPINDLE_CLOCKWISE ? TURN_CLOCKWISE : TURN_COUNTERCLOCKWISE;
-	move->origin = state->origin;
-	move->origin.length = state->length;
-	move->origin.turned = state->frame.on || state->own_frame;
+	state->origin.length = state->length;
+	state->origin.turned = state->frame.on || state->own_frame;
+	move->origin = &state->origin;
 	if (state->spindle != SPINDLE_STOPPED)
 		move->spindle_speed = state->spindle == SPINDLE_CLOCKWISE ? state->speed : -state->speed;
 }

@@ -63,19 +63,16 @@ static void turn_move(const struct state *state, struct canon_move *move)
 /* An item that waited. */
 static bool tell_item(struct interp *interp, const struct comp_item *item)
 {
-	const struct canon_move *move = &item->move;
-	struct canon_move turned;
+	struct canon_move move = item->move;
 
-	if (item->kind == COMP_LINE || item->kind == COMP_ARC) {
-		turned = *move;
-		turn_move(&interp->state, &turned);
-		return polar_pieces_tell(interp, &turned);
-	}
-	if (item->kind == COMP_PAUSE)
-		return polar_pieces_tell(interp, move);
-	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number,
-								    &item->callers,
-								    program_lines(&interp->program)});
+	if (item->kind == COMP_BLOCK)
+		return canon_tell_block(interp->sink, &(struct canon_block){move.file, move.line, item->text,
+									    move.number, &item->callers,
+									    program_lines(&interp->program)});
+	move.origin = &item->origin;
+	if (item->kind != COMP_PAUSE)
+		turn_move(&interp->state, &move);
+	return polar_pieces_tell(interp, &move);
 }
 
 bool comp_send_all(struct interp *interp, struct plane_point start)

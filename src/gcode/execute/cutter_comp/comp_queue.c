@@ -27,7 +27,10 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item)
 	if (queue->count == QUEUE_MAX)
 		return false;
 	queue->items = mem_grow(queue->items, &queue->capacity, queue->count + 1, sizeof(*queue->items));
-	queue->items[queue->count++] = *item;
+	queue->items[queue->count] = *item;
+	if (item->move.origin)
+		queue->items[queue->count].origin = *item->move.origin;
+	queue->count++;
 	return true;
 }
 

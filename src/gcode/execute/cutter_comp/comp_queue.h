@@ -17,7 +17,8 @@ enum comp_item_kind {
 
 struct comp_item {
 	enum comp_item_kind kind;
-	struct canon_move move;
+	struct canon_move move;	/* but for its origin, which is: */
+	struct canon_origin origin;	/* comp_queue_add copies it from the move; BLOCK: none */
 	struct plane_point end;	/* LINE, ARC: where the move ends; comp_queue_settle writes it into the move */
 	struct plane_point direction;	/* LINE: of the programmed path; 0 if it does not move in the plane */
 	struct plane_point centre;	/* ARC */
