@@ -54,15 +54,14 @@ static bool tell(struct canon_to_spans *converter, enum motion_event_kind kind)
 struct run {
 	struct canon_to_spans *converter;
 	const struct canon_move *move;
-	axis_values tolerance;
+	/* The converter's event: filled in place, because it is large and there are many. */
+	struct motion_step *step;
 	bool has_room;	/* the axes may be beside the path, where that counts for the limits, and then: */
 	axis_values room;	/* how far */
 	bool turns;	/* a rotary axis may be beside its path */
-	bool bounded;	/* the move is known only as a set of paths */
 	bool swings;	/* it is a rapid under TCP that is only known to stay in a box, and then: */
 	axis_values swing;	/* how far the axes may be outside of the box */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
-	bool outside;
 	size_t count;	/* of legs; 0: nothing moves */
 	struct leg legs[SLOT_COUNT];
 };
@@ -121,7 +120,7 @@ static void add_spread(struct run *run)
 
 		if (slot > SLOT_Z || !(spread.v[slot] > 0))
 			continue;
-		run->tolerance.v[slot] += spread.v[slot];
+		run->step->tolerance.v[slot] += spread.v[slot];
 		if (move->between[slot] && move->kind != CANON_ARC && !move->tcp)
 			continue;
 		run->room.v[slot] = spread.v[slot];
@@ -137,7 +136,7 @@ static void add_turn_spread(struct run *run)
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (!(move->turn_spread[slot - SLOT_A] > 0))
 			continue;
-		run->tolerance.v[slot] += move->turn_spread[slot - SLOT_A];
+		run->step->tolerance.v[slot] += move->turn_spread[slot - SLOT_A];
 		run->room.v[slot] += move->turn_spread[slot - SLOT_A];
 		run->has_room = run->turns = true;
 	}
@@ -152,7 +151,7 @@ static void add_following(struct run *run)
 		return;
 	follow = tcp_follow(&run->converter->tcp, &path->start, &path->end, run->move->turn_spread);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		run->tolerance.v[slot] += follow.v[slot];
+		run->step->tolerance.v[slot] += follow.v[slot];
 		run->room.v[slot] += follow.v[slot];
 	}
 }
@@ -215,12 +214,14 @@ static bool set_legs(struct run *run)
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
-	struct canon_to_spans *converter = run->converter;
+	const struct canon_to_spans *converter = run->converter;
 	const struct canon_move *move = run->move;
 	const double since = before + crossing->u * path->seconds;
 	const int slot = crossing->slot;
+	/* The converter's own event holds the step. */
+	struct motion_event event = {.kind = MOTION_LIMIT, .summary = converter->event.summary};
 
-	converter->event.of.limit = (struct motion_limit){
+	event.of.limit = (struct motion_limit){
 	    .slot = slot, .bound = crossing->bound, .target = run->legs[run->count - 1].span.q1.v[slot],
 	    .excess = crossing->excess, .path_tolerance = crossing->room,
 	    .work_offset = move->machine_coordinates ? NULL : move->origin->work_offset,
@@ -230,8 +231,8 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	    .position = path_position(path, crossing->u), .time = converter->time + since,
 	    .block_time = converter->block_time + since, .file = move->file,
 	    .line = move->line, .move = move->number, .tool = converter->tool};
-	run->outside = true;
-	return tell(converter, MOTION_LIMIT);
+	run->step->outside = true;
+	return converter->sink->event(converter->sink->context, &event);
 }
 
 /* What a rapid passes if the control keeps the tip on a line, of the axes that have not been reported. */
@@ -312,7 +313,7 @@ static enum step_class class_of(const struct run *run)
 	if (run->move->kind == CANON_RAPID)
 		return STEP_RAPID;
 	if (run->converter->probes)
-		return run->bounded ? STEP_FEED_STANDING : STEP_PROBE_TRAVEL;
+		return run->step->bounded ? STEP_FEED_STANDING : STEP_PROBE_TRAVEL;
 	if (!run->move->spindle_turns)
 		return STEP_FEED_STANDING;
 	return cutter_hand_reversed(&run->converter->hand, run->move) ? STEP_FEED_REVERSED : STEP_FEED_TURNING;
@@ -321,16 +322,12 @@ static enum step_class class_of(const struct run *run)
 static bool send_steps(const struct run *run, const struct leg *leg)
 {
 	struct canon_to_spans *converter = run->converter;
-	/* The event is filled in place, because it is large and there are many. */
-	struct motion_step *step = &converter->event.of.step;
+	struct motion_step *step = run->step;
 
 	step->file = run->move->file;
 	step->line = run->move->line;
 	step->move = run->move->number;
 	step->tool = converter->tool;
-	step->tolerance = run->tolerance;
-	step->outside = run->outside;
-	step->bounded = run->bounded;
 	step->step_class = class_of(run);
 	if (!span_is_flat(&leg->span, converter->flatness))
 		return send_curved(converter, leg);
@@ -364,11 +361,12 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	assert(!move->tcp || converter->tcp.state.on);
 	run.converter = converter;
 	run.move = move;
-	run.outside = run.has_room = run.swings = run.turns = false;
+	run.step = &converter->event.of.step;
+	run.step->outside = run.has_room = run.swings = run.turns = false;
 	blend_take(&converter->blend, converter->machine, &converter->axes, move);
-	run.tolerance = converter->blend.tolerance;
-	run.bounded = canon_move_is_bounded(move);
-	if (run.bounded) {
+	run.step->tolerance = converter->blend.tolerance;
+	run.step->bounded = canon_move_is_bounded(move);
+	if (run.step->bounded) {
 		run.room = (axis_values){{0}};
 		add_spread(&run);
 		add_turn_spread(&run);
@@ -382,7 +380,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		return true;
 	add_following(&run);
 	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
-		run.tolerance.v[slot] += run.swing.v[slot];
+		run.step->tolerance.v[slot] += run.swing.v[slot];
 	length_check_move(&converter->length, converter->diag, move_place(move, converter->name), move);
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;

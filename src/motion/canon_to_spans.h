@@ -37,7 +37,7 @@ struct canon_to_spans {
 	bool tells_steps, tells_modes;
 	struct motion_modes modes;	/* that were sent last */
 	bool modes_told;
-	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */
+	struct motion_event event;	/* room for events; its summary is the run's, without lines */
 };
 
 /*
