@@ -12,7 +12,7 @@ struct motion_interval *interval_pool_take(struct interval_pool *pool)
 		pool->spare = interval->halves[0];
 	} else {
 		interval = mem_alloc(sizeof(*interval));
-		pool->all = mem_grow(pool->all, &pool->capacity, pool->count + 1, sizeof(*pool->all));
+		pool->all = mem_grow(pool->all, &pool->capacity, pool->count + 1, sizeof(struct motion_interval *));
 		pool->all[pool->count++] = interval;
 	}
 	interval->users = 1;

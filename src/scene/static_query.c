@@ -41,7 +41,7 @@ static const vec3 *component_points(struct scene *scene, int body, bool together
 /* Is a component of the other body inside bodies[side]? *point is in the coordinates of bodies[side]. */
 static enum inside holds(struct scene *scene, const struct placed_pair *at, int side, vec3 *point)
 {
-	const struct bvh *solid = at->boxes.bodies[side];
+	const struct bvh *solid = scene_body_bvh(scene, at->bodies[side]);
 	const bool together = box_query_parts_surface(&at->boxes, side) &&
 			      scene_body_topology(scene, at->bodies[side])->plain;
 	enum inside result = INSIDE_NO;

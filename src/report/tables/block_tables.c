@@ -178,8 +178,10 @@ static char *put_clearance(char *to, struct block_tables *tables, const struct p
 	if (least->capped)
 		return put_text(to, capped_end(tables, fields, least->clearance));
 	to = put_rounded_down(put_text(to, &fields->names), least->clearance);
-	memcpy(to, ",0\n", 3);
-	return to + 3;
+	*to++ = ',';
+	*to++ = '0';
+	*to++ = '\n';
+	return to;
 }
 
 static void add_clearances(struct block_tables *tables, const struct scene *scene, const char *program,
