@@ -201,11 +201,12 @@ START_TEST(clear_wherever_the_control_may_go)
 }
 END_TEST
 
-/* A cube moved along X and Y, and a wall 10 mm from it on one side in x. */
+/* A cube moved along X and Y and turned about X, and a wall 10 mm from it on one side in x. */
 static void stand_by_wall(struct duo *duo, double side)
 {
-	const struct chain chain = {.count = 2, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
-							   {SLOT_Y, false, {0, 1, 0}, {0, 0, 0}}}};
+	const struct chain chain = {.count = 3, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
+							   {SLOT_Y, false, {0, 1, 0}, {0, 0, 0}},
+							   {SLOT_A, true, {1, 0, 0}, {0, 0, 0}}}};
 	struct mesh wall = {0}, cube = {0};
 	xform identity = xform_identity(), beside = identity;
 
@@ -280,6 +281,39 @@ START_TEST(as_far_as_the_control_may_go)
 }
 END_TEST
 
+/* The cube turns beside the wall while it goes from x0 to x1. */
+static enum query_answer turn(struct strategy *strategy, struct sweep *sweep, double x0, double x1, enum path_kind kind)
+{
+	const axis_values from = {.v[SLOT_X] = x0}, to = {.v = {[SLOT_X] = x1, [SLOT_A] = 1.5}};
+	const struct path path = path_between(&from, &to, kind);
+	const struct motion_step step = step_on(&path);
+	struct contact contact;
+
+	return strategy_advance_step(strategy, sweep, &step, &contact);
+}
+
+/* Planes are asked before a step is given up, even where nothing was swept before that would have allowed a search. */
+START_TEST(planes_before_giving_up)
+{
+	for (int k = 0; k < 4; k++) {
+		const enum path_kind kind = k & 1 ? PATH_BOX : PATH_STRAIGHT;
+		struct sweep sweep = {.effort = 1};
+		struct strategy strategy;
+		struct duo duo;
+
+		stand_by_wall(&duo, 1);
+		strategy_init(&strategy, &duo.pair, 0, 1e-3, k & 2);
+		ck_assert_int_eq(turn(&strategy, &sweep, 9.5, 9.98, kind), QUERY_CLEAR);
+		/* Within the tolerance, and through the wall: they prove nothing. */
+		ck_assert_int_eq(turn(&strategy, &sweep, 9.98, 9.9995, kind), QUERY_UNDECIDED);
+		ck_assert_int_eq(turn(&strategy, &sweep, 9.98, 11, kind), QUERY_UNDECIDED);
+		sweep_release(&sweep);
+		strategy_release(&strategy);
+		duo_release(&duo);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
@@ -289,5 +323,6 @@ int main(void)
 	tcase_add_test(tcase, clear_wherever_the_control_may_go);
 	tcase_add_test(tcase, what_happened_before);
 	tcase_add_test(tcase, as_far_as_the_control_may_go);
+	tcase_add_test(tcase, planes_before_giving_up);
 	return run_suite("strategy", tcase);
 }

@@ -317,6 +317,27 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 	return answer;
 }
 
+/*
+ * The effort for the sweep is used up. Do budgets or planes prove the step, whatever they cost? What was tried before
+ * depends on the steps that were checked before it, and these on what a report has measured.
+ */
+static bool proved_at_any_price(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step)
+{
+	struct pair_proof *proof = &strategy->proof;
+	const struct position_errors errors = step_errors(proof->bodies.chain, step);
+
+	if (WITH_BUDGET) {
+		renew(strategy, sweep, step, &errors);
+		if (covered(strategy, step, &errors))
+			return true;
+	}
+	if (!uses_planes(strategy) || !(pair_proof_step_by_planes(proof, step, &errors, true) ||
+					pair_proof_halves_by_planes(proof, step, &errors, HALVINGS)))
+		return false;
+	strategy->plane_steps++;
+	return true;
+}
+
 enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 					struct contact *contact)
 {
@@ -329,6 +350,8 @@ enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep 
 
 		pair_proof_aim(proof, proof->clearance + strategy->measure_share * (closest - proof->clearance));
 	}
+	if (answer == QUERY_UNDECIDED && !sweep->broken_off && proved_at_any_price(strategy, sweep, step))
+		return QUERY_CLEAR;
 	return answer;
 }
 
