@@ -228,23 +228,29 @@ struct t_case {
 };
 
 /* MD22550: does T by itself change the tool? */
+static const struct t_case t_cases[] = {
+	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\n", NULL},
+	{ANSWER_UNKNOWN, "G500 T1\nG0 C1\nSUPA X3 Z5\nM6\nX1 Z1\nT2\nX2\n",
+	 "rapid 0 0 0 0 1\nrapid 3 0 5 0 1\ntool 1\nrapid 1 0 101 0 1\nrapid 2 0 101 0 1\n"},
+	/* The M6 behind the move says what T does. */
+	{ANSWER_UNKNOWN, "G500 T1\nG0 X3 Z5\nM6\nZ1\n",
+	 "rapid 3 0 5 0 0\ntool 1\nrapid 3 0 101 0 0\n"},
+	{ANSWER_UNKNOWN, "G500 T1\nG0 X3\nG0X2T2M06\n", "rapid 3 0 0 0 0\ntool 2\nrapid 2 0 0 0 0\n"},
+	{ANSWER_UNKNOWN, "G500 T1\nG0 X1\n;M6\nMSG(\"M6\")\nM60\nM6.6\nM_M6=1\nT1M6=3\n%_N_L6_SPF\nM6\n", NULL},
+	/* What stands behind the end may never be run, and an M6 before it counts. */
+	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nM30\nM6\n", NULL},
+	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nG0 M02\nT2 M6\n", NULL},
+	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nM17\nM6\n", NULL},
+	{ANSWER_UNKNOWN, "G500 T1\nG0 X1\nM6 M30\n", "rapid 1 0 0 0 0\ntool 1\n"},
+	{ANSWER_UNKNOWN, "G500 T0\nG0 X1\n", "rapid 1 0 0 0 0\n"},
+	{ANSWER_NO, "G500 T1 D0\nG0 X1 Z5\n", "rapid 1 0 5 0 0\n"},
+	{ANSWER_YES, "G500 T1 D0\nG0 X1 Z5\nT2\nZ6\nM6\nT=\"MILL10\" D1 Z7\nT0\nZ8\n",
+	 "tool 1\nrapid 1 0 5 0 0\ntool 2\nrapid 1 0 56 0 0\ntool 1\nrapid 1 0 107 0 0\ntool 0\nrapid 1 0 8 0 0\n"},
+};
+
 START_TEST(t_without_m6)
 {
-	static const struct t_case rows[] = {
-		{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\n", NULL},
-		{ANSWER_UNKNOWN, "G500 T1\nG0 C1\nSUPA X3 Z5\nM6\nX1 Z1\nT2\nX2\n",
-		 "rapid 0 0 0 0 1\nrapid 3 0 5 0 1\ntool 1\nrapid 1 0 101 0 1\nrapid 2 0 101 0 1\n"},
-		/* The M6 behind the move says what T does. */
-		{ANSWER_UNKNOWN, "G500 T1\nG0 X3 Z5\nM6\nZ1\n",
-		 "rapid 3 0 5 0 0\ntool 1\nrapid 3 0 101 0 0\n"},
-		{ANSWER_UNKNOWN, "G500 T1\nG0 X3\nG0X2T2M06\n", "rapid 3 0 0 0 0\ntool 2\nrapid 2 0 0 0 0\n"},
-		{ANSWER_UNKNOWN, "G500 T1\nG0 X1\nM30\n;M6\nMSG(\"M6\")\nM60\nM6.6\nM_M6=1\nT1M6=3\n%_N_L6_SPF\nM6\n", NULL},
-		{ANSWER_UNKNOWN, "G500 T0\nG0 X1\n", "rapid 1 0 0 0 0\n"},
-		{ANSWER_NO, "G500 T1 D0\nG0 X1 Z5\n", "rapid 1 0 5 0 0\n"},
-		{ANSWER_YES, "G500 T1 D0\nG0 X1 Z5\nT2\nZ6\nM6\nT=\"MILL10\" D1 Z7\nT0\nZ8\n",
-		 "tool 1\nrapid 1 0 5 0 0\ntool 2\nrapid 1 0 56 0 0\ntool 1\nrapid 1 0 107 0 0\ntool 0\nrapid 1 0 8 0 0\n"},
-	};
-	const struct t_case *row = &rows[_i];
+	const struct t_case *row = &t_cases[_i];
 	struct gcode_case c;
 
 	sinumerik_case_init(&c);
@@ -267,6 +273,6 @@ int main(void)
 	tcase_add_test(tcase, frames_after_cycle800);
 	tcase_add_test(tcase, position_of_unknown_edge);
 	tcase_add_loop_test(tcase, unknown_edge, 0, 7);
-	tcase_add_loop_test(tcase, t_without_m6, 0, 5);
+	tcase_add_loop_test(tcase, t_without_m6, 0, COUNT(t_cases));
 	return run_suite("gcode_sinumerik_cycle", tcase);
 }

@@ -290,55 +290,84 @@ bool sinumerik_seek_program(struct interp *interp, const char *name, int column,
 	return come_back(interp, &next, column);
 }
 
-/* Letters with numbers, as T1M06D1: is M6 among them? *at moves behind them, or behind the name that is none. */
-static bool run_changes_tool(const char *words, size_t *at)
+/* What a line means to who looks for a tool change. */
+enum ahead {
+	AHEAD_NOTHING,
+	AHEAD_END,	/* of the program: what stands behind it is not run, or after a jump alone */
+	AHEAD_CHANGE,
+};
+
+/* The M-code with these digits. */
+static enum ahead ahead_of(const char *digits, size_t length)
 {
-	bool changes = false;
+	static const struct {
+		const char *digits;
+		enum ahead ahead;
+	} codes[] = {{"6", AHEAD_CHANGE}, {"2", AHEAD_END}, {"17", AHEAD_END}, {"30", AHEAD_END}};
+	const size_t zeros = strspn(digits, "0");
+
+	for (size_t i = 0; i < sizeof(codes) / sizeof(codes[0]); i++) {
+		if (zeros + strlen(codes[i].digits) == length &&
+		    !strncmp(digits + zeros, codes[i].digits, length - zeros))
+			return codes[i].ahead;
+	}
+	return AHEAD_NOTHING;
+}
+
+/* Letters with numbers, as T1M06D1. *at moves behind them, or behind the name that is none. */
+static enum ahead look_at_run(const char *words, size_t *at)
+{
+	enum ahead ahead = AHEAD_NOTHING;
 
 	while (sinumerik_is_letter(words[*at])) {
 		const bool is_m = sinumerik_upper(words[*at]) == 'M';
 		const size_t number = *at + 1 + strspn(words + *at + 1, "+-"),
 			     length = strspn(words + number, "0123456789.");
+		const enum ahead code = is_m ? ahead_of(words + number, length) : AHEAD_NOTHING;
 
 		if (length == 0) {
 			*at += strspn(words + *at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
-			return false;
+			return AHEAD_NOTHING;
 		}
-		changes = changes || (is_m && words[number + length - 1] == '6' &&
-				      strspn(words + number, "0") == length - 1);
+		ahead = code > ahead ? code : ahead;
 		*at = number + length;
 	}
-	return changes && words[*at] != '(' && words[*at] != ':' && words[*at] != '=';
+	return words[*at] != '(' && words[*at] != ':' && words[*at] != '=' ? ahead : AHEAD_NOTHING;
 }
 
-static bool has_tool_change(const char *words)
+static enum ahead look_at_line(const char *words)
 {
+	enum ahead ahead = AHEAD_NOTHING;
 	size_t at = 0;
 	bool quoted = false;
 
-	while (words[at] && (quoted || words[at] != ';')) {
+	while (words[at] && (quoted || words[at] != ';') && ahead != AHEAD_CHANGE) {
+		enum ahead run = AHEAD_NOTHING;
+
 		quoted = quoted != (words[at] == '"');
 		if (quoted || !sinumerik_is_letter(words[at]))
 			at++;
-		else if (run_changes_tool(words, &at))
-			return true;
+		else
+			run = look_at_run(words, &at);
+		ahead = run > ahead ? run : ahead;
 	}
-	return false;
+	return ahead;
 }
 
 bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found)
 {
 	struct source *source = interp->program.source;
 	const struct position next = source_next(source);
+	enum ahead ahead = AHEAD_NOTHING;
 	const char *text;
 
 	keep_line(interp);
-	*found = false;
-	while (!*found && reader_next(&source->reader, &text) == READER_LINE && !is_head(text)) {
+	while (ahead == AHEAD_NOTHING && reader_next(&source->reader, &text) == READER_LINE && !is_head(text)) {
 		if (cancelled(interp, &source->reader))
 			return false;
-		*found = has_tool_change(text + sinumerik_seek_head(text).rest);
+		ahead = look_at_line(text + sinumerik_seek_head(text).rest);
 	}
+	*found = ahead == AHEAD_CHANGE;
 	return come_back(interp, &next, column);
 }
 
