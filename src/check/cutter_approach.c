@@ -204,7 +204,7 @@ static double distance_at(const struct cutter_approach *approach, struct approac
 	return least;
 }
 
-/* mm: no point of the cutter moves farther against the work between two positions of the axes. */
+/* mm: no point of the cutter moves farther relative to the work between two positions of the axes. */
 static double way_between(const struct cutter_approach *approach, const struct approach_tool *tool,
 			  const axis_values *q0, const axis_values *q1)
 {

@@ -10,7 +10,7 @@
 #include "cli/waive.h"
 
 const struct command command_table[] = {
-    {"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_options, INIT_OPTION_COUNT,
+    {"init", "FAMILY", machine_plan_families, "write a machine file as a start", init_options, INIT_OPTION_COUNT,
      init_run},
     {"import", "FILE", NULL, "convert the machine file of another program", import_options, IMPORT_OPTION_COUNT,
      import_run},

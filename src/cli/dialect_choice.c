@@ -25,15 +25,15 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 		diag_error(diag, loc, "%s", guess->advice);
 	else if (guess->against.line)
 		diag_error(diag, (struct srcloc){program, guess->against.line, 0},
-			   "--dialect=auto: this looks like %s (%s), but line %ld like %s (%s); " NAME_IT,
+			   "--dialect=auto: this line looks like %s (%s), but line %ld looks like %s (%s); " NAME_IT,
 			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,
 			   guess->sign.sign);
 	else if (guess->sign.line)
 		diag_error(diag, loc,
-			   "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; " NAME_IT,
+			   "--dialect=auto: this looks like %s (%s), but more than one dialect has that; " NAME_IT,
 			   guess->sign.title, guess->sign.sign);
 	else
-		diag_error(diag, loc, "--dialect=auto: nothing in the first lines shows the control; " NAME_IT);
+		diag_error(diag, loc, "--dialect=auto: the first lines do not show the dialect; " NAME_IT);
 	return false;
 }
 
@@ -75,7 +75,7 @@ bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag,
 			return false;
 		if (found >= 0 && guess.row != found) {
 			diag_error(diag, (struct srcloc){programs[i], guess.sign.line, 0},
-				   "--dialect=auto: this is %s (%s), but %s is for %s; check them apart",
+				   "--dialect=auto: this is %s (%s), but %s is for %s; check them separately",
 				   guess.sign.title, guess.sign.sign, programs[0], dialect_rows[found].title);
 			return false;
 		}

@@ -8,7 +8,7 @@
 #include "machine/setup.h"
 #include "report/tables/stats.h"
 
-static const char why[] = "the machine, the setup, or another file that was read with them is faulty";
+static const char why[] = "there is an error in the machine file, the setup, or a file that they name";
 
 /* May the file of the sink be replaced? Yes if it does not exist, is empty, or was written by the same writer. */
 static bool is_replaceable(const struct sink *sink)
@@ -38,7 +38,7 @@ static void drop_channels(struct sinks *sinks, struct diag *diag)
 
 		/* A record tells what was checked; nothing was checked. */
 		if (sink->writer == report_writers[FORMAT_RECORD] || !is_replaceable(sink)) {
-			diag_note(diag, (struct srcloc){0}, "%s was left as it is: nothing was checked", sink->path);
+			diag_note(diag, (struct srcloc){0}, "%s was left unchanged: nothing was checked", sink->path);
 			output_discard(&sink->out);
 		} else if (kept++ < i) {
 			sinks->items[kept - 1] = *sink;

@@ -17,10 +17,10 @@ const struct option_row merge_options[MERGE_OPTION_COUNT] = {
 static const struct subcommand subcommand = {
 	.name = "merge",
 	.usage = "Usage: fivecheck merge [OPTIONS] FILE...\n"
-		 "Joins what all shards of a run wrote with --shard K/N --format=ndjson=FILE into\n"
-		 "the result of one run. The exit status is that of the whole run: it is 2 if a\n"
-		 "shard is missing or was cut short, or if the shards did not read the same files\n"
-		 "with the same options.\n",
+		 "Joins the results that all shards of a run wrote with --shard K/N\n"
+		 "--format=ndjson=FILE into the result of one run. The exit status is that of the\n"
+		 "whole run: it is 2 if a shard is missing or was cut short, or if the shards did\n"
+		 "not read the same files with the same options.\n",
 	.options = merge_options,
 	.option_count = MERGE_OPTION_COUNT,
 };

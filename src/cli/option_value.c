@@ -24,8 +24,8 @@ static bool read_number(double *out, const struct option_row *row, const char *t
 	double value;
 
 	if (!option_value_number(&value, text)) {
-		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s", row->name, text, row->unit ? " of " : "",
-			   row->unit ? row->unit : "");
+		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s%s", row->name, text, row->unit ? " of " : "",
+			   row->unit ? row->unit : "", strchr(text, ',') ? "; write a decimal point" : "");
 		return false;
 	}
 	if (value < row->least || value > row->greatest) {
@@ -113,7 +113,8 @@ static bool read_shard(int *out, const struct option_row *row, const char *text,
 	double part = strtod(text, NULL), parts = more ? strtod(text + digits + 1, NULL) : 0;
 
 	if (!digits || !more || text[digits + 1 + more] || part < 1 || part > parts || parts > 1e6) {
-		diag_error(diag, nowhere, "--%s: '%s' is not a part like 3/8, from 1/8 to 8/8", row->name, text);
+		diag_error(diag, nowhere, "--%s: '%s' is not K/N, such as 3/8 for the third of eight parts", row->name,
+			   text);
 		return false;
 	}
 	out[0] = (int)part;

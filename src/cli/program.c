@@ -388,7 +388,9 @@ static void run(struct program *program, struct program_file *file, const char *
 	if (!program_close(file, diag))
 		outcome->result = CHECK_INCOMPLETE;
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
-		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
+		diag_note(diag, nowhere,
+			  "%s was read as an NC program: give one machine file, then the programs, and the setup with "
+			  "--setup", path);
 	verdict = verdict_of(program);
 	judge(program, &verdict);
 	report(program, &verdict, proven);

@@ -31,9 +31,9 @@ const struct option_row waive_options[WAIVE_OPTION_COUNT] = {
 static const struct subcommand subcommand = {
 	.name = "waive",
 	.usage = "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
-		 "Writes a file for --waivers that accepts every finding that failed the run whose\n"
-		 "results are FILE, made with --all --format=ndjson=FILE. The waivers hold for\n"
-		 "this machine file and this setup only.\n",
+		 "Writes a file for --waivers. It accepts every finding that failed the run with\n"
+		 "the results FILE. Make FILE with --all --format=ndjson=FILE. The waivers hold\n"
+		 "only for this machine file and this setup.\n",
 	.options = waive_options,
 	.option_count = WAIVE_OPTION_COUNT,
 };

@@ -71,7 +71,7 @@ static bool take_percent(struct interp *interp, const char *text)
 	int column = (int)(rest - interp->at.text);
 
 	if (rest[strspn(rest, " \t")] != '\0' && !is_title(interp, rest))
-		return fault(&interp->at, column, "'%%' stands alone on its line");
+		return fault(&interp->at, column, "'%%' must be alone on its line");
 	if (!interp->begun) {
 		interp->begun = interp->percent = true;
 		return true;

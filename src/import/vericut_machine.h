@@ -13,7 +13,7 @@
  * as colours, tables of locations and accelerations, is no matter of collisions or stands in the setup.
  *
  * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
- * otherwise (ISO 841: a positive value is a motion of the tool against the work).
+ * otherwise (ISO 841: a positive value is a motion of the tool relative to the work).
  *
  * `build`: the components of a setup, which the machine gets as far as they belong to it, and which say what carries
  * the work; or NULL.

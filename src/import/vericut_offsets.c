@@ -75,7 +75,7 @@ static bool read_place(const struct reading *r, const xmlNode *to, vec3 *place, 
 
 /* ---------------------------------------------------------------------- axes */
 
-/* How the tool moves against the work for a positive value of the axis; NULL: the machine has none. */
+/* How the tool moves relative to the work for a positive value of the axis; NULL: the machine has none. */
 static const struct axis_description *axis_of(const struct import_machine *machine, int slot, vec3 *direction)
 {
 	const struct machine_description *d = &machine->description;

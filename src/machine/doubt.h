@@ -9,8 +9,8 @@
 /* Lengths in mm, angles in radians. "Against the work" means: the tool's motion as seen from the workholding. */
 enum doubt_kind {
 	/* About the machine's motions; `axis` and `other` are indices of machine->axes. */
-	DOUBT_LEFT_HANDED, /* X Y Z of the tool against the work */
-	DOUBT_TURNED, /* X Y Z of the tool against the work are right-handed, but not those of the drawing */
+	DOUBT_LEFT_HANDED, /* X Y Z of the tool relative to the work */
+	DOUBT_TURNED, /* X Y Z of the tool relative to the work are right-handed, but not those of the drawing */
 	DOUBT_PARALLEL, /* axis and other move the tool along one line */
 	/* axis moves the tool along, or turns it about, the direction of another letter: `other` is 0 X, 1 Y, 2 Z */
 	DOUBT_LETTER,

@@ -135,7 +135,7 @@ static void check_axis(const struct machine *machine, const struct axis *axis, c
 	doubts_add(doubts, &doubt);
 }
 
-/* X, Y and Z are there to move the tool against the work; U, V and W may move a magazine or a tailstock. */
+/* X, Y and Z are there to move the tool relative to the work; U, V and W may move a magazine or a tailstock. */
 static void check_idle(const struct machine *machine, struct doubts *doubts)
 {
 	for (int slot = SLOT_X; slot <= SLOT_Z && machine->spindle.present && machine->workholding.present; slot++) {

@@ -1,7 +1,6 @@
 /*
- * kinematics_check.h - how the tool moves against the work, and where that differs from ISO 841: X Y Z right-handed, Z
- * along the spindle and away from the work, A B C right-handed about X Y Z, all of them for the motion of the tool as
- * seen from the work.
+ * kinematics_check.h - compares the motion of the tool relative to the work with ISO 841: X Y Z right-handed, Z along
+ * the spindle and away from the work, A B C right-handed about X Y Z.
  */
 #ifndef FIVECHECK_MACHINE_KINEMATICS_CHECK_H
 #define FIVECHECK_MACHINE_KINEMATICS_CHECK_H
@@ -13,8 +12,8 @@
 int kinematics_side(const struct machine *machine, const struct axis *axis);
 
 /*
- * The unit direction along or about which a positive value moves the tool against the work, with all axes at 0. Only
- * for an axis whose side is not 0.
+ * The unit direction along or about which a positive value moves the tool relative to the work, with all axes at 0.
+ * Only for an axis whose side is not 0.
  */
 vec3 kinematics_direction(const struct machine *machine, const struct axis *axis);
 

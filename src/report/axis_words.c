@@ -59,7 +59,7 @@ static void add_linear(struct strbuf *out, const struct machine *machine, const 
 	if (side < 0) {
 		strbuf_addf(out, "; the tool moves toward ");
 		add_way(out, kinematics_direction(machine, axis));
-		strbuf_addf(out, " against the work");
+		strbuf_addf(out, " relative to the work");
 	}
 }
 
@@ -70,7 +70,7 @@ static void add_rotary(struct strbuf *out, const struct machine *machine, const 
 	if (side) {
 		strbuf_addf(out, "; the tool turns right-handed about ");
 		add_way(out, kinematics_direction(machine, axis));
-		strbuf_addf(out, " against the work");
+		strbuf_addf(out, " relative to the work");
 	}
 }
 

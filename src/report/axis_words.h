@@ -7,7 +7,7 @@
 
 /*
  * Appends a line for each axis, all axes at 0: how what it carries moves in the drawing, and how the tool moves
- * against the work by it.
+ * relative to the work by it.
  */
 void axis_words_add(struct strbuf *out, const struct machine *machine);
 

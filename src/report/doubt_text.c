@@ -10,26 +10,26 @@
 
 #define AXIS_CHECKED "<axis name=\"{axis}\" checked=\"reason\">"
 #define OR_AXIS_CHECKED ", or say why it is right: " AXIS_CHECKED
-#define TURN_AXIS_ROUND "; turn its direction round" OR_AXIS_CHECKED
+#define TURN_AXIS_ROUND "; reverse its direction" OR_AXIS_CHECKED
 #define OR_CHECKED ", or give it checked=\"reason\""
 #define HAS_NO_UNITS "(STL has none: units=\"inch\", \"cm\" or \"m\")"
 #define GAUGE_AT_ORIGIN "a mesh has the gauge point at its origin and the tip toward -Z"
 
 /* What each kind says; {words} in braces are those of `fields` and `number_fields`. */
 static const char *const texts[] = {
-	[DOUBT_LEFT_HANDED] = "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
-			      "exchanged; check the directions, or give one of the axes checked=\"reason\"",
-	[DOUBT_TURNED] = "X Y Z of the tool against the work are not those of the drawing: check the letters, or give "
-			 "one of the axes checked=\"reason\"",
-	[DOUBT_PARALLEL] = "axes {axis} and {other} both move the tool along one line against the work; only X and U, "
-			   "Y and V, Z and W may do that: check their directions, or give one of them "
+	[DOUBT_LEFT_HANDED] = "X Y Z of the tool relative to the work are left-handed: a sign is wrong or two letters "
+			      "are exchanged; check the directions, or give one of the axes checked=\"reason\"",
+	[DOUBT_TURNED] = "X Y Z of the tool relative to the work are not those of the drawing: check the letters, or "
+			 "give one of the axes checked=\"reason\"",
+	[DOUBT_PARALLEL] = "axes {axis} and {other} both move the tool along one line relative to the work; only X and "
+			   "U, Y and V, Z and W may do that: check their directions, or give one of them "
 			   "checked=\"reason\"",
 	[DOUBT_LETTER] = "axis {axis} {moves} {found letter}, not {letter}: check its name and its direction"
 			 OR_AXIS_CHECKED,
-	[DOUBT_SIGN] = "axis {axis}: a positive value moves the {goer} toward -{letter} against the work"
+	[DOUBT_SIGN] = "axis {axis}: a positive value moves the {goer} toward -{letter} relative to the work"
 		       TURN_AXIS_ROUND,
-	[DOUBT_ROTARY_SIGN] = "axis {axis}: a positive value turns the {turner} left-handed about {letter} against the "
-			      "work (ISO 841: right-handed; an axis that turns the work has the opposite direction)"
+	[DOUBT_ROTARY_SIGN] = "axis {axis}: a positive value turns the {turner} left-handed about {letter} relative to "
+			      "the work (ISO 841: right-handed; an axis that turns the work has the opposite direction)"
 			      TURN_AXIS_ROUND,
 	[DOUBT_IDLE] = "axis {axis} moves neither the tool nor the work: the axis that should be nested in it is "
 		       "beside it; check the nesting of the axes" OR_AXIS_CHECKED,
@@ -54,7 +54,7 @@ static const char *const texts[] = {
 				 "check the direction of the axis and of the spindle, or give "
 				 "<spindle checked=\"reason\">",
 	[DOUBT_SPINDLE_IN_HEAD] = "the spindle points into its own head: {body} reaches {value} mm ahead of the gauge "
-				  "point: turn the direction of <spindle> round (from the gauge point to the tip)"
+				  "point: reverse the direction of <spindle> (from the gauge point to the tip)"
 				  OR_CHECKED,
 	[DOUBT_SPINDLE_AWAY] = "the spindle points away from the work: the workholding is at least {value} mm behind "
 			       "the gauge point, wherever the axes stand: check direction and location of <spindle> "

@@ -59,14 +59,14 @@ static void add_nesting(struct oddities *out, const struct body *body, const str
 		text = add_of(out, ODDITY_INVERTED, body);
 		strbuf_addf(text, ": ");
 		format_units_add_count(text, nesting.inverted, "shell");
-		strbuf_addf(text, " drawn inside out (the triangles face inward): taken as solid all the same");
+		strbuf_addf(text, " drawn inside out (the triangles face inward); treated as solid");
 	}
 	if (nesting.nested) {
 		text = add_of(out, ODDITY_NESTED, body);
 		strbuf_addf(text, ": ");
 		format_units_add_count(text, nesting.nested, "shell");
 		strbuf_addf(text,
-			    " inside another one that faces the same way: taken as solid throughout, not as a cavity");
+			    " inside another one that faces the same way; treated as solid, not as a cavity");
 	}
 }
 
@@ -77,9 +77,9 @@ static void add_open(struct oddities *out, const struct body *body, const struct
 	strbuf_addf(text, ": the mesh is open, ");
 	if (topology->open_edges) {
 		format_units_add_count(text, topology->open_edges, "edge");
-		strbuf_addf(text, " without a partner: ");
+		strbuf_addf(text, " with only one triangle: ");
 	}
-	strbuf_addf(text, "what is inside it cannot be known");
+	strbuf_addf(text, "it has no defined inside");
 }
 
 static void add_mesh(struct oddities *out, const struct body *body, const struct mesh *mesh,
@@ -89,9 +89,9 @@ static void add_mesh(struct oddities *out, const struct body *body, const struct
 
 	if (topology->doubled) {
 		text = add_of(out, ODDITY_DRAWN_TWICE, body);
-		strbuf_addf(text, ": drawn from both sides: ");
+		strbuf_addf(text, ": drawn from both sides; ");
 		format_units_add_count(text, topology->doubled, "triangle");
-		strbuf_addf(text, " left out that another one covers, facing the other way");
+		strbuf_addf(text, " ignored that coincide with a triangle of the opposite direction");
 	}
 	if (topology_is_open(topology))
 		add_open(out, body, topology);

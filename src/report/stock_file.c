@@ -18,12 +18,12 @@ static bool is_writable(const char *path, const struct stock_remainder *remainde
 	else if (!remainder->known)
 		diag_note(
 		    diag, nowhere,
-		    "the program was not followed to its end, so %s was not written (--all goes on after a finding)",
+		    "the program was not checked to its end, so %s was not written (--all goes on after a finding)",
 		    path);
 	else if (!mesh->count)
 		diag_note(diag, nowhere, "nothing remains of the stock, so %s was not written", path);
 	else if (mesh->count > UINT32_MAX)
-		diag_error(diag, nowhere, "what remains of the stock has too many triangles for an STL file");
+		diag_error(diag, nowhere, "the remaining stock has too many triangles for an STL file");
 	*good = mesh->count <= UINT32_MAX;
 	return *good && mesh->count;
 }
@@ -51,12 +51,12 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 		return false;
 	if (remainder->coarse)
 		diag_note(diag, nowhere,
-			  "many cuts overlap: finer cubes than %.3g mm would take too long, so what remains of the "
+			  "many cuts overlap: cubes finer than %.3g mm would take too long, so the remaining "
 			  "stock is drawn with these",
 			  remainder->edge);
 	diag_note(diag, nowhere,
-		  "%s holds all that remains of the stock; what lies deeper than %.2f mm below its surface is "
-		  "certainly there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
+		  "%s contains all remaining stock; material deeper than %.2f mm below its surface is certainly "
+		  "there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
 		  path, excess, path, excess);
 	return true;
 }

@@ -215,7 +215,7 @@ static bool caution_open(struct strbuf *out, const struct scene *scene)
 	else
 		strbuf_addf(out, " has an open mesh");
 	strbuf_addf(out,
-		    ": contact with %s is found, but not what is inside, or gets there through a gap; close the %s "
+		    ": contact with %s is found, but not a body that is inside or enters through a gap; close the %s "
 		    "(--check-machine names the gaps), or give the %s checked=\"reason\"",
 		    several ? "their surfaces" : "its surface", several ? "meshes" : "mesh",
 		    several ? "bodies" : "body");
@@ -235,8 +235,8 @@ static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 	strbuf_addf(out, " and ");
 	format_units_add_plain(out, v->scene->bodies[pair->b].body->name);
 	strbuf_addf(out,
-		    ": one may be inside the other, which cannot be known because its mesh is not closed; close the "
-		    "mesh (--check-machine names the gaps)");
+		    ": whether one is inside the other is unknown, because a mesh is not closed; close the mesh "
+		    "(--check-machine names the gaps)");
 	return true;
 }
 
@@ -274,8 +274,8 @@ static bool caution_far_cutter(struct strbuf *out, const struct verdict *v)
 		strbuf_addf(out, ", and so do ");
 		format_units_add_count(out, (size_t)far->far - 1, "other tool");
 	}
-	strbuf_addf(out, "; check the work offset, the tool's length and H, and where the part stands, or give the "
-			 "tool checked=\"reason\"");
+	strbuf_addf(out, "; check the work offset, the tool's length and H, and the location of the part, or give "
+			 "the tool checked=\"reason\"");
 	return true;
 }
 

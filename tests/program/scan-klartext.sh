@@ -23,4 +23,4 @@ program part.h <<'NC'
 12 L M92 Z+0 FMAX
 13 END PGM PART MM
 NC
-status fivecheck scan part.h 2>&1 | sed -n '/error/p; /^in the machine/,$p'
+status fivecheck scan part.h 2>&1 | sed -n '/error/p; /^needed in the machine/,$p'

@@ -35,4 +35,4 @@ N120 TRAFOOF
 N130 M77
 N140 M30
 NC
-status fivecheck scan five.mpf 2>&1 | sed -n '/error/p; /^in the machine/,$p'
+status fivecheck scan five.mpf 2>&1 | sed -n '/error/p; /^needed in the machine/,$p'

@@ -195,7 +195,7 @@ static double dense(const axis_values *q0, const axis_values *q1)
 
 		for (int k = 0; k < SLOT_COUNT; k++)
 			q.v[k] = q0->v[k] + i / 2000.0 * (q1->v[k] - q0->v[k]);
-		/* The tool goes by X, Y and Z against the work, and is then turned back about C. */
+		/* The tool goes by X, Y and Z relative to the work, and is then turned back about C. */
 		cylinder.base = vec3_add(cylinder.base, (vec3){q.v[SLOT_X], q.v[SLOT_Y], q.v[SLOT_Z]});
 		back = xform_turn((vec3){0, 0, 0}, (vec3){0, 0, 1}, q.v[SLOT_C]);
 		cylinder.base = xform_apply(&back, cylinder.base);

@@ -65,9 +65,9 @@ START_TEST(words)
 	       "axis C has a travel of only 2.865 degrees: limits are degrees, not radians; check them, or say why "
 	       "they are right: <axis name=\"C\" checked=\"reason\">");
 	expect(&model, (struct doubt){.kind = DOUBT_ROTARY_SIGN, .axis = 3},
-	       "axis C: a positive value turns the work so that the tool turns left-handed about Z against the work "
-	       "(ISO 841: right-handed; an axis that turns the work has the opposite direction); turn its direction "
-	       "round, or say why it is right: <axis name=\"C\" checked=\"reason\">");
+	       "axis C: a positive value turns the work so that the tool turns left-handed about Z relative to the work "
+	       "(ISO 841: right-handed; an axis that turns the work has the opposite direction); reverse its "
+	       "direction, or say why it is right: <axis name=\"C\" checked=\"reason\">");
 	expect(&model, (struct doubt){.kind = DOUBT_TOOL_BARE},
 	       "tool 7 has no <holder>, which is what collides first; describe it, or give it checked=\"reason\"");
 	expect(&model, (struct doubt){.kind = DOUBT_TOOL_BARE, .value = 4},

@@ -106,7 +106,7 @@ static const struct refusal bare_refusals[] = {
     {"X1.\n", 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
     {"#1=5\n", 1, "unexpected '#'"},
     {"IF [1 EQ 1] GOTO 5\n", 1, "I without a number"},
-    {"O1234\n", 1, "O stands at the start of a block only"},
+    {"O1234\n", 1, "O is allowed only at the start of a block"},
     {"G0 ; end\n", 4, "whether ';' starts a comment or ends the block is not known of this control"},
 };
 

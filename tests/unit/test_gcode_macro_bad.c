@@ -239,7 +239,7 @@ static const struct {
 	 "p.nc:1:18: error: the END2 of line 3 crosses this loop: DO1 is not closed before it\n    WHILE [1 "
 	 "EQ 1] DO1\n                     ^\n"},
 	{BOTH, "/GOTO 3\n", "p.nc:1:7: error: the program has no block N3\n    /GOTO 3\n          ^\n"},
-	{BOTH, "N10 N20\n", "p.nc:1:5: error: N stands at the start of a block only\n    N10 N20\n        ^\n"},
+	{BOTH, "N10 N20\n", "p.nc:1:5: error: N is allowed only at the start of a block\n    N10 N20\n        ^\n"},
 	{F, "G67 X1.\n", "p.nc:1:5: error: a macro statement stands in a block of its own\n    G67 X1.\n        ^\n"},
 	{F, "G66 A1.\n", "p.nc:1:1: error: a macro call needs P, the number of the program\n    G66 A1.\n    ^\n"},
 	{F, "G66 P7\nG0 X1. M30\nO7\nM99\n",

@@ -260,11 +260,11 @@ START_TEST(title)
 	run(&dialect_fanuc, "%1 PART-7\nG0 X5.\nM30\n%\n", "rapid 5 0 0 0 0\n");
 	run(&dialect_haas, "% (X1 OF 2)\nG0 X5.\nM30\n%\n", "rapid 5 0 0 0 0\n");
 	init(&c, &dialect_fanuc);
-	expect_fault(&c, "% G0 X4.\nG0 X5.\nM30\n%\n", "p.nc:1:1: error: '%' stands alone on its line");
+	expect_fault(&c, "% G0 X4.\nG0 X5.\nM30\n%\n", "p.nc:1:1: error: '%' must be alone on its line");
 	init(&c, &dialect_fanuc);
-	expect_fault(&c, "%\nG0 X5.\n% PART\n", "p.nc:3:1: error: '%' stands alone on its line");
+	expect_fault(&c, "%\nG0 X5.\n% PART\n", "p.nc:3:1: error: '%' must be alone on its line");
 	init(&c, &dialect_linuxcnc);
-	expect_fault(&c, "%1\nG0 X5.\nM30\n", "p.nc:1:1: error: '%' stands alone on its line");
+	expect_fault(&c, "%1\nG0 X5.\nM30\n", "p.nc:1:1: error: '%' must be alone on its line");
 }
 END_TEST
 

@@ -27,7 +27,7 @@ static const struct xml_case bad[] = {
     {"<lathe version='1'/>",
      "m.xml:1: error: the root element is <lathe>, but a machine file starts with <machine version=\"1\">\n"},
     {"<setup version='1'/>",
-     "m.xml:1: error: this is a setup file where a machine file is wanted: give it with --setup\n"},
+     "m.xml:1: error: this is a setup file, but a machine file is needed here: give it with --setup\n"},
     {"<machine version='2'><novelty/></machine>",
      "m.xml:1: error: version \"2\" of the machine file is not supported; this program reads version 1\n"},
     /* its form */

@@ -13,7 +13,7 @@ static const struct xml_case bad[] = {
      "60 mm\n"},
     {TOOL("5", "60", "<cutter mesh='c.stl' flute_length='4'/>"),
      "s.xml:2: error: <cutter> takes its tip from its mesh: remove tip, angle, corner and flute_length\n"},
-    {"<machine version='1'/>", "s.xml:1: error: this is a machine file where a setup file is wanted\n"},
+    {"<machine version='1'/>", "s.xml:1: error: this is a machine file, but a setup file is needed here\n"},
     {"<setup/>", "s.xml:1: error: <setup> lacks the attribute 'version'\n"},
     {"<setup version='1.0'/>",
      "s.xml:1: error: version \"1.0\" of the setup file is not supported; this program reads version 1\n"},

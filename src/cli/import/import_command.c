@@ -55,38 +55,38 @@ struct request {
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	{'o', "output", "FOLDER", .kind = VALUE_TEXT, FIELD(output),
 	 .help = "write machine.xml and its meshes, or setup.xml, into "
-		 "FOLDER, which is made if it is not there; required"},
+		 "FOLDER, which is made if it does not exist; required"},
 	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT, FIELD(options.meshes),
 	 .help = "search meshes below FOLDER first, then beside FILE"},
 	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG, FIELD(options.skip_missing),
-	 .help = "leave bodies out whose meshes are not there"},
+	 .help = "leave out bodies whose meshes are missing"},
 	{KEY_PICTURES, "pictures", NULL, .kind = VALUE_FLAG, FIELD(pictures),
-	 .help = "also write axes.html into FOLDER: it shows what each axis of the machine does"},
+	 .help = "also write axes.html into FOLDER: pictures of what each axis does"},
 	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG, FIELD(number_tools),
-	 .help = "give tools without a number one, in their order"},
+	 .help = "number the tools that have no number, in their order"},
 	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.table),
-	 .help = "the axes that carry the work, from the base on, where the file does not say it"},
+	 .help = "the axes that carry the work, in order from the base, if the file does not say it"},
 	{KEY_HEAD, "head", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.head),
-	 .help = "the axes that carry the tool, from the base on"},
+	 .help = "the axes that carry the tool, in order from the base"},
 	{KEY_DEVICE, "device", "NAME", .kind = VALUE_TEXT, FIELD(options.device),
-	 .help = "the machine to take from a document of MTConnect that has several"},
+	 .help = "which machine to take from an MTConnect document with several"},
 	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, FIELD(unit), .choices = unit_names,
-	 .help = "lengths of a file that does not say its units: %s"},
+	 .help = "the unit of lengths in a file that does not give one: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, FIELD(dialect), .choices = dialect_names,
-	 .help = "how the control reads programs: %s"},
+	 .help = "the dialect of the control: %s"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
 static const struct subcommand subcommand = {
 	.name = "import",
 	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini\n"
-		 "file of a control, a machine of FreeCAD (.fcm), a device of MTConnect or URDF;\n"
-		 "these, setups and a job file from a project of VERICUT 7 (.VcProject); a setup\n"
-		 "from a tool library of VERICUT (.tls) or Fusion 360 (.json), a catalogue (DIN\n"
-		 "4000, ISO 13399), a table of tools (CSV, tool.tbl) or a listing of offsets\n"
-		 "(G10); or STL from another mesh. Says what could not be taken over, and what has\n"
-		 "to be looked at.\n",
+		 "Converts files of other programs.\n"
+		 "To a machine file and meshes: a VERICUT 7 machine (.mch), the ini file of a\n"
+		 "control, a FreeCAD machine (.fcm), an MTConnect device or URDF. To these, setups\n"
+		 "and a job file: a VERICUT 7 project (.VcProject). To a setup: a tool library of\n"
+		 "VERICUT (.tls) or Fusion 360 (.json), a tool catalogue (DIN 4000, ISO 13399), a\n"
+		 "tool table (CSV, tool.tbl) or an offset listing (G10). To STL: another mesh.\n"
+		 "import reports what it could not convert, and what you have to verify.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",
 	.options = import_options,
@@ -101,8 +101,8 @@ static bool load(const struct request *request, const char *path)
 	if (!machine)
 		return false;
 	diag_note(request->diag, nowhere,
-		  "wrote %s with %zu %s and %zu %s; next: look through it, run 'fivecheck --check-machine %s', "
-		  "and compare what it says of each axis with the machine",
+		  "wrote %s with %zu %s and %zu %s; next: verify it, run 'fivecheck --check-machine %s', "
+		  "and compare what that prints for each axis with the machine",
 		  path, machine->axis_count, format_units_noun(machine->axis_count, "axis", "axes"),
 		  machine->body_count, format_units_noun(machine->body_count, "body", "bodies"), path);
 	machine_free(machine);
@@ -218,7 +218,7 @@ static bool read_tools(const struct request *request, struct tool_library *tools
 		return false;
 	if (setup->tool_count || setup->length_count || setup->offset_count)
 		return true;
-	diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be taken over");
+	diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be converted");
 	return false;
 }
 
@@ -227,8 +227,8 @@ static void note_tools(const char *path, const struct tool_library *tools, struc
 	const size_t count = tools->setup.tool_count, offsets = tools->setup.length_count + tools->setup.offset_count;
 
 	diag_note(diag, nowhere,
-		  "wrote %s with %zu %s and %zu %s, and left %zu %s out; next: add what the job has besides: work "
-		  "offsets, fixtures, the part",
+		  "wrote %s with %zu %s and %zu %s, and left %zu %s out; next: add the rest of the job: work offsets, "
+		  "fixtures, the part",
 		  path, count, format_units_noun(count, "tool", "tools"), offsets,
 		  format_units_noun(offsets, "offset", "offsets"), tools->left_out,
 		  format_units_noun(tools->left_out, "tool", "tools"));
@@ -261,7 +261,7 @@ static bool read_parts(const struct request *request, struct import_machine *mac
 
 	if (format == MESH_3MF && request->unit == UNIT_UNKNOWN) {
 		diag_error(request->diag, (struct srcloc){.file = request->file},
-			   "the unit of such a file is not read: say with --units whether it is mm or inch");
+			   "fivecheck does not read the unit of such a file: give --units=mm or --units=inch");
 		return false;
 	}
 	good = (format != MESH_PLY || ply_check(request->file, request->diag)) &&

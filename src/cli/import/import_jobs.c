@@ -30,7 +30,7 @@ static void note_setup(const char *path, const struct import_setup *setup, size_
 	const size_t bodies = setup->bodies.description.body_count;
 
 	diag_note(diag, nowhere,
-		  "wrote %s with %zu %s, %zu work %s and %zu %s, for %zu %s in jobs.xml; next: look through its TODO "
+		  "wrote %s with %zu %s, %zu work %s and %zu %s, for %zu %s in jobs.xml; next: verify its TODO "
 		  "lines",
 		  path, tools, format_units_noun(tools, "tool", "tools"), setup->offset_count,
 		  format_units_noun(setup->offset_count, "offset", "offsets"), bodies,

@@ -28,11 +28,11 @@ struct request {
 static const struct subcommand subcommand = {
 	.name = "init",
 	.usage = "Usage: fivecheck init [OPTIONS] FAMILY\n"
-		 "Writes a commented machine file to begin with. The family is table-table,\n"
-		 "head-head or head-table: what the two rotary axes turn; or nutating-table or\n"
-		 "nutating-head, where one of them stands oblique. Give everything in machine\n"
-		 "coordinates with every axis at 0. On a terminal, init asks for what is missing;\n"
-		 "otherwise that is an error.\n",
+		 "Writes a commented machine file as a start. The family says what the two rotary\n"
+		 "axes turn: table-table, head-head or head-table; or nutating-table or\n"
+		 "nutating-head if one of them is oblique. All points are in machine coordinates\n"
+		 "with every axis at 0. On a terminal, init asks for missing values; otherwise a\n"
+		 "missing value is an error.\n",
 	.examples = "fivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250 \\\n"
 		    "    --limits=Z=-400:0,A=-120:30,C=none --location=A=0,0,120 \\\n"
 		    "    --location=C=0,0,120 --spindle=0,0,520 --output=machine.xml\n",
@@ -46,7 +46,7 @@ static bool take_words(struct request *request, const struct operands *operands)
 	const struct init_request *words = &request->words;
 
 	if (operands->count > 1) {
-		diag_error(request->diag, nowhere, "init takes one family, but '%s' was named as well",
+		diag_error(request->diag, nowhere, "init takes one family, but '%s' was given, too",
 			   operands->items[1]);
 		return false;
 	}
@@ -118,7 +118,7 @@ static void tell(const struct machine_plan *plan, const char *output, struct dia
 			  "next: with every axis at 0, export these meshes from the CAD assembly, or change "
 			  "their names in %s: %s",
 			  name, strbuf_text(&missing));
-	diag_note(diag, nowhere, "%s: look through the TODO lines of %s and run 'fivecheck --check-machine %s'",
+	diag_note(diag, nowhere, "%s: verify the TODO lines of %s and run 'fivecheck --check-machine %s'",
 		  missing.length ? "then" : "next", name, name);
 	strbuf_release(&text);
 	strbuf_release(&missing);

@@ -44,13 +44,13 @@ static void add_axis(struct prompts *list, const struct machine_plan *plan, int 
 	bool without_zero = (axis->has_min && axis->min > 0) || (axis->has_max && axis->max < 0);
 
 	add(list, !axis->has_limits,
-	    (struct prompt){PLAN_LIMITS, slot, "the travel in %s, or none where there is no limit",
+	    (struct prompt){PLAN_LIMITS, slot, "the travel in %s, or none if there is no limit",
 			      rotary ? "-120:30" : "-300:300", false});
 	add(list, !axis->has_home && without_zero,
-	    (struct prompt){PLAN_HOME, slot, "where programs start, as 0 is outside of the travel, in %s", "100",
+	    (struct prompt){PLAN_HOME, slot, "where programs start in %s (0 is outside of the travel)", "100",
 			      false});
 	add(list, !axis->has_rate && plan->rapid == RAPID_DOGLEG,
-	    (struct prompt){PLAN_RATES, slot, "the rate of rapids, in %s a minute", rotary ? "7200" : "30000",
+	    (struct prompt){PLAN_RATES, slot, "the rate of rapids in %s per minute", rotary ? "7200" : "30000",
 			      false});
 	add(list, rotary && !axis->has_location,
 	    (struct prompt){PLAN_LOCATION, slot, "a point on the axis of rotation in %s, with every axis at 0",
@@ -66,13 +66,12 @@ static void add_oblique(struct prompts *list, const struct machine_plan *plan)
 		return;
 	add(list, slot == SLOT_C,
 	    (struct prompt){PLAN_DIRECTION, slot,
-			    "the direction of this oblique axis, about which positive values turn what it carries, "
-			    "right-handed",
+			    "the direction of this oblique axis; positive values turn right-handed about it",
 			    "0,1,1", false});
 	add(list, slot != SLOT_C,
 	    (struct prompt){PLAN_DIRECTION, slot,
-			    "the direction of this oblique axis, about which positive values turn what it carries, "
-			    "right-handed (by default it stands at 45 degrees to Z)",
+			    "the direction of this oblique axis; positive values turn right-handed about it "
+			    "(by default it is at 45 degrees to Z)",
 			    slot == SLOT_A ? "1,0,1" : "0,1,1", true});
 }
 
@@ -83,17 +82,17 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 	add(list, plan->family < 0,
 	    (struct prompt){
 		PLAN_FAMILY, -1,
-		"the family, by what the rotary axes turn: table-table, head-head or head-table; nutating-table or "
-		"nutating-head if one of them stands oblique",
+		"the family (what the rotary axes turn): table-table, head-head or head-table; nutating-table or "
+		"nutating-head if one rotary axis is oblique",
 		"table-table", false});
 	add(list, !plan->rotary.count,
 	    (struct prompt){PLAN_ROTARY, -1,
-			      "the rotary axes, first the one that carries the other (head-table: the head's)", "A,C",
-			      false});
+			      "the rotary axes: first the axis that carries the other (head-table: the head's axis)",
+			      "A,C", false});
 	add(list, !plan->has_table && !plan->has_head,
 	    (struct prompt){PLAN_TABLE, -1,
-			      "the linear axes that move the table, from the base on, or none (the default)", "Y,X",
-			      true});
+			      "the linear axes that move the table, in order from the base, or none (the default)",
+			      "Y,X", true});
 	for (int slot = 0; slot <= SLOT_C; slot++) {
 		if (machine_plan_has_axis(plan, slot))
 			add_axis(list, plan, slot);
@@ -106,7 +105,7 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 	    (struct prompt){PLAN_DIALECT, -1, "the dialect of the programs", dialect_names[0], true});
 }
 
-/* "X: the travel in mm, or none where there is no limit" */
+/* "X: the travel in mm, or none if there is no limit" */
 static void add_text(struct strbuf *out, const struct machine_plan *plan, const struct prompt *prompt)
 {
 	const char *const *choices = init_options_row(prompt->key)->choices;

@@ -80,7 +80,7 @@ static void add_jog(struct strbuf *out, const struct machine_plan *plan, int slo
 	vec3 d = direction_of(plan, slot);
 
 	indent(out, depth);
-	strbuf_addf(out, "<!-- TODO Jog %c+: the %s must %s %.12g %.12g %.12g%s; else change the signs. -->\n",
+	strbuf_addf(out, "<!-- TODO Jog %c+: the %s must %s %.12g %.12g %.12g%s; if not, change the signs. -->\n",
 		    AXIS_LETTERS[slot], what, slot_is_rotary(slot) ? "turn about" : "move along", d.x, d.y, d.z,
 		    slot_is_rotary(slot) ? ", right-handed" : "");
 }
@@ -95,7 +95,7 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	    !axis->has_inclination) {
 		indent(out, depth);
 		strbuf_addf(out,
-			    "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
+			    "<!-- TODO The axis is assumed to be at 45 degrees between %c and Z: verify it. -->\n",
 			    AXIS_LETTERS[slot - SLOT_A + SLOT_X]);
 	}
 	indent(out, depth);
@@ -116,22 +116,22 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	add_bodies(out, plan, slot, depth + 1);
 }
 
-/* What stands at the end of a chain. */
+/* The spindle or the workholding, at the end of a chain. */
 static void add_end(struct strbuf *out, const struct machine_plan *plan, const struct machine_plan_chain *chain,
 		    int depth)
 {
 	if (chain == &plan->head) {
 		indent(out, depth);
-		strbuf_addf(out, "<!-- The gauge point, and the way from there to the tip of a tool. -->\n");
+		strbuf_addf(out, "<!-- The gauge point, and the direction from there to the tip of a tool. -->\n");
 		indent(out, depth);
 		strbuf_addf(out, "<spindle");
 		add_vector(out, "location", plan->spindle);
 		add_vector(out, "direction", plan->spindle_direction);
 	} else {
 		indent(out, depth);
-		strbuf_addf(out, "<!-- %sThe origin in which fixtures and parts of a setup are drawn%s. -->\n",
+		strbuf_addf(out, "<!-- %sThe origin of the fixtures and parts of a setup%s. -->\n",
 			    plan->has_workholding ? "" : "TODO ",
-			    plan->has_workholding ? "" : ": often the table's middle");
+			    plan->has_workholding ? "" : ": often the middle of the table");
 		indent(out, depth);
 		strbuf_addf(out, "<workholding");
 		add_vector(out, "location", plan->workholding);
@@ -177,12 +177,12 @@ static void add_tool_change(struct strbuf *out, const struct machine_plan *plan)
 static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 {
 	strbuf_addf(out,
-		    "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
-		    "       at its own rate); any (not known: every way between start and end is checked).");
+		    "  <!-- TODO The dialect of the programs, and how the control moves in G0. rapid: linear; dogleg\n"
+		    "       (each axis at its own rate); any (not known: every path from start to end is checked).");
 	if (dialect_rows[plan->dialect].has_parameters)
 		strbuf_addf(
-		    out, "\n       What M6 and G43 move, and how the control starts, is a matter of its parameters;\n"
-			 "       the check of a program that needs it says so: <tool_change Z=\"0\"/>,\n"
+		    out, "\n       The parameters of the control say what M6 and G43 move, and how it starts.\n"
+			 "       The check asks for them if a program needs them: <tool_change Z=\"0\"/>,\n"
 			 "       length_offset_moves, least_input, power_on_units, power_on_distance,\n"
 			 "       power_on_plane.");
 	strbuf_addf(out, " -->\n  <controller");
@@ -199,9 +199,9 @@ static void add_head(struct strbuf *out, const struct machine_plan *plan)
 {
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
 			 "<!--\n"
-			 "  A %s machine to begin with, written by fivecheck init. man 5 fivecheck-machine\n"
-			 "  explains each element, man 7 fivecheck leads from the CAD assembly to the first verdict.\n"
-			 "  TODO marks what has to be looked at.\n"
+			 "  A %s machine, written by fivecheck init. man 5 fivecheck-machine explains\n"
+			 "  each element; man 7 fivecheck is the tutorial from the CAD assembly to the first verdict.\n"
+			 "  TODO marks what you have to verify.\n"
 			 "-->\n", machine_plan_families[plan->family]);
 	strbuf_addf(out, "<machine version=\"1\"");
 	add_text(out, "name", plan->name);
@@ -217,13 +217,13 @@ void machine_plan_xml_write(struct strbuf *out, const struct machine_plan *plan)
 	    out,
 	    "  <base>\n"
 	    "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that\n"
-	    "         moves as one as STL: machine coordinates, %s, one file a body. What an axis carries\n"
-	    "         stands inside its <axis>. Rename, add and delete <body> lines as the machine is built. -->\n",
+	    "         moves as one as an STL file, in machine coordinates and %s. Put the bodies that an axis\n"
+	    "         carries inside its <axis>. Rename, add and delete <body> lines as your machine needs. -->\n",
 	    plan->inch ? "inches" : "mm");
 	add_bodies(out, plan, -1, 2);
 	if (!has_rates(plan))
 		strbuf_addf(out,
-			    "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a\n"
+			    "    <!-- TODO Every rate_max of %g (%s per minute) or %g (degrees per minute) is a\n"
 			    "         guess; times depend on it. -->\n",
 			    plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE, machine_plan_units[plan->inch], ROTARY_RATE);
 	strbuf_addf(out, "    <!-- From the base to the spindle. -->\n");
@@ -232,8 +232,8 @@ void machine_plan_xml_write(struct strbuf *out, const struct machine_plan *plan)
 	add_chain(out, plan, &plan->table);
 	strbuf_addf(out,
 		    "  </base>\n"
-		    "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is\n"
-		    "       special is said here:\n"
+		    "  <!-- fivecheck derives the pairs to check: the option list-pairs prints them. Give only\n"
+		    "       exceptions here:\n"
 		    "  <pairs>\n"
 		    "    <pair a=\"Z\" b=\"base\" clearance=\"2\"/>\n"
 		    "    <pair a=\"head\" b=\"bed\" check=\"never\" reason=\"the bellows yields\"/>\n"

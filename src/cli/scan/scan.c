@@ -21,7 +21,8 @@ struct request {
 
 const struct option_row scan_options[SCAN_OPTION_COUNT] = {
 	{'d', "dialect", "NAME", .kind = VALUE_CHOICE, .field = offsetof(struct request, dialect),
-	 .choices = dialect_choice_names, .help = "%s; auto (the default): what the programs show for certain"},
+	 .choices = dialect_choice_names,
+	 .help = "%s; auto (the default): find the dialect from codes that only some controls have"},
 	{256, "max-blocks", "N", .kind = VALUE_COUNT, .field = offsetof(struct request, max_blocks), .least = 1,
 	 .greatest = 2e9, .help = "give up after N blocks in loops and subprograms (3000000)"},
 	{'o', "output", "FILE", .kind = VALUE_OUTPUT, .field = offsetof(struct request, output),
@@ -32,8 +33,8 @@ const struct option_row scan_options[SCAN_OPTION_COUNT] = {
 static const struct subcommand subcommand = {
 	.name = "scan",
 	.usage = "Usage: fivecheck scan [OPTIONS] PROGRAM...\n"
-		 "Lists the codes that the programs use and what becomes of each, and what the\n"
-		 "machine file must answer before they can be checked. No machine file is needed.\n",
+		 "Lists the codes of the programs and what fivecheck does with each, and the\n"
+		 "attributes that the machine file needs for them. scan needs no machine file.\n",
 	.options = scan_options,
 	.option_count = SCAN_OPTION_COUNT,
 };
@@ -81,10 +82,10 @@ static bool write_all(struct scan *scan, size_t programs, const char *path, stru
 	bool good;
 
 	scan_codes_add(&text, &scan->codes);
-	strbuf_addf(&text, "\nin the machine file\tneeded first by\n");
+	strbuf_addf(&text, "\nneeded in the machine file\tfirst needed by\n");
 	scan_questions_add(&text, scan->questions);
 	strbuf_addf(&text,
-		    "\n%zu of %zu %s can be read to their ends in the %s dialect, if these answers are given\n",
+		    "\n%zu of %zu %s can be read to the end in the %s dialect, with these answers\n",
 		    scan->read, programs, format_units_noun(programs, "program", "programs"),
 		    scan->codes.dialect->name);
 	good = output_open(&out, path, diag);

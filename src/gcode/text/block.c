@@ -286,9 +286,9 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 	case 'M':
 		return add_m(block, at, word, config) || config->read.all_faults;
 	case 'N':
-		return fault(at, word->column, "N stands at the start of a block only");
+		return fault(at, word->column, "N is allowed only at the start of a block");
 	case 'O':
-		return fault(at, word->column, "O stands at the start of a block only");
+		return fault(at, word->column, "O is allowed only at the start of a block");
 	default:
 		return add_value(block, at, word, config, cautions);
 	}

@@ -112,12 +112,13 @@ static bool fault_at_byte(const struct lexer *lexer, char byte)
 			return fault(lexer->at, column, "%s", lexer->rules->refusals[i].message);
 	}
 	if (byte == '/')
-		return fault(lexer->at, column, "'/' stands at the start of a block only");
+		return fault(lexer->at, column, "'/' is allowed only at the start of a block");
 	if (byte == '%')
-		return fault(lexer->at, column, "'%%' stands alone on its line");
+		return fault(lexer->at, column, "'%%' must be alone on its line");
 	if (byte > ' ' && byte <= '~')
 		return fault(lexer->at, column, "unexpected '%c'", byte);
-	return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
+	return fault(lexer->at, column, "unexpected byte 0x%02X: only comments may have characters other than ASCII",
+		     (unsigned)(unsigned char)byte);
 }
 
 static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)

@@ -186,10 +186,10 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 	if (!is_named(node, root)) {
 		if (is_named(node, "setup") || is_named(node, "waivers"))
 			xml_error(xml, node, NULL,
-				  "this is a %s file where a %s file is wanted: give it with --%s",
+				  "this is a %s file, but a %s file is needed here: give it with --%s",
 				  (const char *)node->name, root, (const char *)node->name);
 		else if (is_named(node, "machine"))
-			xml_error(xml, node, NULL, "this is a machine file where a %s file is wanted", root);
+			xml_error(xml, node, NULL, "this is a machine file, but a %s file is needed here", root);
 		else
 			xml_error(xml, node, NULL,
 				  "the root element is <%s>, but a %s file starts with <%s version=\"1\">",

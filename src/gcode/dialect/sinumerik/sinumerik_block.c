@@ -155,7 +155,7 @@ static bool take_word(struct reading *r, char letter, int column, double value, 
 	case 'M':
 		return read_m(r, value, column);
 	case 'N':
-		return fault(r->lexer->at, column, "N stands at the start of a block only");
+		return fault(r->lexer->at, column, "N is allowed only at the start of a block");
 	case 'A': case 'B': case 'C': case 'D': case 'F': case 'I': case 'J': case 'K': case 'P': case 'S':
 	case 'T': case 'U': case 'V': case 'W': case 'X': case 'Y': case 'Z':
 		return add_letter(r, letter, column, value, way);
@@ -448,7 +448,7 @@ bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sin
 			continue;
 		}
 		if (byte == '/')
-			return fault(lexer->at, column, "'/' stands at the start of a block only");
+			return fault(lexer->at, column, "'/' is allowed only at the start of a block");
 		if (byte > ' ' && byte <= '~')
 			return fault(lexer->at, column, "unexpected '%c'", byte);
 		return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
