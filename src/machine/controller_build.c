@@ -43,11 +43,11 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 /* 840D sl: names of programs. */
 #define MACRO_NAME_MAX 32
 
-/* In upper case, as controls keep names. NULL: it is no name. */
+/* In upper case, as controls keep names; '$' begins that of a setting. NULL: it is no name. */
 static const char *macro_name(struct arena *arena, const char *given)
 {
 	char *name = arena_strdup(arena, given);
-	size_t length = 0;
+	size_t length = name[0] == '$';
 
 	for (; name[length]; length++) {
 		const char byte = name[length];

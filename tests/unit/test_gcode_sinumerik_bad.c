@@ -158,7 +158,8 @@ static const struct refused_program programs[] = {
 	{"X=$AA_IW[Q]\n", 1, 10,
 	 "an axis of the machine is needed here"},
 	{"$MC_X=1\n", 1, 1,
-	 "$MC_X: a program that writes data of the control is not supported yet"},
+	 "$MC_X: what this changes on the control is not known here; if no axis moves otherwise for it, <macro "
+	 "program=\"$MC_X\" action=\"none\"/> in the machine's <controller> says so"},
 	{"FOO=1\n", 1, 1,
 	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
 	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\"/> in the machine's <controller> makes it"},

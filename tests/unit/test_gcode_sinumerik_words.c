@@ -69,6 +69,13 @@ static const struct program {
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	/* Settings that decide no path, outputs, data of tools as the setup has them. */
+	{"F6 G500 R2=1\n$SC_SD_MAX_PATH_JERK=5 X1\n$SN_JOG_VELO=9\n$SA_SPIND_S[1]=R[2] X2\n$A_OUT[R[2]]=TRUE X3\n"
+	 "$TC_DP3[1,1]=100 $TC_DP6[1,2]=4 $TC_DP1[1,1]=120 $TC_DP12[1,1]=0 $TC_MOP1[1,1]=5 X4\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 4 0 0 0 0\n"},
+	/* The shift of a frame by one axis; the work offset in force takes its new value. */
+	{"F6 G54\nROT Z90\n$P_PFRAME[X,TR]=5\nX1 Y0\n$P_UIFR[1,X,TR]=100\n$P_IFRAME=$P_UIFR[1]\nX1 Y0\n",
+	 "feed 15 21 0 0 0\nfeed 105 21 0 0 0\n"},
 	/* Base frames that are taken back. */
 	{"F6 G500\n$P_UBFR=CTRANS()\n$P_CHBFR[0]=CTRANS(X,0,Y,0.0)\n$P_BFRAME = CTRANS( ) X2\n", "feed 2 0 0 0 0\n"},
 	/* Synchronous actions that move no axis and change nothing of the program are stepped over. */
@@ -199,7 +206,17 @@ static const struct refused_words bad[] = {
 	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},
 	{"$P_UIFR[1]=CMIRROR(X)\n",
 	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},
-	{"$TC_DP3[1,1]=5\n", "$TC_DP3: a program that writes data of the control is not supported yet"},
+	{"$TC_DP3[1,1]=5\n", "$TC_DP3[1,1]=5, but the setup has 100, and the setup counts: give edge D1 of tool T1 the "
+			      "length there that the program writes"},
+	{"$TC_DP12[1,1]=0.1\n", "$TC_DP12=0.1 adds to the size of the tool, which the setup has as a whole: 0 is supported "
+				 "alone"},
+	{"$TC_DP1[1,1]=500\n", "$TC_DP1=500: only types of milling and drilling tools are supported, 100 to 299"},
+	{"$SC_FRAME_OFFSET_INCR_PROG=1\n", "$SC_FRAME_OFFSET_INCR_PROG=1: what increments do has one answer for the whole "
+					   "program: increments_after_shift=\"traverse\" of the machine's <controller> is "
+					   "the one with this value"},
+	{"$P_PFRAME[X,RT]=5\n", "$P_PFRAME with RT is not supported yet, only with TR; ROT, SCALE and MIRROR can say it"},
+	{"$P_IFRAME=$P_UIFR[2]\n", "$P_IFRAME is given the work offset that is in force here, $P_UIFR[1] of G54; others are "
+				   "selected by G54 and the like"},
 	{"SETMS(3) S1=5\n",
 	 "S1: only the master spindle is supported, which is the one of SETMS; SETMS(1) before it makes this one the "
 	 "master, if it turns the tool"},

@@ -61,6 +61,13 @@ bool sinumerik_builder_is_known(const struct interp *interp, const char *name)
 	return find(interp, name) != NULL;
 }
 
+bool sinumerik_builder_does_nothing(const struct interp *interp, const char *name)
+{
+	const struct builder_macro *macro = find(interp, name);
+
+	return macro && macro->action == MACRO_NONE;
+}
+
 /* Where coordinates are turned, the program may go along their axes or along the machine's: both boxes are covered. */
 static bool go_around(struct interp *interp, const double around[3], int column)
 {
@@ -77,15 +84,13 @@ static bool go_around(struct interp *interp, const double around[3], int column)
 bool sinumerik_builder_take_auxiliary(struct interp *interp, double value, int column)
 {
 	const bool whole = value >= 0 && value <= H_MAX && !(floor(value) < value);
-	const struct builder_macro *macro;
 	char name[16];
 
 	if (whole)
 		snprintf(name, sizeof(name), "H%.0f", value);
 	else
 		snprintf(name, sizeof(name), "H");
-	macro = find(interp, name);
-	if (macro && macro->action == MACRO_NONE)
+	if (sinumerik_builder_does_nothing(interp, name))
 		return true;
 	return fault(&interp->at, column,
 		     "H%.9g: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"%s\" "

@@ -10,6 +10,9 @@ long sinumerik_builder_number(const char *name);
 /* Does the machine file say with <macro> what the program with this upper-case name does? */
 bool sinumerik_builder_is_known(const struct interp *interp, const char *name);
 
+/* Does the machine file say with action="none" that what has this upper-case name moves nothing? */
+bool sinumerik_builder_does_nothing(const struct interp *interp, const char *name);
+
 /* H5 or H1=5: an auxiliary function, of which <macro program="H5"> says that it does nothing. False: reported. */
 bool sinumerik_builder_take_auxiliary(struct interp *interp, double value, int column);
 

@@ -6,8 +6,10 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_setting.h"
 #include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/eval/expr.h"
+#include "gcode/execute/work_offset_use.h"
 
 static bool set_component(struct interp *interp, int system, int slot, double value)
 {
@@ -134,6 +136,29 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		     component[0] ? component : "no component");
 }
 
+/* $P_IFRAME=$P_UIFR[1]: a new value of the work offset that is in force takes effect. */
+static bool renew_offset(struct interp *interp, struct lexer *lexer, int column)
+{
+	int n;
+
+	if (!sinumerik_name_need(lexer, '=', "$P_IFRAME"))
+		return false;
+	if (!sinumerik_name_take(lexer, "$P_UIFR") || !sinumerik_name_need(lexer, '[', "$P_UIFR") ||
+	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n) ||
+	    !sinumerik_name_need(lexer, ']', "the number of $P_UIFR") ||
+	    sinumerik_system_of_offset(n) != interp->state.system || !sinumerik_of(interp)->work_selected)
+		return fault(&interp->at, column,
+			     "$P_IFRAME is given the work offset that is in force here, $P_UIFR[1] of G54; others are "
+			     "selected by G54 and the like");
+	if (sinumerik_of(interp)->swivelled)
+		return fault(&interp->at, column, "$P_IFRAME while CYCLE800 has swivelled; CYCLE800() first");
+	if (!work_offset_use_require(interp, interp->state.system, column))
+		return false;
+	sinumerik_frame_place(interp);
+	interp->state.work_assigned = false;
+	return sinumerik_frame_changed(interp, column);
+}
+
 /*
  * One part of $P_PFRAME: the frame itself, where it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X).
  */
@@ -167,17 +192,53 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 	return sinumerik_frame_set(interp, &words);
 }
 
-/* The programmable frame: parts that ':' chains, each in the coordinates of those before it. */
-static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
+/* May the programmable frame be changed? */
+static bool check_frame(struct interp *interp, int column)
 {
-	bool first = true;
-
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column, "$P_PFRAME needs G70, G71, G700 or G710 before it");
 	if (sinumerik_of(interp)->tool_frame)
 		return fault(&interp->at, column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
 	if (sinumerik_of(interp)->frames_unsure)
 		return fault(&interp->at, column, "frames after TRAORI or TRAFOOF: select the work offset again first");
+	return true;
+}
+
+/* $P_PFRAME[X,TR]=5: its shift along one axis. */
+static bool write_shift(struct interp *interp, struct lexer *lexer, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	char component[SINUMERIK_NAME + 1] = "";
+	double value;
+	int slot;
+
+	if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_name_need(lexer, ',', "the axis"))
+		return false;
+	sinumerik_name_read(lexer, component);
+	if (!sinumerik_name_need(lexer, ']', "TR") || !sinumerik_name_need(lexer, '=', "$P_PFRAME[]") ||
+	    !sinumerik_expr_number(interp, lexer, &value))
+		return false;
+	if (strcmp(component, "TR") != 0)
+		return fault(&interp->at, column,
+			     "$P_PFRAME with %s is not supported yet, only with TR; ROT, SCALE and MIRROR can say it",
+			     component[0] ? component : "no component");
+	if (sinumerik->frame_unsure)
+		return fault(&interp->at, column,
+			     "this changes a frame that CYCLE800() may have deleted; write TRANS before it");
+	sinumerik->frame.shift.v[slot] = slot_is_rotary(slot) ? value : value * sinumerik->feed_scale;
+	sinumerik->frame.fine.v[slot] = 0;
+	return sinumerik_frame_changed(interp, column);
+}
+
+/* The programmable frame: parts that ':' chains, each in the coordinates of those before it. */
+static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
+{
+	bool first = true;
+
+	if (!check_frame(interp, column))
+		return false;
+	if (sinumerik_name_take_byte(lexer, '['))
+		return write_shift(interp, lexer, column);
 	if (!sinumerik_name_need(lexer, '=', "$P_PFRAME"))
 		return false;
 	do {
@@ -233,8 +294,10 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 
 	if (!strcmp(name, "$P_UIFR"))
 		return write_offset(interp, lexer, column);
-	if (!strcmp(name, "$P_PFRAME") && lexer_peek(lexer) == '=')
+	if (!strcmp(name, "$P_PFRAME"))
 		return write_frame(interp, lexer, column);
+	if (!strcmp(name, "$P_IFRAME"))
+		return renew_offset(interp, lexer, column);
 	if (is_base_frame(name))
 		return clear_base_frame(interp, lexer, name, column);
 	if (sinumerik_system_is_scratch(name)) {
@@ -244,5 +307,5 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 			return false;
 		return sinumerik_name_need(lexer, '=', name) && sinumerik_expr_number(interp, lexer, &value);
 	}
-	return fault(&interp->at, column, "%s: a program that writes data of the control is not supported yet", name);
+	return sinumerik_setting_write(interp, lexer, name, column);
 }
