@@ -55,6 +55,11 @@ static const struct program {
 	 "RET\n%_N_QIN_SPF\nPROC QIN(REAL QB)\nZ=QB\nRET\n",
 	 "feed 7 0 0 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 4 0 3 0 0\nfeed 4 0 3 0 0\n"
 	 "feed 4 0 3 0 0\nfeed 4 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\n"},
+	/* An archive with a subprogram before the main one; labels and GOTOS are those of the main one. */
+	{"%_N_SUB_A_SPF\nAGAIN: X7\nM17\n%_N_MAIN_MPF\n;$PATH=/_N_MPF_DIR\nF6 G500\nR1=$P_EP[Y]\nSUB_A\nAGAIN: Y=R1+1\n"
+	 "IF R1<1 GOTOS\nM30\n%_N_OTHER_MPF\nX9\nM30\n",
+	 "feed 7 0 0 0 0\nfeed 7 1 0 0 0\nfeed 7 1 0 0 0\nfeed 7 2 0 0 0\n"},
+	{"%_N_SUB_A_SPF\nF6 G500\nX7\nM17\n%_N_SUB_B_SPF\nX8\nM17\n", "feed 7 0 0 0 0\n"},
 	/* GOTOS begins the program again. */
 	{"F6 G500\nR1=$P_EP[X]+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},

@@ -170,11 +170,11 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 static bool take_percent(struct interp *interp)
 {
 	const char *rest = line_start(&interp->at) + 1;
-	const bool head = !sinumerik_of(interp)->headed || sinumerik_of(interp)->entering;
+	const bool first = !sinumerik_of(interp)->headed, head = first || sinumerik_of(interp)->entering;
 
 	sinumerik_of(interp)->headed = true;
 	if (head)
-		return true;
+		return !first || sinumerik_seek_main(interp);
 	/*
 	 * Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file.
 	 */

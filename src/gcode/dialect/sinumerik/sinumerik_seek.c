@@ -290,6 +290,39 @@ bool sinumerik_seek_program(struct interp *interp, const char *name, int column,
 	return come_back(interp, &next, column);
 }
 
+/* Is it the head of a program of this type, "_MPF" or "_SPF"? */
+static bool is_head_of(const char *text, const char *type)
+{
+	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
+	char name[SINUMERIK_NAME + 1];
+
+	if (!is_head(text) || strncmp(text + at, "_N_", 3) != 0)
+		return false;
+	copy_name(text, at, name);
+	length = strlen(name);
+	return length > 4 && !strcmp(name + length - 4, type);
+}
+
+bool sinumerik_seek_main(struct interp *interp)
+{
+	struct source *source = interp->program.source;
+	const struct position next = source_next(source);
+	const char *text;
+
+	if (!is_head_of(line_start(&interp->at), "_SPF"))
+		return true;
+	keep_line(interp);
+	while (reader_next(&source->reader, &text) == READER_LINE) {
+		if (cancelled(interp, &source->reader))
+			return false;
+		if (!is_head_of(text, "_MPF"))
+			continue;
+		interp->program.start = source_next(source);
+		return true;
+	}
+	return come_back(interp, &next, 1);
+}
+
 /* What a line means to who looks for a tool change. */
 enum ahead {
 	AHEAD_NOTHING,

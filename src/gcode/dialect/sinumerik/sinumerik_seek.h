@@ -53,6 +53,12 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
  */
 bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found);
 
+/*
+ * An archive may have subprograms before its main program: where the head in hand is that of a subprogram
+ * (%_N_NAME_SPF), the program begins behind the first head of a main program (_MPF), if there is one. False: reported.
+ */
+bool sinumerik_seek_main(struct interp *interp);
+
 /* Is there an M6 behind the line in hand, up to the end of the program? False: the file could not be read: reported. */
 bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found);
 

@@ -191,7 +191,7 @@ bool sinumerik_setting_write(struct interp *interp, struct lexer *lexer, const c
 	if (is_idle(name) || sinumerik_builder_does_nothing(interp, name))
 		return step_over_value(interp, lexer, name);
 	return fault(&interp->at, column,
-		     "%s: what this changes on the control is not known here; if no axis moves otherwise for it, <macro "
-		     "program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+		     "%s: what this changes on the control is not known here; if no axis moves otherwise for it, "
+		     "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
 		     name, name);
 }
