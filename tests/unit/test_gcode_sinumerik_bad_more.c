@@ -184,7 +184,7 @@ static const struct refused_program programs[] = {
 	 "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 before it, or 1 in "
 	 "the units of DMODE"},
 	{"CYCLE800(0,\"\",0,192,0,0,0,0,30,0,0,0,0,1)\n", 1, 1,
-	 "MODE=192 of CYCLE800, a plane by positions of the rotary axes, is not supported: in which direction X of "
+	 "MODE=192 of CYCLE800, a plane by positions of the rotary axes, is not supported other than 0: in which direction X of "
 	 "the plane then points is not certain; axis by axis (MODE=57 and the like) it is"},
 	{"CYCLE800(0,\"\",0,64,0,0,0,0,0,5,0,0,0,1)\n", 1, 1,
 	 "MODE=64 of CYCLE800 names no axis for angle 3"},

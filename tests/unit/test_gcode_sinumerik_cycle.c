@@ -122,6 +122,11 @@ static const struct program programs[] = {
 	{"G500 CYCLE800(5,\"\",110000,57,0,0,0,30,0,0,0,0,0,-1,25)\nG500 G0 X0 Y1 Z0\n",
 	 "orient 0 -0.5 0.866025404\nrapid 0 0 25 0 0\nrapid 0 0 25 -30 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
+	/* MODE=192 with zeros: the rotary axes go home. */
+	{"G500 G0 A-30 C10\nCYCLE800(0,\"\",0,192,0,0,0,0,0,0,0,0,0,1)\nX1 Y2\nCYCLE800(0,\"\",0,192,5,0,0,0,0,0,0,0,0,0)\n"
+	 "X1 Y2 Z3\n",
+	 "rapid 0 0 0 -30 10\nrapid 0 0 0 0 0\nrapid 1 2 0 0 0\n"
+	 "tcp on length 0 zero A0 C0\nrapid 6 2 3 0 0 tcp\n"},
 	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,0)\nG0 X0 Y1 Z0\n",
 	 "rapid 0 0 0 -30 0\norient 0 -0.5 0.866025404\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},

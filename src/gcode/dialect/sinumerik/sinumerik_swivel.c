@@ -8,6 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_place_check.h"
+#include "gcode/dialect/sinumerik/sinumerik_swivel_plane.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -20,35 +21,12 @@
 /* mm in 1 mm along the tool. */
 #define UPRIGHT 1e-9
 
-/* 840D sl, "Swivel plane (CYCLE800)": the arguments in their order. */
-enum { FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, FR_I, DMODE };
-
 /* FR */
 enum { TO_LIMIT = 4, BY_INCREMENT };
 
-/* The upper bits of MODE. */
-enum { AXIS_BY_AXIS, BY_SOLID_ANGLES, BY_PROJECTION_ANGLES, BY_ROTARY_AXES };
-
-struct swivel {
-	struct interp *interp;
-	int column;
-	const double *arguments;
-	size_t count;
-};
-
-static double value(const struct swivel *s, size_t i)
+static bool whole(const struct sinumerik_swivel *s, size_t i, const char *name, long *number)
 {
-	return i < s->count && !isnan(s->arguments[i]) ? s->arguments[i] : 0;
-}
-
-static vec3 point(const struct swivel *s, size_t i)
-{
-	return vec3_scale(s->interp->state.scale, (vec3){value(s, i), value(s, i + 1), value(s, i + 2)});
-}
-
-static bool whole(const struct swivel *s, size_t i, const char *name, long *number)
-{
-	const double given = value(s, i);
+	const double given = sinumerik_swivel_value(s, i);
 
 	if (fabs(given) > 1e9 || floor(given) < given)
 		return fault(&s->interp->at, s->column, "%s of CYCLE800 must be a whole number, not %.15g", name,
@@ -57,102 +35,10 @@ static bool whole(const struct swivel *s, size_t i, const char *name, long *numb
 	return true;
 }
 
-static struct sinumerik_frame shift_by(vec3 by)
-{
-	struct sinumerik_frame frame = sinumerik_frame_none();
-
-	frame.shift.v[SLOT_X] = by.x;
-	frame.shift.v[SLOT_Y] = by.y;
-	frame.shift.v[SLOT_Z] = by.z;
-	return frame;
-}
-
-/* ------------------------------------------------------------------- plane */
-
-/*
- * MODE, axis by axis: bits 0 and 1, 2 and 3, 4 and 5 name the axes of the first, second and third turn (1 X, 2 Y, 3 Z),
- * each about the axis as the turns before have left it; A, B and C are the angles in the order of the turns. By solid
- * angles: A turns about Z, and then B about the new Y.
- */
-static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
-{
-	const long axes = mode >> 6 == BY_SOLID_ANGLES ? 3 | 2 << 2 : mode;
-
-	*turn = mat3_identity();
-	for (int i = 0; i < 3; i++) {
-		const long axis = axes >> 2 * i & 3;
-		const double angle = value(s, A + (size_t)i);
-		mat3 one;
-
-		if (axis == 0 && !same_double(angle, 0))
-			return fault(&s->interp->at, s->column, "MODE=%ld of CYCLE800 names no axis for angle %d", mode,
-				     i + 1);
-		one = mat3_turn((vec3){axis == 1, axis == 2, axis == 3 || axis == 0}, radians(angle));
-		*turn = mat3_mul(turn, &one);
-	}
-	return true;
-}
-
-/*
- * "Swivel plane": two projection angles lay the plane as ROTS does, and the third angle turns in it about Z.
- */
-static bool find_projection(const struct swivel *s, long mode, mat3 *turn)
-{
-	const long first = mode & 3, second = mode >> 2 & 3, last = mode >> 4 & 3;
-	double angles[4] = {0};
-	mat3 in_plane;
-
-	if (first == 0 || second == 0 || first == second || (last != 3 && !same_double(value(s, C), 0)))
-		return fault(&s->interp->at, s->column,
-			     "MODE=%ld of CYCLE800, projection angles, must name two axes and then Z", mode);
-	angles[first] = value(s, A);
-	angles[second] = value(s, B);
-	if (!sinumerik_frame_solid((int)(6 - first - second) - 1, (vec3){angles[1], angles[2], angles[3]}, turn))
-		return fault(&s->interp->at, s->column,
-			     "two projection angles of CYCLE800 must lie between -90 and 90 degrees");
-	in_plane = mat3_turn((vec3){0, 0, 1}, radians(value(s, C)));
-	*turn = mat3_mul(turn, &in_plane);
-	return true;
-}
-
-/*
- * "Swivel plane", new and additive: a new plane deletes the planes and the programmable frames before it; an added one
- * takes them into the plane.
- */
-static bool find_plane(const struct swivel *s, long mode, bool added, struct sinumerik_frame *plane)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
-	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(),
-			       after = shift_by(point(s, X1)), under;
-
-	if (mode < 0 || mode > 255)
-		return fault(&s->interp->at, s->column, "MODE of CYCLE800 must lie between 0 and 255, not %ld", mode);
-	if (mode >> 6 == BY_ROTARY_AXES)
-		return fault(
-		    &s->interp->at, s->column,
-		    "MODE=%ld of CYCLE800, a plane by positions of the rotary axes, is not supported: in which "
-		    "direction X of the plane then points is not certain; axis by axis (MODE=57 and the like) it is",
-		    mode);
-	if (mode >> 6 == BY_PROJECTION_ANGLES ? !find_projection(s, mode, &turn.matrix)
-					      : !find_turn(s, mode, &turn.matrix))
-		return false;
-	before = sinumerik_frame_chain(&before, &turn);
-	*plane = sinumerik_frame_chain(&before, &after);
-	if (!added)
-		return true;
-	if (s->interp->state.frame.on && s->interp->state.frame.distorts)
-		return fault(&s->interp->at, s->column,
-			     "CYCLE800 that adds a plane (units of ST 1) while SCALE or MIRROR is in force is not "
-			     "supported");
-	under = sinumerik_frame_total(sinumerik);
-	*plane = sinumerik_frame_chain(&under, plane);
-	return true;
-}
-
 /* --------------------------------------------------------------- positions */
 
 /* Where the tool stands on the plane for any angle of an axis: does this axis go to zero, or stay? */
-static bool settle_free(const struct swivel *s, struct kinematics_solution *solution)
+static bool settle_free(const struct sinumerik_swivel *s, struct kinematics_solution *solution)
 {
 	const struct controller *controller = &s->interp->config->controller;
 
@@ -189,7 +75,7 @@ static bool has_sign(double angle, long direction)
  * the swivel data name (swivel_axis); where limits leave one solution, that one is taken whatever DIR says. An axis
  * that counts modulo 360 degrees has lower and higher values by the way they are written: there the signs must differ.
  */
-static bool choose_by_direction(const struct swivel *s, struct kinematics_solutions *found, long direction,
+static bool choose_by_direction(const struct sinumerik_swivel *s, struct kinematics_solutions *found, long direction,
 				size_t *chosen)
 {
 	const struct interp *interp = s->interp;
@@ -224,8 +110,27 @@ static bool choose_by_direction(const struct swivel *s, struct kinematics_soluti
 	return true;
 }
 
+static bool refuse_present(const struct sinumerik_swivel *s)
+{
+	return fault(&s->interp->at, s->column,
+		     "CYCLE800 with DIR=0 moves no axis, and the tool does not stand on this plane; turn the rotary "
+		     "axes first, or give DIR 1 or -1");
+}
+
+/* "Swivel plane", direct: the rotary axes go to the positions given, which are all 0. */
+static bool find_zero(const struct sinumerik_swivel *s, long direction, axis_values *rotary)
+{
+	*rotary = s->interp->state.canonical;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!direction && fabs(rotary->v[slot]) > radians(STANDS_ON_PLANE))
+			return refuse_present(s);
+		rotary->v[slot] = direction ? 0 : rotary->v[slot];
+	}
+	return true;
+}
+
 /* DIR=0 moves no axis: the tool must stand on the plane already. */
-static bool choose_present(const struct swivel *s, struct kinematics_solutions *found, size_t *chosen)
+static bool choose_present(const struct sinumerik_swivel *s, struct kinematics_solutions *found, size_t *chosen)
 {
 	for (*chosen = 0; *chosen < found->count; ++*chosen) {
 		const axis_values *here = &s->interp->state.canonical, *there = &found->items[*chosen].rotary;
@@ -238,14 +143,11 @@ static bool choose_present(const struct swivel *s, struct kinematics_solutions *
 			return true;
 		}
 	}
-	return fault(
-	    &s->interp->at, s->column,
-	    "CYCLE800 with DIR=0 moves no axis, and the tool does not stand on this plane; turn the rotary axes "
-	    "first, or give DIR 1 or -1");
+	return refuse_present(s);
 }
 
 /* The rotary positions for the plane; a machine without a second solution needs no DIR to choose. */
-static bool find_position(const struct swivel *s, const struct sinumerik_frame *plane, long direction,
+static bool find_position(const struct sinumerik_swivel *s, const struct sinumerik_frame *plane, long direction,
 			  axis_values *rotary)
 {
 	struct interp *interp = s->interp;
@@ -288,11 +190,11 @@ static bool go_rapid(struct interp *interp, const slot_values *target)
 }
 
 /* FR 4 and 5: along the tool, as far as an axis goes, or by FR_I. */
-static bool retract_along_tool(const struct swivel *s, long way)
+static bool retract_along_tool(const struct sinumerik_swivel *s, long way)
 {
 	struct interp *interp = s->interp;
 	struct kinematics_retract along = {.to_limit = way == TO_LIMIT,
-					   .distance = value(s, FR_I) * interp->state.scale,
+					   .distance = sinumerik_swivel_value(s, FR_I) * interp->state.scale,
 					   .position = interp->state.canonical};
 	slot_values target = interp->state.position;
 
@@ -306,7 +208,7 @@ static bool retract_along_tool(const struct swivel *s, long way)
 }
 
 /* FR: 1, Z of the machine goes to its retracted position; 2, and then X and Y. */
-static bool retract(const struct swivel *s, long way)
+static bool retract(const struct sinumerik_swivel *s, long way)
 {
 	struct interp *interp = s->interp;
 	const struct control_place *place = &interp->config->controller.swivel_retract;
@@ -350,7 +252,7 @@ static bool is_none(const struct sinumerik_frame *frame)
 }
 
 /* Positions are those of the machine's axes from here on, without any plane. */
-static bool lay_flat(const struct swivel *s, bool deletes_frames)
+static bool lay_flat(const struct sinumerik_swivel *s, bool deletes_frames)
 {
 	const enum answer outlive = s->interp->config->controller.frames_outlive_cycle800;
 	struct sinumerik *sinumerik = sinumerik_of(s->interp);
@@ -385,7 +287,7 @@ static bool is_home(const struct sinumerik_frame *plane, axis_values *rotary)
 	return true;
 }
 
-static bool turn_axes(const struct swivel *s, const axis_values *rotary)
+static bool turn_axes(const struct sinumerik_swivel *s, const axis_values *rotary)
 {
 	slot_values target = s->interp->state.position;
 
@@ -396,7 +298,7 @@ static bool turn_axes(const struct swivel *s, const axis_values *rotary)
 	return go_rapid(s->interp, &target);
 }
 
-static bool refuse(const struct swivel *s, const char *what)
+static bool refuse(const struct sinumerik_swivel *s, const char *what)
 {
 	return fault(&s->interp->at, s->column, "%s", what);
 }
@@ -406,11 +308,11 @@ static bool refuse(const struct swivel *s, const char *what)
  * thousands are for the masks of the editor; the hundred thousands say that DIR is an optimised direction, which
  * matters where both solutions are one (settle_free). The units of DMODE: the plane of the cycle, 0 the one in force.
  */
-static bool check(const struct swivel *s, long status, long direction)
+static bool check(const struct sinumerik_swivel *s, long status, long direction)
 {
 	const struct state *state = &s->interp->state;
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
-	const double plane = fmod(fabs(value(s, DMODE)), 10);
+	const double plane = fmod(fabs(sinumerik_swivel_value(s, DMODE)), 10);
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
@@ -439,7 +341,7 @@ static bool check(const struct swivel *s, long status, long direction)
 }
 
 /* Does the tool lie along Z, as on a table that turns? Positions are those of the machine's axes here. */
-static bool look_at_tool(const struct swivel *s)
+static bool look_at_tool(const struct sinumerik_swivel *s)
 {
 	struct interp *interp = s->interp;
 	struct kinematics_retract along = {.distance = 1, .position = interp->state.canonical};
@@ -455,7 +357,7 @@ static bool look_at_tool(const struct swivel *s)
 bool sinumerik_swivel_run(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct swivel s = {interp, column, sinumerik->arguments, sinumerik->argument_count};
+	const struct sinumerik_swivel s = {interp, column, sinumerik->arguments, sinumerik->argument_count};
 	struct sinumerik_frame plane;
 	long way, status, mode, direction;
 	axis_values rotary;
@@ -469,10 +371,12 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 		return lay_flat(&s, false);
 	if (!whole(&s, FR, "FR", &way) || !whole(&s, ST, "ST", &status) || !whole(&s, MODE, "MODE", &mode) ||
 	    !whole(&s, DIR, "DIR", &direction) || !check(&s, status, direction) ||
-	    !find_plane(&s, mode, status % 10 == 1, &plane))
+	    !sinumerik_swivel_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
 	if (!lay_flat(&s, true) || !sinumerik_target_check_rotary_zero(interp, column) ||
-	    !find_position(&s, &plane, direction, &rotary) || !retract(&s, way))
+	    !(sinumerik_swivel_is_direct(mode) ? find_zero(&s, direction, &rotary)
+					  : find_position(&s, &plane, direction, &rotary)) ||
+	    !retract(&s, way))
 		return false;
 	home = is_home(&plane, &rotary);
 	if ((direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
