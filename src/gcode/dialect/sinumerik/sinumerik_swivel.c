@@ -70,6 +70,14 @@ static bool has_sign(double angle, long direction)
 	return direction > 0 ? angle >= -radians(SAME_DEGREES) : angle <= radians(SAME_DEGREES);
 }
 
+static bool ask_for_axis(const struct sinumerik_swivel *s)
+{
+	return fault(&s->interp->at, s->column,
+		     "DIR of CYCLE800 chooses one of two positions of the rotary axes by the value of one of them: "
+		     "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
+		     "name");
+}
+
 /*
  * "Swivel plane", "Direction (minus/plus)": DIR takes the solution with the lower or the higher value of the axis that
  * the swivel data name (swivel_axis); where limits leave one solution, that one is taken whatever DIR says. An axis
@@ -92,11 +100,7 @@ static bool choose_by_direction(const struct sinumerik_swivel *s, struct kinemat
 	if (found->count < 2 || *chosen == 1 || !items[1].within_limits)
 		return true;
 	if (!slot)
-		return fault(
-		    &interp->at, s->column,
-		    "DIR of CYCLE800 chooses one of two positions of the rotary axes by the value of one of them: "
-		    "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
-		    "name");
+		return ask_for_axis(s);
 	one = items[0].rotary.v[slot];
 	other = items[1].rotary.v[slot];
 	if (!differ(one, other))
@@ -158,6 +162,10 @@ static bool find_position(const struct sinumerik_swivel *s, const struct sinumer
 	struct kinematics_solutions found;
 	size_t chosen;
 
+	/* Programs are scanned without a machine: on most, the limits leave both positions. */
+	if (interp->config->any_tool && direction && !interp->config->controller.swivel_axis &&
+	    vec3_norm(vec3_cross(plane->matrix.z, (vec3){0, 0, 1})) > UPRIGHT)
+		return ask_for_axis(s);
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, s->column),
 					      &orientation, &found))
 		return false;

@@ -105,8 +105,8 @@ bool sinumerik_swivel_plane(const struct sinumerik_swivel *s, long mode, bool ad
 	if (sinumerik_swivel_is_direct(mode) && !has_no_angle(s))
 		return fault(&s->interp->at, s->column,
 			     "MODE=%ld of CYCLE800, a plane by positions of the rotary axes, is not supported other "
-			     "than 0: in which direction X of the plane then points is not certain; axis by axis (MODE=57 "
-			     "and the like) it is",
+			     "than 0: in which direction X of the plane then points is not certain; axis by axis (MODE="
+			     "57 and the like) it is",
 			     mode);
 	if (mode >> 6 == BY_PROJECTION_ANGLES ? !find_projection(s, mode, &turn.matrix)
 					      : !find_turn(s, mode, &turn.matrix))
