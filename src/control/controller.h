@@ -99,6 +99,12 @@ enum plane_rotation { PLANE_ROTATION_UNKNOWN, PLANE_ROTATION_COORDINATES, PLANE_
  */
 enum rotary_way { ROTARY_WAY_UNKNOWN, ROTARY_WAY_PLAIN, ROTARY_WAY_SHORTER };
 
+/* What an angle below 0, or of 360 and more, means to an axis that goes the plain way. */
+enum rotary_angle { ROTARY_ANGLE_UNKNOWN, ROTARY_ANGLE_AS_WRITTEN, ROTARY_ANGLE_REDUCED };
+
+/* Whether M6 does anything: where TOOL CALL alone changes the tool it does not. */
+enum m6_action { M6_UNKNOWN, M6_IGNORED };
+
 /* Whether L and R of TOOL DEF count: with an active tool table they do not. */
 enum tool_def { TOOL_DEF_UNKNOWN, TOOL_DEF_IGNORED };
 
@@ -226,6 +232,8 @@ struct controller {
 	enum plane_retract plane_retract;
 	enum plane_rotation plane_rotation;
 	enum rotary_way rotary_way;
+	enum rotary_angle rotary_angle;
+	enum m6_action m6;
 	enum tool_def tool_def;
 	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;

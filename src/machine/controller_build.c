@@ -209,6 +209,8 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->tool_def && !planes, "tool_def", NO_PARAMETER},
 		{told->plane_retract && !planes, "plane_retract", NO_PARAMETER},
 		{told->rotary_way && !planes, "rotary_way", NO_PARAMETER},
+		{told->rotary_angle && !planes, "rotary_angle", NO_PARAMETER},
+		{told->m6 && !planes, "m6", NO_PARAMETER},
 		{told->plane_rotation && !planes, "plane_rotation", NO_PARAMETER},
 		{told->swivel_pole && !planes && !frames, "swivel_pole", NO_PARAMETER},
 	};

@@ -319,10 +319,14 @@ static const struct klartext_fault faults[] = {
 	{"TOOL FOO\n",
 	 "p.nc:2:6: error: TOOL needs CALL or DEF"},
 	{"M6\n",
-	 "p.nc:2:1: error: M6, but no TOOL CALL has named a tool"},
+	 "p.nc:2:1: error: M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, m6=\"ignored\" of the "
+	 "machine's <controller> says so"},
+	{"L X+1 FMAX\nCALL LBL 1 REP 2\nL X+3 FMAX\nM30\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
+	 "p.nc:3:10: error: REP repeats the section from the label to this block, but the label stands behind it: a "
+	 "subprogram is called without REP, once for each time that it runs"},
 	{"TOOL CALL 1 Z\nL X+1 FMAX\nM6\n",
-	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: which of them changes the tool, "
-	 "and which tool has moved, is not known; write M6 behind TOOL CALL"},
+	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, "
+	 "m6=\"ignored\" of the machine's <controller> says so; else write M6 right behind TOOL CALL"},
 	{"F100\nC X+1 Y+1 DR+\n",
 	 "p.nc:3:3: error: no CC has given the centre"},
 	{"F100\nCR X+10 Y+0 R4 DR+\n",

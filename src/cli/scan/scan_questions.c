@@ -260,6 +260,8 @@ static const struct question {
     {"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
     {"tool_def=\"", "tool_def=\"ignored\"", CHOICE(tool_def, TOOL_DEF_IGNORED)},
     {"rotary_way=\"", "rotary_way=\"plain\" or \"shorter\"", CHOICE(rotary_way, ROTARY_WAY_PLAIN)},
+    {"rotary_angle=\"", "rotary_angle=\"as-written\" or \"reduced\"", CHOICE(rotary_angle, ROTARY_ANGLE_AS_WRITTEN)},
+    {"m6=\"", "m6=\"ignored\"", CHOICE(m6, M6_IGNORED)},
     {"plane_rotation=\"", "plane_rotation=\"coordinates\" or \"table\"",
      CHOICE(plane_rotation, PLANE_ROTATION_COORDINATES)},
     {"plane_retract=\"", "plane_retract=\"always\" or \"turning\"", CHOICE(plane_retract, PLANE_RETRACT_ALWAYS)},

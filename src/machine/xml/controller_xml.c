@@ -146,6 +146,8 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->swivel_pole = ANSWER("swivel_pole", "zero", "stays");
 	told->tool_def = ANSWER("tool_def", "ignored");
 	told->rotary_way = ANSWER("rotary_way", "plain", "shorter");
+	told->rotary_angle = ANSWER("rotary_angle", "as-written", "reduced");
+	told->m6 = ANSWER("m6", "ignored");
 	told->plane_rotation = ANSWER("plane_rotation", "coordinates", "table");
 	told->plane_retract = ANSWER("plane_retract", "always", "turning");
 }

@@ -56,6 +56,8 @@ export const ATTRIBUTES = [
 	row('cycle_19_angles', ['klartext'], 'what the angles of CYCL DEF 19 are', ['spatial', 'axes']),
 	row('cycle_11_axes', ['klartext'], 'axes that CYCL DEF 11 scales', ['plane', 'all']),
 	row('rotary_way', ['klartext'], 'way of a rotary axis with a reduced display without M126', ['plain', 'shorter']),
+	row('rotary_angle', ['klartext'], 'what an angle outside of 0 to 360 of such an axis means without M126', ['as-written', 'reduced']),
+	row('m6', ['klartext'], 'M6 does nothing, because TOOL CALL changes the tool', ['ignored']),
 	row('plane_rotation', ['klartext'], 'what PLANE without COORD ROT and TABLE ROT turns at a free axis', ['coordinates', 'table']),
 	row('plane_retract', ['klartext'], 'when MB of PLANE retracts the tool', ['always', 'turning']),
 	row('tool_def', ['klartext'], 'L and R of TOOL DEF, where the tool table is active', ['ignored']),

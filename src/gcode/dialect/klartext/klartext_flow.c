@@ -241,12 +241,19 @@ static bool same_place(const struct position *a, const struct position *b)
 	return a->source == b->source && a->offset == b->offset;
 }
 
-/* CALL LBL n REP m: the section from the label on runs m times more. */
+/*
+ * "Program section repeats": the section from the label to CALL LBL n REP m runs m times more. What REP does with a
+ * label that stands behind the call is not in the manuals.
+ */
 static bool repeat(struct interp *interp, const struct position here, const struct label *label, int count, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 	struct klartext_repeat *item = NULL;
 
+	if (label->at.source == here.source && label->at.offset > here.offset)
+		return fault(&interp->at, column,
+			     "REP repeats the section from the label to this block, but the label stands behind it: a "
+			     "subprogram is called without REP, once for each time that it runs");
 	for (int i = 0; i < klartext->repeat_count; i++) {
 		if (klartext->repeats[i].level == klartext->level && same_place(&klartext->repeats[i].at, &here))
 			item = &klartext->repeats[i];

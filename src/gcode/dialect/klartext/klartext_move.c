@@ -18,11 +18,25 @@
 
 /* ----------------------------------------------------------------- targets */
 
+/* Where an axis goes by the difference of an angle and its display, which is reduced to 360 degrees. */
+static double difference_target(const struct interp *interp, int slot, double value)
+{
+	const double offset = interp->state.offset.v[slot];
+
+	return value + offset + 360 * floor((interp->state.position.v[slot] - offset + SAME_DEGREES) / 360);
+}
+
+static double reduced(double value)
+{
+	return value - 360 * floor(value / 360);
+}
+
 /*
  * "M126" (iTNC 530 user's manual): with it a rotary axis with a reduced display goes the shorter way, without it as a
- * parameter of the machine says. The machine file tells by wrap whether the display is reduced.
+ * parameter of the machine says. The machine file tells by wrap whether the display is reduced. Whether the control
+ * reduces an angle of the program before it takes the difference is not in the manual.
  */
-static bool check_way(struct interp *interp, int slot, double plain, double target, int column)
+static bool check_way(struct interp *interp, int slot, double value, double target, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 	enum wrap wrap = interp->config->wrap[slot];
@@ -40,13 +54,15 @@ static bool check_way(struct interp *interp, int slot, double plain, double targ
 		    &interp->at, column,
 		    "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
 		    AXIS_LETTERS[slot]);
-	if (klartext->shortest || wrap == WRAP_NONE || fabs(plain - target) < SAME_DEGREES ||
-	    interp->config->controller.rotary_way == ROTARY_WAY_SHORTER)
+	if (klartext->shortest || wrap == WRAP_NONE || interp->config->controller.rotary_way == ROTARY_WAY_SHORTER ||
+	    (fabs(difference_target(interp, slot, value) - target) < SAME_DEGREES &&
+	     fabs(difference_target(interp, slot, reduced(value)) - target) < SAME_DEGREES))
 		return true;
 	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
 		return fault(&interp->at, column,
-			     "an angle of %c outside of 0 to 360 without M126: whether the control reduces it before "
-			     "it takes the difference is not known here; write M126, or an angle from 0 to 360",
+			     "an angle of %c outside of 0 to 360 without M126: rotary_angle=\"as-written\" or "
+			     "\"reduced\" of the machine's <controller> says whether the control reduces it before it "
+			     "takes the difference, or write M126, or an angle from 0 to 360",
 			     AXIS_LETTERS[slot]);
 	return fault(
 	    &interp->at, column,
@@ -56,18 +72,24 @@ static bool check_way(struct interp *interp, int slot, double plain, double targ
 	    AXIS_LETTERS[slot]);
 }
 
-/* Does the axis go by the difference of the angle and the reduced display? */
-static bool goes_plain(const struct interp *interp, int slot, double value)
+/* Does the axis go by the difference of the angle and the reduced display? Then the target. */
+static bool goes_plain(const struct interp *interp, int slot, double value, double *target)
 {
-	return slot_is_rotary(slot) && interp->config->wrap[slot] == WRAP_SHORTEST &&
-	       !klartext_of(interp)->shortest &&
-	       interp->config->controller.rotary_way == ROTARY_WAY_PLAIN && value >= 0 && value < 360;
+	const struct controller *controller = &interp->config->controller;
+
+	if (!slot_is_rotary(slot) || interp->config->wrap[slot] != WRAP_SHORTEST || klartext_of(interp)->shortest ||
+	    controller->rotary_way != ROTARY_WAY_PLAIN ||
+	    (controller->rotary_angle == ROTARY_ANGLE_UNKNOWN && !(value >= 0 && value < 360)))
+		return false;
+	*target = difference_target(interp, slot,
+				    controller->rotary_angle == ROTARY_ANGLE_REDUCED ? reduced(value) : value);
+	return true;
 }
 
 static bool find_other(struct interp *interp, const struct klartext_words *words, int slot, slot_values *others)
 {
 	const struct state *state = &interp->state;
-	double value = words->value[slot], plain;
+	double value = words->value[slot];
 
 	if (words->increments & 1U << slot) {
 		if (klartext_of(interp)->shifted[slot] &&
@@ -83,16 +105,10 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 		return true;
 	}
 	klartext_of(interp)->shifted[slot] = false;
-	/* The plain way, from where the reduced display stands. */
-	plain = value + state->offset.v[slot];
-	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
-		plain += 360 * floor((state->position.v[slot] - state->offset.v[slot] + SAME_DEGREES) / 360);
-	if (goes_plain(interp, slot, value)) {
-		others->v[slot] = plain;
+	if (goes_plain(interp, slot, value, &others->v[slot]))
 		return true;
-	}
 	return endpoint_absolute(interp, slot, value, state->offset.v[slot], words->column[slot], &others->v[slot]) &&
-	       (!slot_is_rotary(slot) || check_way(interp, slot, plain, others->v[slot], words->column[slot]));
+	       (!slot_is_rotary(slot) || check_way(interp, slot, value, others->v[slot], words->column[slot]));
 }
 
 bool klartext_move_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)

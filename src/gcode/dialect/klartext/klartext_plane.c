@@ -60,7 +60,8 @@ static bool read_option(struct lexer *lexer, struct klartext_swivel *request)
 		request->rapid = true;
 	else if (klartext_take(lexer, "F"))
 		return read_feed(lexer, request);
-	else if (klartext_take(lexer, "DIST") || klartext_take(lexer, "ABST")) {
+	else if (klartext_take(lexer, "DIST") || klartext_take(lexer, "ABST") || klartext_take(lexer, "SETUP") ||
+		 klartext_take(lexer, "SET-UP")) {
 		if (!klartext_value(lexer, &request->distance))
 			return false;
 		request->distance *= interp->state.scale;

@@ -353,13 +353,21 @@ bool klartext_tool_m6(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 
+	if (interp->config->controller.m6 == M6_IGNORED) {
+		if (!motion_commands_spindle_stops(interp))
+			return false;
+		interp->state.spindle = SPINDLE_STOPPED;
+		return true;
+	}
 	if (!klartext->change_pending)
-		return fault(&interp->at, column, "M6, but no TOOL CALL has named a tool");
+		return fault(&interp->at, column,
+			     "M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, m6=\"ignored\" of "
+			     "the machine's <controller> says so");
 	if (klartext->moved)
 		return fault(&interp->at, column,
-			     "axes have moved between TOOL CALL and M6: which of them changes the tool, and which tool "
-			     "has moved, is "
-			     "not known; write M6 behind TOOL CALL");
+			     "axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, "
+			     "m6=\"ignored\" of the machine's <controller> says so; else write M6 right behind TOOL "
+			     "CALL");
 	klartext->change_pending = false;
 	return true;
 }
