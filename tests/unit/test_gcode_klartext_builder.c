@@ -17,11 +17,14 @@ START_TEST(probe_cycle)
 	c.config.controller.macro_count = 3;
 	c.show_spread = true;
 	ck_assert_msg(klartext_run(&c, "L X+10 FMAX\n6 TCH PROBE 413 DATUM OUTSIDE ~\n   Q321=+50 ;CENTRE ~\n   Q322=+50\n"
-				       "7 L X+11 FMAX\nTCH PROBE 483 TOOL Q340=1\nL X+12 FMAX\n"),
+				       "7 L X+11 FMAX\nL Z+9 FMAX\nTCH PROBE 483 TOOL Q340=1\nL X+12 Y+3 FMAX\n"
+				       "L Z+2 FMAX\n"),
 		      "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 10 -20 0 0 0 spread 5 0 10\n"
 						"rapid 10 20 0 0 0 spread 5 0 10\nrapid 10 0 0 0 0 spread 5 0 10\n"
-						"rapid 11 0 0 0 0\nrapid 12 0 0 0 0\n");
+						/* Over which point the probe has stopped is not known. */
+						"rapid 11 0 0 0 0 spread 5 20 10\nrapid 11 0 9 0 0 spread 5 20 10\n"
+						"rapid 12 3 9 0 0 spread 5 20 0\nrapid 12 3 2 0 0\n");
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: touch probe cycle 413: datum and tools count as"));
 	case_release(&c);
 	/* Turned by 90 degrees it goes 20 mm along X. */

@@ -152,8 +152,12 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 		return false;
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
-	/* The control's own cycles end over what they have milled, and not where they are called. */
-	return go_around(interp, macro->around, !find_called(cycle->number), cycle->column);
+	/*
+	 * The control's own cycles end over what they have milled, and not where they are called; those of the touch
+	 * probe at the clearance height over the last point that was probed.
+	 */
+	return go_around(interp, macro->around, !find_called(cycle->number) && !is_probing(cycle->number),
+			 cycle->column);
 }
 
 /* ---------------------------------------------------------------- programs */
