@@ -135,11 +135,55 @@ START_TEST(flow_table)
 }
 END_TEST
 
+/* "/": a block of several lines is left out as a whole; a comment and a label may begin with it. */
+START_TEST(block_skip)
+{
+	static const struct {
+		const char *blocks, *all, *without;
+	} programs[] = {
+		{"L Z+9 FMAX M3\n"
+		 "1 CYCL DEF 200 X ~\n Q200=2 ~\n Q201=-10 ~\n Q206=150 ~\n Q202=10 ~\n Q203=+0 ~\n Q204=20\n"
+		 "/ 2 CYCL DEF 200 X ~\n ; deeper ~\n Q200=2 ~\n Q201=-20 ~\n Q206=150 ~\n Q202=20 ~\n Q203=+0 ~\n Q204=30\n"
+		 "3 CYCL CALL\n",
+		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 2 0 0\nrapid 0 0 30 0 0\n",
+		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -10 0 0\nrapid 0 0 2 0 0\nrapid 0 0 20 0 0\n"},
+		/* Older programs have no '~' there. */
+		{"L Z+9 FMAX M3\n"
+		 "1 CYCL DEF 200 X\n Q200=2\n Q201=-10\n Q206=150\n Q202=10\n Q203=+0\n Q204=20\n"
+		 "/2 CYCL DEF 200 X\n Q200=2\n Q201=-20\n Q206=150\n Q202=20\n Q203=+0\n Q204=30\n"
+		 "3 CYCL CALL\n",
+		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 2 0 0\nrapid 0 0 30 0 0\n",
+		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -10 0 0\nrapid 0 0 2 0 0\nrapid 0 0 20 0 0\n"},
+		{"/6 CYCL DEF 7.0\n/7 CYCL DEF 7.1 X+100\n8 L X+1 FMAX\n", "rapid 101 0 0 0 0\n", "rapid 1 0 0 0 0\n"},
+		{"/L X+1 ~\n Y+2 FMAX\n/9 Q1 = 1 + ~\n 2\n9 /L X+3 FMAX\nL Z+4 FMAX\n",
+		 "rapid 1 2 0 0 0\nrapid 3 2 0 0 0\nrapid 3 2 4 0 0\n", "rapid 0 0 4 0 0\n"},
+		{"/ 1 ; text\n/2 * - part\n/\n/* - part\nL X+1 FMAX\n", "rapid 1 0 0 0 0\n", "rapid 1 0 0 0 0\n"},
+		{"CALL LBL 2\n/M30\nL X+9 FMAX\nM30\nLBL 2\n/ L X+1 FMAX\nLBL 0\n", "rapid 1 0 0 0 0\n",
+		 "rapid 9 0 0 0 0\n"},
+		{"/CALL LBL 1\nL Z+1 FMAX\nM30\n/ 42 LBL 1\n/ 43 L X+1 FMAX\n/ 44 LBL 0\n",
+		 "rapid 1 0 0 0 0\nrapid 1 0 1 0 0\n", "rapid 0 0 1 0 0\n"},
+	};
+
+	for (size_t i = 0; i < COUNT(programs); i++) {
+		for (int skip = 0; skip < 2; skip++) {
+			struct gcode_case c;
+
+			klartext_case(&c);
+			c.config.read.block_delete = skip;
+			ck_assert_msg(klartext_run(&c, programs[i].blocks), "%s", strbuf_text(&c.messages));
+			ck_assert_str_eq(strbuf_text(&c.moves), skip ? programs[i].without : programs[i].all);
+			case_release(&c);
+		}
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("gcode_klartext_flow");
 
 	tcase_add_loop_test(tcase, parameters_table, 0, COUNT(parameters));
 	tcase_add_loop_test(tcase, flow_table, 0, COUNT(flow));
+	tcase_add_test(tcase, block_skip);
 	return run_suite("gcode_klartext_flow", tcase);
 }

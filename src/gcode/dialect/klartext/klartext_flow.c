@@ -9,6 +9,7 @@
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_skip.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
@@ -53,11 +54,12 @@ static bool label_of_line(struct interp *interp, const char *text, char name[KLA
 	struct diag unheard = {0};
 	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
 	struct lexer lexer = klartext_lexer(interp);
+	bool slash;
 
 	lexer.at = &at;
-	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
-		lexer_take(&lexer);
-	return klartext_take(&lexer, "LBL") && lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) &&
+	klartext_skip_head(&lexer, &slash);
+	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") &&
+	       lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) &&
 	       strcmp(name, "0") != 0;
 }
 
@@ -150,11 +152,11 @@ static bool ends_label(struct interp *interp, const char *text)
 	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
 	struct lexer lexer = klartext_lexer(interp);
 	char name[KLARTEXT_NAME];
+	bool slash;
 
 	lexer.at = &at;
-	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
-		lexer_take(&lexer);
-	return klartext_take(&lexer, "LBL") && read_label(&lexer, name) && !strcmp(name, "0");
+	klartext_skip_head(&lexer, &slash);
+	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") && read_label(&lexer, name) && !strcmp(name, "0");
 }
 
 bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,

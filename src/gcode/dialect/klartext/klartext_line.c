@@ -21,6 +21,7 @@
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_point_table.h"
+#include "gcode/dialect/klartext/klartext_skip.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/dialect/klartext/klartext_transform.h"
@@ -278,19 +279,6 @@ static bool refuse_iso(struct lexer *lexer)
 		     "this is a DIN/ISO program of the control (%%NAME G71); only Klartext is supported");
 }
 
-/* Skips the block number. */
-static bool skip_number(struct lexer *lexer)
-{
-	const char *text;
-	size_t digits;
-
-	lexer_peek(lexer);
-	text = lexer->at->text + lexer->position;
-	digits = strspn(text, "0123456789");
-	lexer->position += digits;
-	return digits > 0;
-}
-
 /* Blocks of loops and calls are counted. */
 static bool count_block(struct interp *interp)
 {
@@ -380,7 +368,7 @@ static bool may_belong_before(struct lexer *lexer, bool numbered)
 static bool take_line(struct lexer *lexer, bool *bare)
 {
 	struct interp *interp = lexer->context;
-	bool numbered = skip_number(lexer);
+	bool numbered = klartext_skip_number(lexer);
 	const size_t start = lexer->position;
 	char byte = lexer_peek(lexer);
 
@@ -408,7 +396,9 @@ static bool take_line(struct lexer *lexer, bool *bare)
 		return true;
 	if (byte == '/') {
 		lexer_take(lexer);
-		klartext_of(interp)->numbered |= skip_number(lexer);
+		klartext_of(interp)->numbered |= klartext_skip_number(lexer);
+		if (klartext_ends(lexer) || lexer_peek(lexer) == '*')
+			return true;
 	}
 	if (klartext_of(interp)->corner.waits && !may_follow_corner(lexer))
 		return klartext_corner_check_none(interp);
@@ -426,11 +416,11 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 {
 	struct lexer lexer = *before;
 	struct klartext_cycle *definition = &klartext_of(interp)->definition;
-	bool numbered;
+	bool numbered, slash;
 
 	if (!definition->open)
 		return true;
-	numbered = skip_number(&lexer);
+	numbered = klartext_skip_head(&lexer, &slash);
 	if (klartext_ends(&lexer) || klartext_define_goes_on(&lexer, numbered))
 		return true;
 	if ((klartext_take(&lexer, "CYCL") || klartext_take(&lexer, "CYCLE")) && !definition->by_q &&
@@ -465,6 +455,8 @@ bool klartext_line_run(struct interp *interp, bool *done)
 
 	*done = true;
 	interp->moves = 0;
+	if (klartext_skip_definition(interp))
+		return true;
 	if (!klartext_join(interp, begins_block))
 		return false;
 	lexer = klartext_lexer(interp);

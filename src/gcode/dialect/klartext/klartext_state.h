@@ -207,6 +207,7 @@ struct klartext {
 	bool cycle_in_full; /* CYCLE has been met, and was told */
 	bool comment_goes_on; /* '~' at the end of a comment */
 	bool tail_goes_on; /* the block before ends with a comment, and that with '~' */
+	bool skips, skips_next; /* a definition with '/' was left out: its parameters; the next line in any case */
 	bool behind_end; /* M2 or M30 has been met: only END PGM counts */
 	bool inch;
 	bool jumped; /* blocks are counted from the first jump on */
