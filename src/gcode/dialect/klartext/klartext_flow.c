@@ -59,8 +59,7 @@ static bool label_of_line(struct interp *interp, const char *text, char name[KLA
 	lexer.at = &at;
 	klartext_skip_head(&lexer, &slash);
 	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") &&
-	       lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) &&
-	       strcmp(name, "0") != 0;
+	       lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) && strcmp(name, "0") != 0;
 }
 
 static bool add_label(struct interp *interp, const char *name)
@@ -156,7 +155,8 @@ static bool ends_label(struct interp *interp, const char *text)
 
 	lexer.at = &at;
 	klartext_skip_head(&lexer, &slash);
-	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") && read_label(&lexer, name) && !strcmp(name, "0");
+	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") &&
+	       read_label(&lexer, name) && !strcmp(name, "0");
 }
 
 bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,
