@@ -24,7 +24,7 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
 	const struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
 					 .block = c->block, .block_time = c->block_time,
-					 .rank = (int)check->pair};
+					 .order = 2 * c->number, .rank = (int)check->pair};
 	struct contact contact;
 	enum pose_state state;
 
@@ -55,7 +55,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
 	struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
 					 .block = c->block, .block_time = c->block_time,
-					 .rank = (int)check->pair};
+					 .order = 2 * c->number, .rank = (int)check->pair};
 	struct contact contact;
 	enum query_answer answer = stock_pair_stand(check, &c->position, c->number, &contact);
 
@@ -75,50 +75,67 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	stock_pair_found(check, c->block);
 }
 
-void checker_at_rest(struct checker *c, bool tool_only, int move)
+/* What to look for at the current position. */
+struct rest_query {
+	int move;
+	bool tool_only;	/* only the pairs of the tool */
+	bool spindle_stops;	/* only cutters that must stay apart as soon as the spindle stands */
+	bool past_a_limit;
+};
+
+/* Is a pair looked at that is checked in these classes of steps, and was last found in this block? */
+static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
+			 bool past_limits_only, long found_block)
 {
-	bool past_a_limit = is_past_a_limit(c);
-	double start = checker_clock();
+	/* What has to stay apart while the spindle turns has just been looked at. */
+	if (query->spindle_stops)
+		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && found_block != c->block;
+	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
+}
 
-	if (!checker_owns(c, c->block))
-		return;
-	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off; i++) {
-		struct pair_check *check = &c->scheduler.checks[i];
+static void look_at_pair(struct checker *c, const struct rest_query *query, struct pair_check *check)
+{
+	if (pair_check_is_active(check, c->tool) &&
+	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->found_block))
+		check_pair_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
+}
 
-		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&
-		    pair_check_watches(check, STEP_RAPID) && (!tool_only || check->tool))
-			check_pair_at_rest(c, check, move, 0);
-	}
-	for (size_t i = 0; i < c->stock.pair_count && !checker_has_enough(c) && !c->broken_off; i++) {
-		struct stock_pair *check = &c->stock.pairs[i];
+static void look_at_stock(struct checker *c, const struct rest_query *query, struct stock_pair *check)
+{
+	if (stock_pair_is_active(check, c->tool) &&
+	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->found_block))
+		check_stock_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
+}
 
-		if ((!check->past_limits_only || past_a_limit) && stock_pair_is_active(check, c->tool) &&
-		    stock_pair_watches(check, STEP_RAPID) && (!tool_only || check->tool))
-			check_stock_at_rest(c, check, move, 0);
+/* Looks at all pairs in the order in which their findings are reported: a check may end with the first. */
+static void look(struct checker *c, const struct rest_query *query)
+{
+	const double start = checker_clock();
+	size_t i = 0, k = 0;
+
+	while ((i < c->scheduler.count || k < c->stock.pair_count) && !checker_has_enough(c) && !c->broken_off) {
+		if (k == c->stock.pair_count ||
+		    (i < c->scheduler.count && c->scheduler.checks[i].pair < c->stock.pairs[k].pair))
+			look_at_pair(c, query, &c->scheduler.checks[i++]);
+		else
+			look_at_stock(c, query, &c->stock.pairs[k++]);
 	}
 	c->stats->seconds_check += checker_clock() - start;
 }
 
+void checker_at_rest(struct checker *c, bool tool_only, int move)
+{
+	const struct rest_query query = {
+		.move = move, .tool_only = tool_only, .past_a_limit = is_past_a_limit(c)};
+
+	if (checker_owns(c, c->block))
+		look(c, &query);
+}
+
 void checker_spindle_stops(struct checker *c, int move)
 {
-	double start = checker_clock();
+	const struct rest_query query = {.move = move, .spindle_stops = true};
 
-	if (!checker_owns(c, c->block))
-		return;
-	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off; i++) {
-		struct pair_check *check = &c->scheduler.checks[i];
-
-		/* What has to stay apart while the spindle turns has just been looked at. */
-		if (pair_check_is_active(check, c->tool) && pair_check_watches(check, STEP_FEED_STANDING) &&
-		    !pair_check_watches(check, STEP_FEED_TURNING) && check->found_block != c->block)
-			check_pair_at_rest(c, check, move, STEP_FEED_STANDING);
-	}
-	for (size_t i = 0; i < c->stock.pair_count && !checker_has_enough(c) && !c->broken_off; i++) {
-		struct stock_pair *check = &c->stock.pairs[i];
-
-		if (stock_pair_is_active(check, c->tool) && stock_pair_watches(check, STEP_FEED_STANDING) &&
-		    !stock_pair_watches(check, STEP_FEED_TURNING) && check->found_block != c->block)
-			check_stock_at_rest(c, check, move, STEP_FEED_STANDING);
-	}
-	c->stats->seconds_check += checker_clock() - start;
+	if (checker_owns(c, c->block))
+		look(c, &query);
 }

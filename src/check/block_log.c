@@ -99,6 +99,8 @@ static int by_time(const void *left, const void *right)
 		return a->block < b->block ? -1 : 1;
 	if (a->finding.time < b->finding.time || a->finding.time > b->finding.time)
 		return a->finding.time < b->finding.time ? -1 : 1;
+	if (a->order != b->order)
+		return a->order < b->order ? -1 : 1;
 	return (a->rank > b->rank) - (a->rank < b->rank);
 }
 

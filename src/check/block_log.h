@@ -14,7 +14,12 @@ struct block_finding {
 	struct finding finding;
 	long block;	/* from 0 */
 	double block_time;	/* s of motion in the block before the finding */
-	int rank;	/* orders findings of one instant: -1 for a limit, else the number of the pair */
+	/*
+	 * Orders findings of one instant, as a check comes to them that ends with the first: 2 n where the axes stand
+	 * before step n, 2 n + 1 in that step, or in the move that begins with it.
+	 */
+	long order;
+	int rank;	/* orders those that have the same place there: -1 for a limit, else the number of the pair */
 };
 
 /* The clearance that a pair keeps in a part of a block. */

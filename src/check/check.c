@@ -43,6 +43,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 		},
 		.block = c->block,
 		.block_time = limit->block_time,
+		.order = 2 * c->number + 1,
 		.rank = -1,
 	};
 

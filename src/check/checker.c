@@ -119,7 +119,7 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	const struct block_finding at = {.finding.time = motion->time + since, .finding.certain = result->certain,
 					 .finding.stock_time = (double)step->number + result->contact.s,
 					 .block = step->block, .block_time = motion->block_time + since,
-					 .rank = (int)result->pair};
+					 .order = 2 * step->number + 1, .rank = (int)result->pair};
 
 	checker_add_finding(
 	    c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move, (int)motion->step_class,
