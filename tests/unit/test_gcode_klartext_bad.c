@@ -403,6 +403,9 @@ static const struct {
 	{"BEGIN PGM T MM\nL X+1 FMAX ; more ~\n Y+2\nEND PGM T MM\n",
 	 "p.nc:3:2: error: '~' behind the comment of the block before leaves open whether this line belongs to it: "
 	 "take the '~' away, or write it before the comment's ';' and without the comment"},
+	{"BEGIN PGM T MM\nL X+1 FMAX\n7 END PGM T MM\n\n; the next\n0 BEGIN PGM U MM\nL X+2 FMAX\nEND PGM U MM\n",
+	 "p.nc:6:1: error: another program begins behind END PGM, and the control reads none of it: give each program as "
+	 "a file of its own"},
 	{"BEGIN PGM T MM\nL X+1 FMAX\n", "p.nc:2: error: the file ends without END PGM: is it complete?"},
 	{"%T G71 *\nN10 G00 X+1*\n",
 	 "p.nc:1:1: error: this is a DIN/ISO program of the control (%NAME G71); only Klartext is supported"},

@@ -9,6 +9,7 @@
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_rest.h"
 #include "gcode/dialect/klartext/klartext_skip.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -445,7 +446,8 @@ bool klartext_flow_end(struct lexer *lexer)
 
 	if (klartext->behind_end || klartext->level == 0) {
 		interp->ended = true;
-		return klartext_comp_end(interp, 1) && motion_commands_spindle_stops(interp);
+		return klartext_comp_end(interp, 1) && motion_commands_spindle_stops(interp) &&
+		       klartext_rest_check(interp);
 	}
 	if (call->kind == KLARTEXT_LABEL)
 		return fault(lexer->at, 1, "the program ends inside of the subprogram %s: its LBL 0 is missing",
