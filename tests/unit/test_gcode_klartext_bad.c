@@ -436,6 +436,14 @@ START_TEST(all_faults)
 	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 18.0\n"));
 	ck_assert_uint_eq(c.diag.errors, 4);
 	case_release(&c);
+	/* What the setup lacks has no faults behind it: the label ends, and the speed is that of TOOL CALL. */
+	klartext_case(&c);
+	c.config.read.all_faults = true;
+	ck_assert(!klartext_run(&c, "TOOL CALL 9 Z S500\nCALL LBL 1\nM3\nL Z+5 FMAX\nCYCL DEF 207 X Q200=2 Q201=-5 Q239=1 Q203=+0 "
+				    "Q204=+5\nCYCL CALL\nM30\nLBL 1\n5 CYCL DEF 247 X ~\n Q339=7 ;N\nLBL 0\n"));
+	ck_assert_uint_eq(c.diag.errors, 2);
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:11:2: error: the setup defines no work offset G54.1 P7"));
+	case_release(&c);
 }
 END_TEST
 

@@ -451,7 +451,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 {
 	struct klartext_cycle *definition = &klartext_of(interp)->definition;
 	struct lexer lexer;
-	bool bare;
+	bool bare, good;
 
 	*done = true;
 	interp->moves = 0;
@@ -460,7 +460,11 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	if (!klartext_join(interp, begins_block))
 		return false;
 	lexer = klartext_lexer(interp);
-	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))
+	/* The line in hand is no part of a definition that is faulty: a label that it ends would be missed. */
+	good = end_definition(interp, &lexer);
+	if (!good && !interp->config->read.all_faults)
+		return false;
+	if (!take_line(&lexer, &bare) || !good)
 		return false;
 	klartext_of(interp)->synchronised &= interp->moves == 0;
 	definition->continued |= definition->open && definition->count > 0 && klartext_continues(interp->at.text);

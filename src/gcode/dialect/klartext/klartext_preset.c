@@ -63,6 +63,8 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	struct state *state = &interp->state;
 	const struct klartext_cycle_word *word = cycle->count ? &cycle->words[0] : NULL;
 	struct line_place at = klartext_frame_place(interp, cycle->line);
+	const struct line_place here = interp->at;
+	bool known;
 
 	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
 		return fault(&at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
@@ -73,8 +75,11 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	state->system = word->value > 0 ? SYSTEM_COUNT - 1 + (int)word->value : 0;
 	klartext->preset_settled = true;
 	klartext->preset_in_plane = klartext->frame.tilted;
-	return work_offset_use_require(interp, state->system, word->column) &&
-	       tool_length_offsets_changed(interp, word->column);
+	/* The line in hand may be the one behind the definition. */
+	interp->at = at;
+	known = work_offset_use_require(interp, state->system, word->column);
+	interp->at = here;
+	return known && tool_length_offsets_changed(interp, word->column);
 }
 
 bool klartext_preset_check_plane(struct interp *interp, int column)

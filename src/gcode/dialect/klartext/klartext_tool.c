@@ -320,24 +320,31 @@ static void take_feed(struct interp *interp, double feed)
 	interp->state.feed_angular = feed;
 }
 
+/* The tool, or the oversize of the one in the spindle. False: reported. */
+static bool take_tool(struct interp *interp, struct request *request)
+{
+	const bool gives_oversize = request->has_delta_length || request->has_delta_radius || request->oversize;
+
+	if (request->has_tool)
+		return change(interp, request);
+	if (gives_oversize)
+		return change_oversize(interp, request);
+	return !klartext_of(interp)->oversize ||
+	       fault(&interp->at, request->column,
+		     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts is "
+		     "not known here; write it, too");
+}
+
 bool klartext_tool_call(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	struct klartext *klartext = klartext_of(interp);
 	struct request request;
+	bool good;
 
 	if (!read_request(lexer, &request))
 		return false;
-	if (request.has_tool && !change(interp, &request))
-		return false;
-	if (!request.has_tool && (request.has_delta_length || request.has_delta_radius || request.oversize) &&
-	    !change_oversize(interp, &request))
-		return false;
-	if (!request.has_tool && !request.has_delta_length && !request.has_delta_radius && !request.oversize &&
-	    klartext->oversize)
-		return fault(lexer->at, request.column,
-			     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still "
-			     "counts is not known here; write it, too");
+	/* Speed and feed hold for the blocks behind a tool that the setup lacks, too: their own faults are looked for. */
+	good = take_tool(interp, &request);
 	if (request.has_speed) {
 		interp->state.speed = request.speed;
 		interp->state.speed_is_zero = !(request.speed > 0);
@@ -346,7 +353,7 @@ bool klartext_tool_call(struct lexer *lexer)
 		return fault(lexer->at, request.column, "a feed per revolution (FU, FZ) without a spindle speed (S)");
 	if (request.has_feed)
 		take_feed(interp, request.per_revolution ? request.feed * interp->state.speed : request.feed);
-	return true;
+	return good;
 }
 
 bool klartext_tool_m6(struct interp *interp, int column)
