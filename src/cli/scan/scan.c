@@ -6,6 +6,7 @@
 #include "cli/dialect_choice.h"
 #include "cli/scan/scan_codes.h"
 #include "cli/scan/scan_questions.h"
+#include "cli/scan/scan_setup.h"
 #include "cli/subcommand.h"
 #include "gcode/dialect/dialects.h"
 #include "report/format/format_units.h"
@@ -55,6 +56,7 @@ static bool find_dialect(const struct request *request, const struct operands *p
 struct scan {
 	struct scan_codes codes;
 	struct scan_questions *questions;
+	struct scan_setup setup;
 	size_t read;	/* programs that can be read to their ends */
 };
 
@@ -71,6 +73,7 @@ static bool scan_program(struct scan *scan, const char *name, struct diag *diag)
 	scan_codes_read(&scan->codes, in);
 	good = scan_questions_read(scan->questions, in, name, diag);
 	scan->read += good;
+	scan_setup_read(&scan->setup, scan_questions_config(scan->questions), in, name);
 	fclose(in);
 	return good;
 }
@@ -84,6 +87,8 @@ static bool write_all(struct scan *scan, size_t programs, const char *path, stru
 	scan_codes_add(&text, &scan->codes);
 	strbuf_addf(&text, "\nneeded in the machine file\tfirst needed by\n");
 	scan_questions_add(&text, scan->questions);
+	strbuf_addf(&text, "\nneeded in the setup\tfirst needed by\n");
+	scan_setup_add(&text, &scan->setup);
 	strbuf_addf(&text,
 		    "\n%zu of %zu %s can be read to the end in the %s dialect, with these answers\n",
 		    scan->read, programs, format_units_noun(programs, "program", "programs"),
@@ -111,6 +116,7 @@ static bool scan_all(const struct request *request, const struct operands *progr
 		good = scan_program(&scan, programs->items[i], diag) && good;
 	good = write_all(&scan, programs->count, request->output, diag) && good;
 	scan_questions_free(scan.questions);
+	scan_setup_release(&scan.setup);
 	scan_codes_release(&scan.codes);
 	return good;
 }

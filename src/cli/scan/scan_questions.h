@@ -23,6 +23,9 @@ void scan_questions_free(struct scan_questions *questions);
  */
 bool scan_questions_read(struct scan_questions *questions, FILE *in, const char *name, struct diag *diag);
 
+/* How programs are read with all answers that were taken so far. */
+const struct gcode_config *scan_questions_config(const struct scan_questions *questions);
+
 /* Appends a line for each question: what the machine file is to say, and where a program needs it first. */
 void scan_questions_add(struct strbuf *out, const struct scan_questions *questions);
 

@@ -34,8 +34,8 @@ bool klartext_rest_check(struct interp *interp)
 		klartext_skip_number(&lexer);
 		if (klartext_take(&lexer, "BEGIN") && klartext_take(&lexer, "PGM"))
 			return fault(&at, 1,
-				     "another program begins behind END PGM, and the control reads none of it: give each "
-				     "program as a file of its own");
+				     "another program begins behind END PGM, and the control reads none of it: give "
+				     "each program as a file of its own");
 		if (cautioned || says_nothing(&lexer))
 			continue;
 		caution(&at, 1, "text behind END PGM: the control reads none of it");

@@ -331,8 +331,8 @@ static bool take_tool(struct interp *interp, struct request *request)
 		return change_oversize(interp, request);
 	return !klartext_of(interp)->oversize ||
 	       fault(&interp->at, request->column,
-		     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts is "
-		     "not known here; write it, too");
+		     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts "
+		     "is not known here; write it, too");
 }
 
 bool klartext_tool_call(struct lexer *lexer)
@@ -343,7 +343,7 @@ bool klartext_tool_call(struct lexer *lexer)
 
 	if (!read_request(lexer, &request))
 		return false;
-	/* Speed and feed hold for the blocks behind a tool that the setup lacks, too: their own faults are looked for. */
+	/* They hold for the blocks behind a tool that the setup lacks, too, whose own faults are looked for. */
 	good = take_tool(interp, &request);
 	if (request.has_speed) {
 		interp->state.speed = request.speed;

@@ -1,0 +1,14 @@
+/* any_machine.h - programs are read for a machine that can do all that it is asked for. */
+#ifndef FIVECHECK_CLI_SCAN_ANY_MACHINE_H
+#define FIVECHECK_CLI_SCAN_ANY_MACHINE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/diag.h"
+#include "gcode/config.h"
+
+/* Reads the program from its beginning; nobody hears of its moves. False: it has faults, which were reported. */
+bool any_machine_read(const struct gcode_config *config, FILE *in, const char *name, struct diag *diag);
+
+#endif
