@@ -128,7 +128,7 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 	const struct rest_query query = {
 		.move = move, .tool_only = tool_only, .past_a_limit = is_past_a_limit(c)};
 
-	if (checker_owns(c, c->block))
+	if (checker_owns(c))
 		look(c, &query);
 }
 
@@ -136,6 +136,6 @@ void checker_spindle_stops(struct checker *c, int move)
 {
 	const struct rest_query query = {.move = move, .spindle_stops = true};
 
-	if (checker_owns(c, c->block))
+	if (checker_owns(c))
 		look(c, &query);
 }

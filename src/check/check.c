@@ -47,7 +47,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 		.rank = -1,
 	};
 
-	if (checker_has_enough(c) || !checker_owns(c, c->block))
+	if (checker_has_enough(c) || !checker_owns(c))
 		return;
 	block_log_add_finding(&c->log, &finding);
 	c->last = (struct place){limit->file, limit->line};
@@ -68,7 +68,7 @@ static void on_step(struct checker *c, const struct motion_step *step)
 	}
 	if (c->stock.tool_count && !checker_has_enough(c))
 		stock_check_log(&c->stock, step, c->number);
-	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c, c->block)) {
+	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c)) {
 		if (c->skipped) {
 			checker_settle(c);
 			if (c->stopped)
@@ -151,10 +151,11 @@ static void count_steps(struct checker *c, const struct motion_block *block)
 }
 
 /* Then a block that passes no limit is reported for nothing, and need not be kept. */
-static void pass_block(struct checker *c)
+static void pass_block(struct checker *c, const struct motion_block *block)
 {
-	c->stats->blocks_checked += checker_owns(c, c->block);
-	if (++c->block % BATCH_STEPS == 0)
+	c->stats->blocks_checked += checker_owns(c);
+	checker_end_block(c, block->seconds);
+	if (c->block % BATCH_STEPS == 0)
 		checker_process(c, NULL);
 	start_block(c);
 }
@@ -166,7 +167,7 @@ static void on_block(struct checker *c, const struct motion_block *block)
 					      .callers = block->callers, .caller_count = block->caller_count,
 					      .measured = true, .steps = c->steps};
 	struct block_record *record = block_log_complete(&c->log, &complete);
-	bool ours = checker_owns(c, c->block);
+	const bool ours = checker_owns(c);
 
 	if (c->options->record)
 		path_record_block(c->options->record, block->line, c->tool, &c->position);
@@ -176,9 +177,9 @@ static void on_block(struct checker *c, const struct motion_block *block)
 	if (checker_has_enough(c) || (c->limit_found && !c->options->all) || c->options->times)
 		checker_process(c, c->options->times ? record : NULL);
 	else if (c->batch.step_count >= BATCH_STEPS || c->log.open.block_count >= BATCH_STEPS ||
-		 (ours && !checker_owns(c, c->block + 1)))
+		 (ours && checker_ends_share(c, block->seconds)))
 		checker_begin(c);
-	c->block++;
+	checker_end_block(c, block->seconds);
 	start_block(c);
 }
 
@@ -211,7 +212,7 @@ static bool on_event(void *context, const struct motion_event *event)
 		if (c->counts_steps)
 			count_steps(c, &event->of.block);
 		if (c->counts_steps && !c->limit_found)
-			pass_block(c);
+			pass_block(c, &event->of.block);
 		else
 			on_block(c, &event->of.block);
 		break;

@@ -51,11 +51,25 @@ bool checker_has_enough(const struct checker *c)
 	return c->found && !c->options->all;
 }
 
-bool checker_owns(const struct checker *c, long block)
+bool checker_owns(const struct checker *c)
 {
 	const struct check_options *options = c->options;
 
-	return options->shards < 2 || (block / SHARE_BLOCKS) % options->shards == options->shard - 1;
+	return options->shards < 2 || c->share % options->shards == options->shard - 1;
+}
+
+bool checker_ends_share(const struct checker *c, double seconds)
+{
+	return c->options->shards > 1 && c->share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;
+}
+
+void checker_end_block(struct checker *c, double seconds)
+{
+	const bool ends = checker_ends_share(c, seconds);
+
+	c->block++;
+	c->share += ends;
+	c->share_blocks = ends ? 0 : c->share_blocks + 1;
 }
 
 /* --------------------------------------------------------------- findings */

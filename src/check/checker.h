@@ -85,6 +85,7 @@ struct checker {
 	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
 	long block;	/* number of the block that is being read */
+	long share, share_blocks;	/* the share of the blocks that it belongs to; how many of it were read */
 	int tool;
 	bool moved;
 	bool failed;	/* something was not checked, or not decided at a standstill, and that was reported */
@@ -123,8 +124,17 @@ bool checker_goes_on(struct checker *c);
 /* Is the first finding known, so that nothing later needs to be checked? Never with options->all. */
 bool checker_has_enough(const struct checker *c);
 
-/* Does this shard check the block? */
-bool checker_owns(const struct checker *c, long block);
+/* Does this shard check the block that is being read? */
+bool checker_owns(const struct checker *c);
+
+/*
+ * Is the block that was read, which moved the axes for so many seconds, the last one of a share? Only a block that
+ * moves is: then the time tells the order of findings in two shares, which merge relies on.
+ */
+bool checker_ends_share(const struct checker *c, double seconds);
+
+/* Goes on to the next block. */
+void checker_end_block(struct checker *c, double seconds);
 
 /*
  * Adds a finding in the move with this number, in a step of this class (0: the axes stand). `tolerance`: the control

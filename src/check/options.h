@@ -23,7 +23,10 @@ enum check_method {
 /* About four minutes on a processor of 2020. Steps of real programs take a thousandth of that. */
 #define CHECK_EFFORT 1000000000L
 
-/* If shards share one program, they take turns: each checks this many blocks, then the next shard does. */
+/*
+ * If shards share one program, they take turns: each checks this many blocks, or more up to one that moves an axis, then
+ * the next shard does.
+ */
 enum { SHARE_BLOCKS = 1024 };
 
 struct check_options {

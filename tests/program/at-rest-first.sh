@@ -32,3 +32,21 @@ sed 's|<setup |<setup initial_tool="1" |; s|</setup>|<tool number="1" length="30
 	<cutter><section length="10" diameter="4"/></cutter></tool></setup>|' s.xml >tool.xml
 findings -s tool.xml stock.xml p.nc
 findings --all -s tool.xml stock.xml p.nc | head -n 1
+# Of one long program the last block of the second of two shards is a tool change after which the holder stands in a post.
+# The next block, of the first shard, begins with the same contact at the same time.
+box post -20 -20 0 20 20 90
+box high -20 -20 100 20 20 150
+sed 's|<body name="near".*|<body name="post" mesh="post.stl"/>|; s|<body name="deep".*||
+	s|<body name="head".*|<body name="head" mesh="high.stl"/><spindle location="0 0 100" direction="0 0 -1"/>|' m.xml >long.xml
+setup long-setup.xml <<'XML'
+  <tool number="1" length="60"><holder><section length="60" diameter="10"/></holder></tool>
+XML
+awk 'BEGIN { print "G0 Z5"; for (i = 1; i < 2047; i++) print "G1 F1000 X" i % 2; print "T1 M6\nG1 X0.5 Z4\nG1 X0" }' >long.nc
+for all in '' --all; do
+	findings $all -s long-setup.xml long.xml long.nc
+	for k in 1 2; do
+		fivecheck -q $all --shard=$k/2 -f ndjson=shard$k.json -s long-setup.xml long.xml long.nc 2>shard$k
+	done
+	fivecheck merge -o joined.json shard1.json shard2.json
+	jq -r 'select(.fraction) | "joined: \(.kind) line \(.line)"' joined.json
+done

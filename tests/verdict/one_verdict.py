@@ -40,6 +40,9 @@ AROUND_MM = 0.3
 STOCK_BLOCKS = 40
 STOCK_TOLERANCE = 2
 
+# Blocks of a share, where shards share a program.
+SHARE = 1024
+
 # Options that take long.
 COSTLY = ("--clearance", "--report", "--glb", "--picture")
 
@@ -77,6 +80,7 @@ class Case:
     tip = False  # the program guides the tool's tip
     stock = False  # the setup has a blank, which the program cuts
     rapids = 0.05  # the share of the blocks that are rapids
+    changes_tool = False  # at the end of a share of the blocks the tool is put in anew
 
     def __init__(self, seed, number, folder, most=5000, with_stock=False):
         self.random = random.Random(f"{seed} {number}")
@@ -176,7 +180,8 @@ class Case:
                      f'<cutter tip="{r.choice(["flat", "ball"])}"><section length="30" diameter="12"/></cutter></tool>'
                      f'{self.second_tool(reach, holder)}</setup>\n')
             self.prologue = "T1 M6\n" + ("M3 S1000\n" if self.stock else r.choice(["", "M3 S1000\n"]))
-            if r.random() < 0.4:
+            self.changes_tool = not self.stock and r.random() < 0.5
+            if r.random() < 0.4 and not self.changes_tool:
                 self.prologue += "G43.4 H1\n"
                 self.tip, reach = True, 0
         self.save(tree, setup=setup)
@@ -245,6 +250,9 @@ class Case:
             lines.append(f"G64 P{self.tolerance_on_path}")
         for number, (kind, retreat, at, winds) in enumerate(self.blocks):
             lines.extend(filter(None, [self.between.get(number)]))
+            # The tool is changed in the last of the blocks, some of which stand in one line of the list.
+            if self.changes_tool and len(lines) + lines[0].count("\n") == 2 * SHARE - 1:
+                lines.append(self.prologue.strip())
             words = "".join(f" {axis}{value + (360 if winds and axis == 'C' and self.wrap == 'shortest' else 0):.5f}"
                             for axis, value in at.items())
             # The way of a rapid that is not straight is not known where the tip is guided.
