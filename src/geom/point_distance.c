@@ -14,58 +14,62 @@ static vec3 from_segment(vec3 p, vec3 a, vec3 b)
 	return vec3_mad(to, -smaller(larger(s, 0), 1), along);
 }
 
-/* Sines of angles below this are lost in the rounding of a cross product: the normal may then point anywhere. */
+/* Sines of angles below this are lost in the rounding of a cross product. */
 #define LEAST_SINE 1e-6
 
-/* Is the foot of p in the triangle's plane beyond the side? */
-static bool is_beyond(vec3 p, vec3 from, vec3 to, vec3 normal)
+/* The shortest of the ways from the three sides to p. */
+static vec3 from_sides(vec3 p, const vec3 corner[3])
 {
-	return vec3_dot(vec3_cross(vec3_sub(to, from), vec3_sub(p, from)), normal) < 0;
+	vec3 least = from_segment(p, corner[0], corner[1]);
+
+	for (int k = 1; k < 3; k++) {
+		const vec3 other = from_segment(p, corner[k], corner[(k + 1) % 3]);
+
+		least = vec3_norm2(other) < vec3_norm2(least) ? other : least;
+	}
+	return least;
 }
 
 /*
- * The nearest point is in the plane's foot if that is inside all three sides, else on a side beyond which the foot is.
- * A square that is not below `limit` is of no use: any such may be given.
+ * From p's nearest point of the triangle to p. The products along two sides tell what that point lies on: a corner, a
+ * side, or the middle (Ericson, Real-Time Collision Detection, 5.1.5). Whatever rounding makes of them, the point that
+ * is chosen belongs to the triangle.
  */
-static double triangle_distance2(vec3 p, const mesh_triangle *t, double limit)
+static vec3 from_triangle(vec3 p, const mesh_triangle *t)
 {
 	const vec3 corner[3] = {mesh_corner(t, 0), mesh_corner(t, 1), mesh_corner(t, 2)};
 	const vec3 ab = vec3_sub(corner[1], corner[0]), ac = vec3_sub(corner[2], corner[0]);
-	const vec3 normal = vec3_cross(ab, ac);
-	const double size2 = vec3_norm2(normal), height = vec3_dot(vec3_sub(p, corner[0]), normal);
-	const bool flat = size2 > LEAST_SINE * LEAST_SINE * vec3_norm2(ab) * vec3_norm2(ac);
-	double least = INFINITY;
-	bool inside = size2 > 0;
+	const vec3 to_a = vec3_sub(p, corner[0]), to_b = vec3_sub(p, corner[1]), to_c = vec3_sub(p, corner[2]);
+	const double ab_a = vec3_dot(ab, to_a), ac_a = vec3_dot(ac, to_a);
+	const double ab_b = vec3_dot(ab, to_b), ac_b = vec3_dot(ac, to_b);
+	const double ab_c = vec3_dot(ab, to_c), ac_c = vec3_dot(ac, to_c);
+	double of_a, of_b, of_c, sum;
 
-	if (flat && height * height >= limit * size2)
-		return INFINITY;
-	for (int k = 0; k < 3; k++) {
-		const vec3 from = corner[k], to = corner[(k + 1) % 3];
-		const bool beyond = is_beyond(p, from, to, normal);
-
-		inside &= !beyond;
-		if (beyond || !flat)
-			least = smaller(least, vec3_norm2(from_segment(p, from, to)));
-	}
-	return inside ? height * height / size2 : least;
+	if (ab_a <= 0 && ac_a <= 0)
+		return to_a;
+	if (ab_b >= 0 && ac_b <= ab_b)
+		return to_b;
+	if (ac_c >= 0 && ab_c <= ac_c)
+		return to_c;
+	of_c = ab_a * ac_b - ab_b * ac_a;
+	if (of_c <= 0 && ab_a >= 0 && ab_b <= 0)
+		return from_segment(p, corner[0], corner[1]);
+	of_b = ab_c * ac_a - ab_a * ac_c;
+	if (of_b <= 0 && ac_a >= 0 && ac_c <= 0)
+		return from_segment(p, corner[0], corner[2]);
+	of_a = ab_b * ac_c - ab_c * ac_b;
+	if (of_a <= 0 && ac_b >= ab_b && ab_c >= ac_c)
+		return from_segment(p, corner[1], corner[2]);
+	/* The square of twice the area. */
+	sum = of_a + of_b + of_c;
+	if (!(sum > LEAST_SINE * LEAST_SINE * vec3_norm2(ab) * vec3_norm2(ac)))
+		return from_sides(p, corner);
+	return vec3_mad(vec3_mad(to_a, -of_b / sum, ab), -of_c / sum, ac);
 }
 
-/* The point of the triangle that is nearest to p, as triangle_distance2 sees it. */
-static vec3 triangle_nearest_point(vec3 p, const mesh_triangle *t)
+static double triangle_distance2(vec3 p, const mesh_triangle *t)
 {
-	const vec3 corner[3] = {mesh_corner(t, 0), mesh_corner(t, 1), mesh_corner(t, 2)};
-	const vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
-	const double size2 = vec3_norm2(normal), height = vec3_dot(vec3_sub(p, corner[0]), normal);
-	vec3 least = from_segment(p, corner[0], corner[1]);
-	bool inside = size2 > 0;
-
-	for (int k = 0; k < 3; k++) {
-		const vec3 from = corner[k], to = corner[(k + 1) % 3], other = from_segment(p, from, to);
-
-		inside &= !is_beyond(p, from, to, normal);
-		least = vec3_norm2(other) < vec3_norm2(least) ? other : least;
-	}
-	return inside ? vec3_mad(p, -height / size2, normal) : vec3_sub(p, least);
+	return vec3_norm2(from_triangle(p, t));
 }
 
 struct search {
@@ -101,7 +105,7 @@ static struct search search_of(const struct bvh *bvh, vec3 point, double best, d
 
 static void try_triangle(struct search *search, uint32_t triangle)
 {
-	double distance = triangle_distance2(search->point, &search->bvh->mesh.triangles[triangle], search->best);
+	double distance = triangle_distance2(search->point, &search->bvh->mesh.triangles[triangle]);
 
 	if (!(distance < search->best))
 		return;
@@ -158,7 +162,7 @@ double mesh_point_distance(const struct bvh *bvh, vec3 point)
 
 double triangle_point_distance(const mesh_triangle *triangle, vec3 point)
 {
-	return sqrt(triangle_distance2(point, triangle, INFINITY));
+	return sqrt(triangle_distance2(point, triangle));
 }
 
 bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, double enough,
@@ -174,7 +178,7 @@ bool mesh_nearest_triangle(const struct bvh *bvh, vec3 point, double within, dou
 	*nearest = (struct nearest_triangle){
 		.distance = sqrt(search.best),
 		.triangle = search.triangle,
-		.at = triangle_nearest_point(point, &bvh->mesh.triangles[search.triangle]),
+		.at = vec3_sub(point, from_triangle(point, &bvh->mesh.triangles[search.triangle])),
 	};
 	return true;
 }

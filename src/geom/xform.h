@@ -2,7 +2,10 @@
 #ifndef FIVECHECK_GEOM_XFORM_H
 #define FIVECHECK_GEOM_XFORM_H
 
+#include <stdbool.h>
+
 #include "base/math/math_functions.h"
+#include "base/same_double.h"
 #include "geom/vec3.h"
 
 /* By columns: the images of the unit vectors. */
@@ -19,6 +22,16 @@ typedef struct xform {
 static inline mat3 mat3_identity(void)
 {
 	return (mat3){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+}
+
+static inline bool mat3_is_identity(const mat3 *m)
+{
+	const double off[6] = {m->x.y, m->x.z, m->y.x, m->y.z, m->z.x, m->z.y};
+
+	for (int i = 0; i < 6; i++)
+		if (!same_double(off[i], 0))
+			return false;
+	return same_double(m->x.x, 1) && same_double(m->y.y, 1) && same_double(m->z.z, 1);
 }
 
 static inline vec3 mat3_apply(const mat3 *m, vec3 p)
@@ -53,6 +66,12 @@ static inline vec3 xform_apply(const xform *t, vec3 p)
 static inline xform xform_mul(const xform *a, const xform *b)
 {
 	return (xform){mat3_mul(&a->rotation, &b->rotation), xform_apply(a, b->translation)};
+}
+
+/* The same of an `a` that may be known to turn nothing: then its rotation is not looked at. */
+static inline xform xform_mul_turned(const xform *a, bool turned, const xform *b)
+{
+	return turned ? xform_mul(a, b) : (xform){b->rotation, vec3_add(b->translation, a->translation)};
 }
 
 static inline xform xform_inverse(const xform *t)

@@ -43,18 +43,23 @@ void chain_init(struct chain *chain, const struct machine *machine, int fixed, i
 xform chain_pose(const struct chain *chain, const axis_values *q)
 {
 	xform pose = xform_identity();
+	bool turned = false;
 
 	for (size_t i = 0; i < chain->count; i++) {
 		const struct joint *joint = &chain->joints[i];
-		double value = q->v[joint->slot];
-		xform turn;
+		const double value = q->v[joint->slot];
 
-		if (!joint->rotary) {
-			pose.translation = xform_apply(&pose, vec3_scale(value, joint->direction));
-			continue;
+		if (joint->rotary) {
+			const xform turn = xform_turn(joint->location, joint->direction, value);
+
+			pose = xform_mul_turned(&pose, turned, &turn);
+			turned = true;
+		} else {
+			const vec3 way = vec3_scale(value, joint->direction);
+
+			pose.translation =
+			    vec3_add(turned ? mat3_apply(&pose.rotation, way) : way, pose.translation);
 		}
-		turn = xform_turn(joint->location, joint->direction, value);
-		pose = i ? xform_mul(&pose, &turn) : turn;
 	}
 	return pose;
 }

@@ -18,6 +18,7 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		      const struct ball *fixed, const struct ball *moved)
 {
 	xform motions[SLOT_COUNT];	/* of linear joints the translation alone */
+	bool turned = false;
 	vec3 at;
 
 	state->pose = xform_identity();
@@ -27,17 +28,22 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		double value = q->v[joint->slot];
 		xform back;
 
-		state->direction[i] = mat3_apply(&state->pose.rotation, joint->direction);
+		state->direction[i] =
+		    turned ? mat3_apply(&state->pose.rotation, joint->direction) : joint->direction;
 		if (!joint->rotary) {
-			motions[i].translation = vec3_scale(value, joint->direction);
-			state->pose.translation = xform_apply(&state->pose, motions[i].translation);
+			const vec3 way = vec3_scale(value, joint->direction);
+
+			motions[i].translation = way;
+			state->pose.translation = vec3_add(turned ? mat3_apply(&state->pose.rotation, way) : way,
+							   state->pose.translation);
 			state->rho[1][i] = 0;
 			at = vec3_sub(at, motions[i].translation);
 			continue;
 		}
 		motions[i] = xform_turn(joint->location, joint->direction, value);
 		state->location[i] = xform_apply(&state->pose, joint->location);
-		state->pose = xform_mul(&state->pose, &motions[i]);
+		state->pose = xform_mul_turned(&state->pose, turned, &motions[i]);
+		turned = true;
 		state->rho[1][i] = distance_to_axis(joint, at) + fixed->radius;
 		back = xform_inverse(&motions[i]);
 		at = xform_apply(&back, at);

@@ -19,6 +19,7 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 		.place_a = *place_a,
 		.to_a = xform_inverse(place_a),
 		.place_b = *place_b,
+		.turned = {!mat3_is_identity(&place_a->rotation), !mat3_is_identity(&place_b->rotation)},
 		.chain = chain,
 		.ball_a = ball_around(a, place_a),
 		.ball_b = ball_around(b, place_b),
@@ -27,11 +28,23 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 	};
 }
 
+/* b's mesh coordinates in a's; `pose` is that of B's link in A's. */
 static xform mesh_pose(const struct body_pair *pair, const xform *pose)
 {
-	const xform of_b = xform_mul(pose, &pair->place_b);
+	const xform of_b = body_pair_place_b(pair, pose);
 
-	return xform_mul(&pair->to_a, &of_b);
+	return body_pair_in_a(pair, &of_b);
+}
+
+xform body_pair_place_b(const struct body_pair *pair, const xform *pose)
+{
+	return pair->turned[1] ? xform_mul(pose, &pair->place_b)
+			       : (xform){pose->rotation, xform_apply(pose, pair->place_b.translation)};
+}
+
+xform body_pair_in_a(const struct body_pair *pair, const xform *place)
+{
+	return xform_mul_turned(&pair->to_a, pair->turned[0], place);
 }
 
 xform body_pair_pose(const struct body_pair *pair, const axis_values *q)

@@ -23,6 +23,7 @@ struct body_pair {
 	const struct bvh *a, *b;
 	xform place_a, place_b;	/* mesh -> machine coordinates at the zero pose */
 	xform to_a;	/* the inverse of place_a */
+	bool turned[2];	/* A, B: the place turns the mesh */
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double rounding;	/* mm: both meshes' together */
@@ -33,6 +34,12 @@ struct body_pair {
 
 void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bvh *b, const xform *place_a,
 		    const xform *place_b, const struct chain *chain);
+
+/* The place of b's mesh in the coordinates of A's link, where B's link has the pose. */
+xform body_pair_place_b(const struct body_pair *pair, const xform *pose);
+
+/* The place of b's mesh in a's mesh coordinates, where it has the place in those of A's link. */
+xform body_pair_in_a(const struct body_pair *pair, const xform *place);
 
 /* b's mesh coordinates in a's when the axes stand at q. */
 xform body_pair_pose(const struct body_pair *pair, const axis_values *q);

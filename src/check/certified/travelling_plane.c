@@ -11,7 +11,8 @@ void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, co
 {
 	const struct chain *chain = bodies->chain;
 	xform at = xform_identity(), in_a;
-	double turned = 0;
+	double angle = 0;
+	bool turned = false;
 
 	pose->bodies = bodies;
 	pose->q = *q;
@@ -20,24 +21,25 @@ void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, co
 		const struct joint *joint = &chain->joints[i];
 		const double value = q->v[joint->slot];
 
-		pose->direction[i] = mat3_apply(&at.rotation, joint->direction);
+		pose->direction[i] = turned ? mat3_apply(&at.rotation, joint->direction) : joint->direction;
 		pose->location[i] = at.translation;
 		if (joint->rotary) {
 			const xform turn = xform_turn(joint->location, joint->direction, value);
 
 			pose->location[i] = xform_apply(&at, joint->location);
-			at = i ? xform_mul(&at, &turn) : turn;
+			at = xform_mul_turned(&at, turned, &turn);
+			turned = true;
 			/* As in body_pair_rounding. */
-			turned += fabs(value);
+			angle += fabs(value);
 		} else {
 			at.translation = vec3_mad(at.translation, value, pose->direction[i]);
 		}
 		pose->turned[i + 1] = at.rotation;
 	}
 	pose->places[0] = bodies->place_a;
-	pose->places[1] = xform_mul(&at, &bodies->place_b);
-	in_a = xform_mul(&bodies->to_a, &pose->places[1]);
-	pose->slack = POSE_ROUNDING * (1 + turned / 64);
+	pose->places[1] = body_pair_place_b(bodies, &at);
+	in_a = body_pair_in_a(bodies, &pose->places[1]);
+	pose->slack = POSE_ROUNDING * (1 + angle / 64);
 	pose->rounding = body_pair_rounding(bodies, q, in_a.translation);
 }
 
@@ -131,10 +133,10 @@ double plane_motion_path(const struct plane_motion *motion, const struct body_pa
 	return box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
 }
 
-/* mm: how much smaller joint i makes the gap, to first order; below 0: larger. */
-static double first_order(const struct travelling_plane *plane, size_t i, double dq)
+/* mm: by how much joint i makes the gap larger at least, to first order, at dq from where it was measured. */
+static inline double first_order(const struct travelling_plane *plane, size_t i, double dq)
 {
-	return -smaller(dq * plane->low[i], dq * plane->high[i]);
+	return smaller(dq * plane->low[i], dq * plane->high[i]);
 }
 
 /* The sum of one body's joints, outward from the link. */
@@ -158,36 +160,32 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 			     const struct plane_motion *motion, double beyond)
 {
 	struct second_order of_a = {0, 0}, of_b = {0, 0};
-	double way[SLOT_COUNT], lost[2] = {0, 0}, separate = 0, off = 0, size = 0, first;
+	double ways[SLOT_COUNT], at0 = 0, at1 = 0, separate = 0, off = 0, size = 0, first;
 
 	for (size_t i = 0; i < chain->count; i++) {
 		const int slot = chain->joints[i].slot;
 		const double dq0 = motion->q0.v[slot] - plane->at[i], dq1 = motion->q1.v[slot] - plane->at[i];
-		const double lost0 = first_order(plane, i, dq0), lost1 = first_order(plane, i, dq1);
+		const double more0 = first_order(plane, i, dq0), more1 = first_order(plane, i, dq1);
+		const double error = motion->chord_error.v[slot];
 
-		lost[0] += lost0;
-		lost[1] += lost1;
-		separate += larger(lost0, lost1);
-		way[i] = larger(fabs(dq0), fabs(dq1));
+		at0 += more0;
+		at1 += more1;
+		separate += smaller(more0, more1);
+		ways[i] = larger(fabs(dq0), fabs(dq1)) + error;
+		off += plane->rate[i] * error;
+		size += plane->rate[i] * ways[i];
 	}
 	/*
-	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums
-	 * above are good to some dozen units in the last place of the numbers in them.
+	 * The first-order part is concave in the joints, so a straight motion has the least at one of its ends. The
+	 * sums above are good to some dozen units in the last place of the numbers in them.
 	 */
-	first = plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate);
+	first = plane->gap + (motion->straight ? smaller(at0, at1) : separate);
 	if (!(first > beyond))
 		return -INFINITY;
-	for (size_t i = 0; i < chain->count; i++) {
-		const double error = motion->chord_error.v[chain->joints[i].slot];
-
-		way[i] += error;
-		off += plane->rate[i] * error;
-		size += plane->rate[i] * way[i];
-	}
 	for (size_t i = plane->link; i-- > 0;)
-		add_joint(&of_a, plane, i, chain->joints[i].rotary, way[i]);
+		add_joint(&of_a, plane, i, chain->joints[i].rotary, ways[i]);
 	for (size_t i = plane->link; i < chain->count; i++)
-		add_joint(&of_b, plane, i, chain->joints[i].rotary, way[i]);
+		add_joint(&of_b, plane, i, chain->joints[i].rotary, ways[i]);
 	return first - (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;
 }
 
