@@ -114,14 +114,15 @@ static void try_triangle(struct search *search, uint32_t triangle)
 	search->triangle = triangle;
 }
 
-/* The nearest child that is open. */
+/* The nearest child that is open; one is. */
 static int nearest_of(unsigned open, const float near2[BVH_WIDTH])
 {
-	int nearest = 0;
+	int nearest = __builtin_ctz(open);
 
-	for (int lane = 1; open >> lane; lane++) {
-		if ((open >> lane & 1) && (!(open >> nearest & 1) || near2[lane] < near2[nearest]))
-			nearest = lane;
+	for (open &= open - 1; open; open &= open - 1) {
+		const int lane = __builtin_ctz(open);
+
+		nearest = near2[lane] < near2[nearest] ? lane : nearest;
 	}
 	return nearest;
 }
