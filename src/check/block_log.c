@@ -26,7 +26,7 @@ void block_log_release(struct block_log *log)
 	block_page_release(&log->page);
 	free(log->findings);
 	free(log->clearances);
-	free(log->chains);
+	free(log->runs);
 	free(log->out);
 	*log = (struct block_log){0};
 }
@@ -158,22 +158,16 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 	block_log_add_expected(log, block, *least);
 }
 
-/* Chains the clearances of each complete block, in the order in which they came. */
-static void chain_clearances(struct block_log *log)
+/* Cuts the clearances into runs, in the order in which they came. */
+static void find_runs(struct block_log *log)
 {
-	log->chains = mem_grow(log->chains, &log->chain_capacity, log->page.block_count, sizeof(*log->chains));
-	memset(log->chains, 0, log->page.block_count * sizeof(*log->chains));
+	log->run_count = 0;
 	for (size_t i = 0; i < log->clearance_count; i++) {
-		struct block_pair_clearance *clearance = &log->clearances[i];
-		const long k = clearance->block - log->page.blocks[0].block;
-		struct clearance_chain *chain;
-
-		if (k < 0 || k >= (long)log->page.block_count)
-			continue;
-		chain = &log->chains[k];
-		*(chain->last ? &log->clearances[chain->last - 1].next : &chain->first) = i + 1;
-		chain->last = i + 1;
-		clearance->next = 0;
+		if (!i || log->clearances[i].block < log->clearances[i - 1].block) {
+			log->runs = mem_grow(log->runs, &log->run_capacity, log->run_count + 1, sizeof(*log->runs));
+			log->runs[log->run_count++].next = i;
+		}
+		log->runs[log->run_count - 1].end = i + 1;
 	}
 }
 
@@ -197,13 +191,27 @@ static size_t put_in(struct block_log *log, size_t count, const struct pair_clea
 	return count + 1;
 }
 
+/* The same; as a rule the pair comes behind the others. */
+static inline size_t add_to_out(struct block_log *log, size_t count, const struct pair_clearance *least)
+{
+	if (count == log->out_capacity || (count && log->out[count - 1].pair >= least->pair))
+		return put_in(log, count, least);
+	log->out[count] = *least;
+	return count + 1;
+}
+
 /* Collects the clearances of one block in log->out. Each pair gets one: its smallest. */
-static size_t gather(struct block_log *log, const struct clearance_chain *chain)
+static size_t gather(struct block_log *log, long block)
 {
 	size_t count = 0;
 
-	for (size_t i = chain->first; i; i = log->clearances[i - 1].next)
-		count = put_in(log, count, &log->clearances[i - 1].least);
+	for (size_t i = 0; i < log->run_count; i++) {
+		struct clearance_run *run = &log->runs[i];
+
+		for (; run->next < run->end && log->clearances[run->next].block <= block; run->next++)
+			if (log->clearances[run->next].block == block)
+				count = add_to_out(log, count, &log->clearances[run->next].least);
+	}
 	return count;
 }
 
@@ -211,10 +219,10 @@ void block_log_measured(struct block_log *log, long last, const struct check_sin
 {
 	if (!log->page.block_count)
 		return;
-	chain_clearances(log);
+	find_runs(log);
 	for (size_t i = 0; i < log->page.block_count && log->page.blocks[i].block <= last; i++) {
 		const struct block_record *block = &log->page.blocks[i];
-		size_t count = gather(log, &log->chains[i]);
+		size_t count = gather(log, block->block);
 		struct check_block out = {
 			.file = block->file, .line = block->line, .number = block->block + 1,
 			.seconds = block->seconds, .steps = block->steps, .interpret = block->interpret,

@@ -26,12 +26,11 @@ struct block_finding {
 struct block_pair_clearance {
 	long block;
 	struct pair_clearance least;
-	size_t next;	/* 1 + the index of the next one in the same block; 0: it is the last one */
 };
 
-/* 1 + the indices of the first and the last clearance of one block; 0: it has none. */
-struct clearance_chain {
-	size_t first, last;
+/* Clearances in a row of which no later one is of an earlier block, as a rule those of one pair in a batch. */
+struct clearance_run {
+	size_t next, end;	/* indices: of the first one that was not handed over, and behind the last one */
 };
 
 /* A complete block. */
@@ -66,8 +65,8 @@ struct block_log {
 	/* in any order; a pair may have several in one block: the least counts */
 	struct block_pair_clearance *clearances;
 	size_t clearance_count, clearance_capacity;
-	struct clearance_chain *chains;	/* of each complete block, while they are handed over */
-	size_t chain_capacity;
+	struct clearance_run *runs;	/* all clearances, while they are handed over */
+	size_t run_count, run_capacity;
 	struct pair_clearance *out;	/* the clearances of one block while it is handed over */
 	size_t out_capacity;
 };

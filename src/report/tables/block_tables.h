@@ -24,6 +24,7 @@ struct pair_fields {
 /* All zero is none. */
 struct block_tables {
 	struct output clearance, timing;
+	struct strbuf rows;	/* of clearances, not written yet */
 	struct strbuf row, place;	/* of the present row and block */
 	double cap;	/* mm: in the rows' ends that are written already */
 	struct table_names names;	/* of the last block */
