@@ -255,13 +255,12 @@ static double carry_cell(struct plane_cells *cells, struct plane_search *search,
 double plane_cells_carry_whole(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			       double needed, const vec3 *along)
 {
-	struct plane_search search = {
-		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
+	struct plane_search search;
 	double rest;
 
 	if (!cells->cell_count || !cells->cells[0].count)
 		return -INFINITY;
-	plane_pose_init(&search.pose, cells->bodies, q);
+	plane_search_init(&search, cells->bodies, q, motion, needed, &cells->visits);
 	rest = carry_cell(cells, &search, &cells->cells[0], along);
 	/* The next search looks at the whole bodies first. */
 	if (rest > 0)
@@ -279,13 +278,12 @@ double plane_cells_gap_of_whole(const struct plane_cells *cells)
 double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			       double needed)
 {
-	struct plane_search search = {
-		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
+	struct plane_search search;
 	double least = INFINITY;
 
 	if (!cells->cell_count || !cells->cells[0].divided)
 		return -INFINITY;
-	plane_pose_init(&search.pose, cells->bodies, q);
+	plane_search_init(&search, cells->bodies, q, motion, needed, &cells->visits);
 	for (size_t i = 1; i < cells->cell_count && least > 0; i++) {
 		struct plane_cell *cell = &cells->cells[i];
 		double rest;
@@ -379,8 +377,7 @@ static bool renew_whole(struct plane_cells *cells, struct plane_search *search)
 bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			double needed)
 {
-	struct plane_search search = {
-		.bodies = cells->bodies, .motion = motion, .needed = needed, .visits = &cells->visits};
+	struct plane_search search;
 	const struct body_pair *bodies = cells->bodies;
 
 	if (chain_is_rigid(bodies->chain))
@@ -392,7 +389,7 @@ bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const s
 		}
 		add_cell(cells, 0, 1);
 	}
-	plane_pose_init(&search.pose, bodies, q);
+	plane_search_init(&search, bodies, q, motion, needed, &cells->visits);
 	if (renew_whole(cells, &search))
 		return true;
 	if (!cells->cells[0].divided)

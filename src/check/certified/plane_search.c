@@ -21,6 +21,21 @@
 #define GAP_SHARE 0x1p-4
 #define APART_SHARE 0x1p-6
 
+/* Member by member: the poses and the plane are large, and mostly not used. */
+void plane_search_init(struct plane_search *search, const struct body_pair *bodies, const axis_values *q,
+		       const struct plane_motion *motion, double needed, long *visits)
+{
+	search->bodies = bodies;
+	search->motion = motion;
+	search->needed = needed;
+	search->visits = visits;
+	plane_pose_init(&search->pose, bodies, q);
+	search->has_end[0] = search->has_end[1] = false;
+	search->apart = 0;
+	search->life = -1;
+	search->held = false;
+}
+
 /* Keeps the plane with normal n that travels with the link, if it lasts longer than the best one. */
 static void try_plane(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n, size_t link,
 		      double gap)

@@ -22,7 +22,7 @@ struct kept_plane {
 	bool rings[2];	/* A, B: the profile was measured in place of the part */
 };
 
-/* The caller fills in what comes before the first empty line, and makes the pose; the rest is 0. Borrows everything. */
+/* Borrows everything. What comes behind the empty line is only set where it is said to be. */
 struct plane_search {
 	const struct body_pair *bodies;
 	const struct plane_motion *motion;
@@ -37,6 +37,10 @@ struct plane_search {
 	double life;	/* of the best plane: how many motions like this one it lasts; below 0: there is none */
 	bool held;	/* the best plane's gaps at both ends prove the motion, even if it does not last for one */
 };
+
+/* Planes are measured with the axes at q. */
+void plane_search_init(struct plane_search *search, const struct body_pair *bodies, const axis_values *q,
+		       const struct plane_motion *motion, double needed, long *visits);
 
 /*
  * Does a plane prove the motion? It is search->best. False: there may be one that does for a part of the motion: then
