@@ -83,7 +83,7 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose)
 
 /* Replaces one of the triangles by one that is nearer to the other's point. False: none is. */
 static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, struct near_pair *near, double enough,
-		    bool exactly, long *visits)
+		    long *visits)
 {
 	const struct bvh *bvh = of_a ? pair->a : pair->b;
 	const vec3 point = of_a ? near->on_b : in_b(pose, near->on_a);
@@ -93,7 +93,7 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 		return false;
 	*(of_a ? &pair->coherence->near_a : &pair->coherence->near_b) = nearest.triangle;
 	pair->coherence->points.a_replaced = of_a;
-	if (exactly && nearest.distance > enough) {
+	if (nearest.distance > enough) {
 		*near = measure(pair, pose);
 		return true;
 	}
@@ -109,12 +109,12 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 
 /* The same of either. The one that was replaced last is tried first: as a rule it is the one that moves sideways. */
 static bool replace_either(const struct body_pair *pair, const xform *pose, struct near_pair *near, double enough,
-			   bool exactly, long *visits)
+			   long *visits)
 {
 	const bool first = pair->coherence->points.a_replaced;
-	const bool nearer = replace(pair, pose, first, near, enough, exactly, visits);
+	const bool nearer = replace(pair, pose, first, near, enough, visits);
 
-	return (near->distance > enough && replace(pair, pose, !first, near, enough, exactly, visits)) || nearer;
+	return (near->distance > enough && replace(pair, pose, !first, near, enough, visits)) || nearer;
 }
 
 /* Measures the points anew. False: they are nearly where they were, or were new. */
@@ -135,7 +135,7 @@ static double improve(const struct body_pair *pair, const xform *pose, double en
 	struct near_pair near = recall(pair, pose);
 
 	for (int round = 0; round < rounds && near.distance > enough; round++)
-		if (!replace_either(pair, pose, &near, enough, rounds > 1, visits) &&
+		if (!replace_either(pair, pose, &near, enough, visits) &&
 		    (rounds == 1 || !renew_points(pair, pose, &near)))
 			break;
 	if (near.is_new)
