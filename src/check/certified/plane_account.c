@@ -50,6 +50,11 @@ bool plane_account_allows_halves(struct plane_account *account)
 	return allows(account, &account->halves);
 }
 
+bool plane_account_allows_parts(struct plane_account *account)
+{
+	return allows(account, &account->parts);
+}
+
 static void add_credit(struct plane_account *account, double visits)
 {
 	account->credit = smaller(account->credit + visits, CREDIT_MAX);
@@ -104,4 +109,10 @@ void plane_account_add_chunk(struct plane_account *account, bool proved)
 void plane_account_add_halves(struct plane_account *account, bool proved)
 {
 	learn(&account->halves, proved);
+}
+
+void plane_account_add_parts(struct plane_account *account, bool proved)
+{
+	learn(&account->parts, proved);
+	account->parts.idle /= 2;
 }

@@ -18,7 +18,7 @@ struct plane_account {
 	 */
 	struct plane_pause {
 		int idle, backoff;
-	} chunks, halves, carried;
+	} chunks, halves, carried, parts;
 };
 
 /* nodes: what the first search has to look at besides. */
@@ -45,5 +45,9 @@ void plane_account_add_carried(struct plane_account *account, long visits, bool 
 
 void plane_account_add_chunk(struct plane_account *account, bool proved);
 void plane_account_add_halves(struct plane_account *account, bool proved);
+
+/* The same where a step is measured: after one search in vain the next one is tried all the same. */
+bool plane_account_allows_parts(struct plane_account *account);
+void plane_account_add_parts(struct plane_account *account, bool proved);
 
 #endif

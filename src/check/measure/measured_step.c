@@ -332,6 +332,22 @@ static double carry_planes(struct measured_pair *pair, struct sweep *sweep, stru
 	return kept;
 }
 
+/*
+ * The same with new planes and halves, where kept ones are not enough. As long as that fails, fewer and fewer steps are
+ * tried: between curved bodies that are nested it costs several times as much as the queries that follow.
+ */
+static bool parts_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
+			const struct plane_motion *motion, double kept)
+{
+	bool proved;
+
+	if (WITH_PLANES && !plane_account_allows_parts(&pair->account))
+		return false;
+	proved = planes_prove(pair, sweep, measured, motion, kept, WITH_PLANES ? HALVINGS : 0);
+	plane_account_add_parts(&pair->account, proved);
+	return proved;
+}
+
 bool measured_step_by_planes(struct measured_step *measured, struct measured_pair *pair, struct sweep *sweep)
 {
 	const struct motion_step *step = measured->step;
@@ -347,7 +363,7 @@ bool measured_step_by_planes(struct measured_step *measured, struct measured_pai
 	pair->is_near = !(kept > pair->bound);
 	if (!(kept > measured->wanted))
 		kept = carry_planes(pair, sweep, measured, &motion, kept);
-	if (!planes_prove(pair, sweep, measured, &motion, kept, WITH_PLANES ? HALVINGS : 0))
+	if (!(kept > measured->wanted) && !parts_prove(pair, sweep, measured, &motion, kept))
 		return false;
 	wanted = measured->wanted;
 	if (pair->accuracy == CLEARANCE_SHARP)
