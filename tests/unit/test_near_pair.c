@@ -87,6 +87,41 @@ START_TEST(nearest_above_a_triangle)
 }
 END_TEST
 
+/* A triangle whose corners lie nearly or exactly on one line, from which rounding takes its normal. */
+START_TEST(nearest_to_a_sliver)
+{
+	const long cases = random_cases(2000);
+
+	for (long n = 0; n < cases; n++) {
+		struct random random = random_case(4, n);
+		const xform place = random_place(&random, 20);
+		const double length = random_size(&random, 0.1, 100), along = random_in(&random, -0.5, 1.5) * length;
+		const double width = n % 4 ? length * random_size(&random, 1e-9, 1e-2) : 0;
+		const vec3 corners[3] = {{0, 0, 0}, {length, 0, 0}, {n % 5 ? along : 0, width, 0}};
+		struct mesh mesh = {0};
+		struct nearest_triangle nearest;
+		struct bvh *bvh;
+		double least;
+		vec3 point;
+		long visits = 0;
+
+		solid_add(&mesh, xform_apply(&place, corners[0]), xform_apply(&place, corners[1]),
+			  xform_apply(&place, corners[2]));
+		bvh = bvh_new(&mesh);
+		point = vec3_add(place.translation, random_place(&random, 100).translation);
+		least = to_triangle(bvh, 0, point);
+		require(mesh_nearest_triangle(bvh, point, 1e4, 0, &nearest, &visits), "case %ld: none", n);
+		require(fabs(nearest.distance - least) < 1e-6 * (1 + length), "case %ld: %.12g mm, not %.12g", n,
+			nearest.distance, least);
+		require(nearest.distance > least - 1e-9, "case %ld: %.12g mm, but it is %.12g away", n,
+			nearest.distance, least);
+		require(fabs(vec3_norm(vec3_sub(nearest.at, point)) - nearest.distance) < 1e-9,
+			"case %ld: another point", n);
+		bvh_free(bvh);
+	}
+}
+END_TEST
+
 /* A body that stands still and another that moves in x, y and z beside it. */
 static void duo_beside(struct duo *duo, struct random *random)
 {
@@ -148,6 +183,7 @@ int main(void)
 
 	tcase_add_test(tcase, nearest_to_a_point);
 	tcase_add_test(tcase, nearest_above_a_triangle);
+	tcase_add_test(tcase, nearest_to_a_sliver);
 	tcase_add_test(tcase, near_each_other);
 	return run_suite("near_pair", tcase);
 }

@@ -21,7 +21,6 @@
 #define GAP_SHARE 0x1p-4
 #define APART_SHARE 0x1p-6
 
-/* Member by member: the poses and the plane are large, and mostly not used. */
 void plane_search_init(struct plane_search *search, const struct body_pair *bodies, const axis_values *q,
 		       const struct plane_motion *motion, double needed, long *visits)
 {

@@ -22,14 +22,13 @@ struct kept_plane {
 	bool rings[2];	/* A, B: the profile was measured in place of the part */
 };
 
-/* Borrows everything. What comes behind the empty line is only set where it is said to be. */
+/* plane_search_init fills it in, but `ends` and `best`: those are large, and a search may not use them. Borrows all. */
 struct plane_search {
 	const struct body_pair *bodies;
 	const struct plane_motion *motion;
 	double needed;	/* mm: the plane must leave a larger gap throughout the motion */
 	long *visits;	/* counts the node pairs that the search is worth */
 	struct plane_pose pose;	/* where planes are measured */
-
 	struct plane_pose ends[2];	/* of a straight motion, once they are asked for */
 	bool has_end[2];
 	double apart;	/* mm: by how much more than needed the shapes are apart, about; 0: not known */
