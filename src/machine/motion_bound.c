@@ -69,11 +69,15 @@ double linear_displacement(const struct chain *chain, size_t first, size_t last,
 	double square = 0;
 
 	for (size_t i = first; i < last; i++) {
-		for (size_t j = first; j < last; j++) {
-			const struct joint *a = &chain->joints[i], *b = &chain->joints[j];
+		const struct joint *a = &chain->joints[i];
+		double along = 0.5 * amount->v[a->slot] * vec3_norm2(a->direction);
 
-			square += amount->v[a->slot] * amount->v[b->slot] * fabs(vec3_dot(a->direction, b->direction));
+		for (size_t j = i + 1; j < last; j++) {
+			const struct joint *b = &chain->joints[j];
+
+			along += amount->v[b->slot] * fabs(vec3_dot(a->direction, b->direction));
 		}
+		square += 2 * amount->v[a->slot] * along;
 	}
 	return sqrt(square);
 }
