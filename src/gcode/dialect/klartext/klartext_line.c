@@ -418,8 +418,6 @@ static bool end_definition(struct interp *interp, const struct lexer *before)
 	struct klartext_cycle *definition = &klartext_of(interp)->definition;
 	bool numbered, slash;
 
-	if (!definition->open)
-		return true;
 	numbered = klartext_skip_head(&lexer, &slash);
 	if (klartext_ends(&lexer) || klartext_define_goes_on(&lexer, numbered))
 		return true;
@@ -461,7 +459,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 		return false;
 	lexer = klartext_lexer(interp);
 	/* The line in hand is no part of a definition that is faulty: a label that it ends would be missed. */
-	good = end_definition(interp, &lexer);
+	good = !definition->open || end_definition(interp, &lexer);
 	if (!good && !interp->config->read.all_faults)
 		return false;
 	if (!take_line(&lexer, &bare) || !good)
