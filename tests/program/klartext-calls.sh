@@ -73,3 +73,16 @@ status fivecheck --parse-only --max-blocks=1000 k.xml p.h
 printf 'G0 X1\nM30\n' >g.nc
 status fivecheck --parse-only k.xml g.nc
 status fivecheck --parse-only m.xml p.h
+
+# Names in upper or lower case are one file; folders that differ may be two files, of which only one is here.
+printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0 F1000\n2 END PGM SUB MM\n' >sub.h
+program w.h <<'NC'
+0 BEGIN PGM P MM
+1 CALL PGM TNC:\A\sub.h
+2 CALL PGM a\SUB.H
+3 CALL PGM Sub
+4 END PGM P MM
+NC
+fivecheck --dump-path k.xml w.h | cut -f 1,4-6
+sed -i 's/^3 .*/3 CALL PGM TNC:\\B\\SUB.H/' w.h
+status fivecheck --parse-only k.xml w.h

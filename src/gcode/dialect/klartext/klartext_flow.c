@@ -7,6 +7,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_folder.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_rest.h"
@@ -316,26 +317,6 @@ static bool call_label(struct lexer *lexer)
 	return enter(interp, KLARTEXT_LABEL, title, &label->body, column);
 }
 
-bool klartext_flow_find_file(struct interp *interp, const char *name, const char *const endings[3], int column,
-			     struct source **source)
-{
-	const char *bare = name;
-
-	for (const char *at = name; *at; at++) {
-		if (*at == '\\' || *at == '/' || *at == ':')
-			bare = at + 1;
-	}
-	*source = NULL;
-	for (size_t i = 0; i < 3 && !*source && *bare; i++) {
-		char file[KLARTEXT_NAME + 4];
-
-		snprintf(file, sizeof(file), "%s%s", bare, endings[i]);
-		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
-			return false;
-	}
-	return true;
-}
-
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column)
 {
 	static const char *const endings[] = {"", ".h", ".H"};
@@ -345,7 +326,7 @@ bool klartext_flow_call_program(struct interp *interp, const char *name, int col
 	if (klartext_comp_is_selected(interp))
 		return fault(&interp->at, column,
 			     "CALL PGM under radius compensation is not supported; R0 comes first");
-	if (!klartext_flow_find_file(interp, name, endings, column, &source))
+	if (!klartext_folder_find(interp, name, endings, column, &source))
 		return false;
 	if (!source)
 		return klartext_builder_program_run(interp, name, column);

@@ -32,13 +32,6 @@ bool klartext_flow_select(struct lexer *lexer);
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
 
 /*
- * The file of a name, without the folders of the control, as it stands or with one of the endings; *source is NULL if
- * there is none. False: reported at the column.
- */
-bool klartext_flow_find_file(struct interp *interp, const char *name, const char *const endings[3], int column,
-			     struct source **source);
-
-/*
  * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The program goes on
  * where it is. False: reported, or a call returned false.
  */

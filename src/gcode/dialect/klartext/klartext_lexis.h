@@ -16,6 +16,11 @@ static inline char klartext_upper(char byte)
 	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
 }
 
+static inline char klartext_lower(char byte)
+{
+	return byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
+}
+
 /* A lexer for the line in hand, whose context is the interpreter. */
 struct lexer klartext_lexer(struct interp *interp);
 

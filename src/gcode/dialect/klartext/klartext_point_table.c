@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/same_double.h"
-#include "gcode/dialect/klartext/klartext_flow.h"
+#include "gcode/dialect/klartext/klartext_folder.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_string.h"
@@ -188,7 +188,7 @@ bool klartext_point_table_select(struct lexer *lexer)
 	char name[KLARTEXT_NAME];
 
 	if (!klartext_string_name(lexer, "a point table's name", name) || !klartext_expect_end(lexer) ||
-	    !klartext_flow_find_file(interp, name, endings, column, &source))
+	    !klartext_folder_find(interp, name, endings, column, &source))
 		return false;
 	if (!source || source == interp->program.source)
 		return fault(lexer->at, column, "there is no file of the point table %s", name);

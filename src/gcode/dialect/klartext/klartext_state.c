@@ -20,6 +20,7 @@ void klartext_state_free(void *state)
 
 	labels_release(&klartext->labels);
 	strbuf_release(&klartext->line);
+	strbuf_release(&klartext->folders);
 	strbuf_release(&klartext->joined);
 	strbuf_release(&klartext->corner.path_text);
 	strbuf_release(&klartext->corner.text);

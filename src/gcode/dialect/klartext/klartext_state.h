@@ -226,6 +226,7 @@ struct klartext {
 	char cycle_program[KLARTEXT_NAME]; /* of CYCL DEF 12 */
 	char table[KLARTEXT_NAME]; /* of SEL TABLE */
 	struct strbuf line; /* the line in hand, while others are read */
+	struct strbuf folders; /* in which the files that were called lie */
 	struct strbuf joined; /* a block or a formula of several lines */
 	/* Tools. */
 	bool change_pending; /* TOOL CALL was the last block: M6 belongs to it */

@@ -1,0 +1,16 @@
+/* klartext_folder.h - the files that programs call, which are looked for by their names without folders. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FOLDER_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FOLDER_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_state.h"
+
+/*
+ * The file of a name, without the folders of the control, as it stands or with one of the endings; *source is NULL if
+ * there is none. False: reported at the column.
+ */
+bool klartext_folder_find(struct interp *interp, const char *name, const char *const endings[3], int column,
+			  struct source **source);
+
+#endif
