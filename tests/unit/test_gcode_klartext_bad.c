@@ -99,9 +99,6 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 FMAX M104\n",
 	 "p.nc:2:12: error: M104: the datum that was set last is not supported; select the datum by CYCL DEF 247, CYCL "
 	 "DEF 7 or TRANS DATUM"},
-	{"L X+1 FMAX M143\n",
-	 "p.nc:2:12: error: M143: erasing of the basic rotation is not supported; leave it out where the setup's presets "
-	 "have no basic rotation"},
 	{"FOO X+1\n",
 	 "p.nc:2:1: error: FOO is no block of this control"},
 	{"L X+1 FMAX HELLO\n",

@@ -32,7 +32,8 @@ enum m_action {
 	M_REDUCE,
 	M_LOOK_AHEAD,
 	M_PER_REVOLUTION,
-	M_PER_MINUTE
+	M_PER_MINUTE,
+	M_UNROTATE
 };
 
 /* What those do that are read; the others are refused or ignored (klartext_codes.c). */
@@ -49,7 +50,7 @@ static enum m_action action_of(int number)
 	    {99, M_CALL},	 {126, M_SHORTEST},  {127, M_PLAIN},
 	    {120, M_LOOK_AHEAD}, {128, M_TCP_START}, {129, M_TCP_STOP},
 	    {138, M_TILT_AXES},	 {140, M_RETRACT},   {136, M_PER_REVOLUTION},
-	    {137, M_PER_MINUTE},
+	    {137, M_PER_MINUTE}, {143, M_UNROTATE},
 	};
 
 	for (size_t i = 0; i < sizeof(actions) / sizeof(actions[0]); i++) {
@@ -70,8 +71,6 @@ static const char *instead_of(int number)
 		return "write M128, or give the positions of the axes without it";
 	case 130:
 		return "write PLANE RESET before this block, or give the positions of the axes with M91";
-	case 143:
-		return "leave it out where the setup's presets have no basic rotation";
 	default:
 		return NULL;
 	}
@@ -272,6 +271,11 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	case M_PER_REVOLUTION:
 	case M_PER_MINUTE:
 		klartext_of(interp)->per_revolution = action == M_PER_REVOLUTION;
+		return true;
+	case M_UNROTATE:
+		caution(&interp->at, m->column,
+			"M143 erases the basic rotation of the preset: the setup's presets have none, and the blocks "
+			"before are read without one, too");
 		return true;
 	case M_TILT_AXES:
 		return select_axes(interp, m);
