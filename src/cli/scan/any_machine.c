@@ -1,7 +1,10 @@
 #include "cli/scan/any_machine.h"
 
+#include <math.h>
+
 #include "gcode/interp.h"
 #include "gcode/kinematics.h"
+#include "geom/tolerance.h"
 #include "geom/xform.h"
 
 static bool hear_nothing(void *context, const struct canon_event *event)
@@ -37,6 +40,9 @@ static bool orientations(void *context, struct srcloc loc, const struct kinemati
 	*solutions = (struct kinematics_solutions){.count = 1, .primary = SLOT_A};
 	solutions->items[0].rotary = orientation->rotary;
 	solutions->items[0].within_limits = true;
+	/* On most machines the tool points along C where it stands upright: what the control does then is asked. */
+	solutions->items[0].free[SLOT_C] =
+	    fabs(orientation->direction.x) + fabs(orientation->direction.y) <= DIRECTION_REACHED;
 	return true;
 }
 
@@ -55,7 +61,7 @@ static bool turn(void *context, struct srcloc loc, struct kinematics_turn *found
 {
 	(void)context;
 	(void)loc;
-	found->turn = mat3_identity();
+	found->turn = mat3_turn((vec3){0, 0, 1}, found->rotary.v[SLOT_C] - found->rotary_zero.v[SLOT_C]);
 	found->tool = (vec3){0, 0, 1};
 	return true;
 }
