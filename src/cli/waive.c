@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "cli/report_date.h"
 #include "cli/subcommand.h"
 #include "machine/waivers.h"
 #include "report/ndjson_run.h"
@@ -38,6 +39,19 @@ static const struct subcommand subcommand = {
 	.option_count = WAIVE_OPTION_COUNT,
 };
 
+/* False: reported. A waiver that has expired would accept nothing. */
+static bool is_to_come(const char *until, struct diag *diag)
+{
+	char today[DATE_SIZE];
+
+	if (!report_date_get(today, diag))
+		return false;
+	if (strcmp(until, today) >= 0)
+		return true;
+	diag_error(diag, nowhere, "--until: %s has passed (today is %s in UTC)", until, today);
+	return false;
+}
+
 /* False: reported. */
 static bool check(const struct request *request, const struct operands *operands, struct diag *diag)
 {
@@ -50,7 +64,7 @@ static bool check(const struct request *request, const struct operands *operands
 	else if (!waivers_is_date(request->until))
 		diag_error(diag, nowhere, "--until: '%s' is not a day like 2026-12-31", request->until);
 	else
-		return true;
+		return is_to_come(request->until, diag);
 	return false;
 }
 

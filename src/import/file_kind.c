@@ -146,10 +146,9 @@ static const char *advice(const char *path, const struct file_bytes *file)
 		       "package .p21 files, which can be imported";
 	if (file_signature_advice(text, file->count))
 		return file_signature_advice(text, file->count);
-	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file, a "
-	       "machine of FreeCAD (.fcm), MTConnect or URDF; a tool library of VERICUT or Fusion 360 (JSON), a "
-	       "catalogue (DIN 4000, ISO 13399), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or a "
-	       "mesh (OBJ, PLY, 3MF, glTF)";
+	return "import does not know this format. It reads machines (VERICUT 7 .mch and .VcProject, ini files, FreeCAD "
+	       ".fcm, MTConnect, URDF), tools (VERICUT .tls, Fusion 360 .json, DIN 4000, ISO 13399, CSV, tool.tbl), "
+	       "offset listings (G10) and meshes (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

@@ -58,6 +58,7 @@ done
 echo "usage:"
 for options in '' 'run.json' '--reason=r run.json' '--until=2026-06-30 run.json' '--reason= --until=2026-06-30 run.json' \
 	'--reason=r --until=2026-02-30 run.json' '--reason=r --until=tomorrow run.json' \
+	'--reason=r --until=2025-12-30 run.json' \
 	'--reason=r --until=2026-06-30 run.json run.json' '--reson=r'; do
 	# shellcheck disable=SC2086 # words, on purpose
 	fivecheck waive $options 2>&1 | head -n 1
