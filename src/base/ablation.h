@@ -1,6 +1,6 @@
 /*
- * ablation.h - parts of the proof that only save time, each of which can be left out of a build (make
- * CPPFLAGS=-DFIVECHECK_WITHOUT_...) so that the benchmark can measure what it is worth. Verdicts stay as sound without.
+ * ablation.h - parts of the proof that only save time. Each can be left out of a build (make
+ * CPPFLAGS=-DFIVECHECK_WITHOUT_...) so that the benchmark can measure its gain. Verdicts stay sound without them.
  */
 #ifndef FIVECHECK_BASE_ABLATION_H
 #define FIVECHECK_BASE_ABLATION_H
@@ -8,13 +8,13 @@
 #ifdef FIVECHECK_WITHOUT_BUDGET
 enum { WITH_BUDGET = 0 };
 #else
-enum { WITH_BUDGET = 1 };	/* a proven distance is spent over later steps */
+enum { WITH_BUDGET = 1 };	/* a proven distance covers later steps */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_KEPT_BUDGETS
 enum { WITH_KEPT_BUDGETS = 0 };
 #else
-enum { WITH_KEPT_BUDGETS = 1 };	/* and kept for when the axes come back */
+enum { WITH_KEPT_BUDGETS = 1 };	/* and is kept in case the axes return */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_CHUNKS
@@ -38,7 +38,7 @@ enum { WITH_PLANES = 1 };	/* planes that travel with a link keep parts of the bo
 #ifdef FIVECHECK_WITHOUT_PROFILES
 enum { WITH_PROFILES = 0 };
 #else
-enum { WITH_PROFILES = 1 };	/* and keep what a body that turns about its joint's axis passes apart */
+enum { WITH_PROFILES = 1 };	/* also of bodies of revolution that a turning body sweeps */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_SIMD
@@ -56,7 +56,7 @@ enum { WITH_CACHED_AXES = 1 };	/* the axes that separated last are tried first *
 #ifdef FIVECHECK_WITHOUT_SUPPORTS
 enum { WITH_SUPPORTS = 0 };
 #else
-enum { WITH_SUPPORTS = 1 };	/* and tell whole branches apart by how far their triangles reach */
+enum { WITH_SUPPORTS = 1 };	/* and prove whole branches apart by their support functions */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_INTERPOLATED_AXES
@@ -68,7 +68,7 @@ enum { WITH_INTERPOLATED_AXES = 1 };	/* an axis may turn along with the motion *
 #ifdef FIVECHECK_WITHOUT_SECOND_ORDER
 enum { WITH_SECOND_ORDER = 0 };
 #else
-/* How far a path leaves its chord is bounded by its curvature, not by half its length. */
+/* The distance of a path from its chord is bounded by its curvature, not by half its length. */
 enum { WITH_SECOND_ORDER = 1 };
 #endif
 

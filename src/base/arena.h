@@ -1,4 +1,4 @@
-/* arena.h - storage that is filled piece by piece and freed whole. */
+/* arena.h - storage that grows piece by piece and is freed as a whole. */
 #ifndef FIVECHECK_BASE_ARENA_H
 #define FIVECHECK_BASE_ARENA_H
 
@@ -20,7 +20,7 @@ void *arena_alloc(struct arena *arena, size_t size);
 void *arena_copy(struct arena *arena, const void *bytes, size_t size);
 char *arena_strdup(struct arena *arena, const char *text);
 
-/* Empties the arena and keeps its storage for what comes next. */
+/* Empties the arena and keeps its storage for later use. */
 void arena_clear(struct arena *arena);
 
 /* Frees everything; the arena is then empty and can be used again. */

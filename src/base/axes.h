@@ -9,7 +9,7 @@ enum axis_slot { SLOT_X, SLOT_Y, SLOT_Z, SLOT_A, SLOT_B, SLOT_C, SLOT_U, SLOT_V,
 
 #define AXIS_LETTERS "XYZABCUVW"
 
-/* One value a slot; the slots that a machine lacks stay 0. */
+/* One value for each slot; the slots that a machine does not have stay 0. */
 typedef struct axis_values {
 	double v[SLOT_COUNT];
 } axis_values;
@@ -19,7 +19,7 @@ static inline bool slot_is_rotary(int slot)
 	return slot >= SLOT_A && slot <= SLOT_C;
 }
 
-/* The share s of the straight way from a to b. */
+/* The point at the share s of the straight line from a to b. */
 static inline axis_values axis_values_between(const axis_values *a, const axis_values *b, double s)
 {
 	axis_values q;

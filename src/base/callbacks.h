@@ -1,10 +1,10 @@
-/* callbacks.h - what long work asks and tells its caller on the way. */
+/* callbacks.h - callbacks of long work to its caller. */
 #ifndef FIVECHECK_BASE_CALLBACKS_H
 #define FIVECHECK_BASE_CALLBACKS_H
 
 #include <stdbool.h>
 
-/* Called with each file that a program opens besides its own, once a program and file, from any thread. */
+/* Called for each file that a program opens besides its own, once for each program and file, from any thread. */
 typedef void file_opened_fn(void *context, const char *path);
 
 struct file_opened {
@@ -12,7 +12,7 @@ struct file_opened {
 	file_opened_fn *call;
 };
 
-/* Is the work under way to be given up? Called from any thread; once the answer is yes it stays yes. */
+/* Should the present work be given up? Called from any thread; after the first yes the answer stays yes. */
 typedef bool cancel_fn(void *context);
 
 struct cancel {

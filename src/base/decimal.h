@@ -6,9 +6,8 @@
 #include <stddef.h>
 
 /*
- * Reads [+-]digits[.digits][e[+-]digits], with a digit before the exponent, whatever the locale:
- * the double nearest to it, infinite where it is too large. The word is followed
- * by a white space or a NUL. False when it is anything else.
+ * Reads [+-]digits[.digits][e[+-]digits], with a digit before the exponent, independent of the locale, as the nearest
+ * double; infinite if it is too large. White space or a NUL follows the word. False if it is anything else.
  */
 bool decimal_read(const char *word, size_t length, double *value);
 

@@ -1,4 +1,4 @@
-/* diag.h - what is wrong with the input, and where: every layer reports here, only cli prints. */
+/* diag.h - errors, warnings and notes about the input, with their places: every layer reports here, only cli prints. */
 #ifndef FIVECHECK_BASE_DIAG_H
 #define FIVECHECK_BASE_DIAG_H
 
@@ -7,9 +7,9 @@
 
 #include "base/strbuf.h"
 
-/* A place in a file. Lines and columns count from 1; 0 means that only the rest is known. */
+/* A place in a file. Lines and columns count from 1; 0 means not known. */
 struct srcloc {
-	const char *file;	/* as the user named it; NULL: no file is to blame */
+	const char *file;	/* as the user named it; NULL: no file */
 	long line;
 	int column;	/* in bytes */
 };
@@ -24,8 +24,8 @@ struct diag_entry {
 };
 
 /*
- * Counts what is reported and hands each entry on at once, so that nothing
- * piles up while a long program streams. The entry lives during the call only.
+ * Counts the entries and passes each one on immediately, so that nothing accumulates while a long program streams. An
+ * entry is valid only during the call.
  */
 struct diag {
 	void (*handle)(void *context, const struct diag_entry *entry);	/* NULL: only count */
@@ -34,7 +34,7 @@ struct diag {
 	size_t warnings;
 };
 
-/* Faults are rare: what only reports one stays out of the code that runs for every block. */
+/* Errors are rare: code that only reports one stays out of the code that runs for every block. */
 #define DIAG_REPORTS __attribute__((cold, format(printf, 3, 4)))
 
 void diag_error(struct diag *diag, struct srcloc loc, const char *format, ...) DIAG_REPORTS;
@@ -45,7 +45,7 @@ void diag_note(struct diag *diag, struct srcloc loc, const char *format, ...) DI
 void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc loc, const char *excerpt,
 		 const char *format, va_list args) __attribute__((format(printf, 5, 0)));
 
-/* Hands an entry on as if it had been reported to `diag`. */
+/* Passes on an entry as if it had been reported to `diag`. */
 void diag_pass(struct diag *diag, const struct diag_entry *entry);
 
 /*

@@ -1,4 +1,4 @@
-/* diag_queue.h - diagnostics that wait until it is known whether, or when, they are to be told. */
+/* diag_queue.h - diagnostics that wait until it is known whether, or when, to report them. */
 #ifndef FIVECHECK_BASE_DIAG_QUEUE_H
 #define FIVECHECK_BASE_DIAG_QUEUE_H
 
@@ -8,10 +8,10 @@
 
 struct queued_diag;
 
-/* Give `diag` to whoever reports. Not to be moved after diag_queue_init. */
+/* Report to `diag`. Not to be moved after diag_queue_init. */
 struct diag_queue {
 	struct diag diag;
-	long mark;	/* what is reported gets this number: the NC block that is being read, or 0 */
+	long mark;	/* the number of new entries: the NC block being read, or 0 */
 	struct queued_diag *items;
 	size_t count, capacity;
 };
@@ -19,7 +19,7 @@ struct diag_queue {
 void diag_queue_init(struct diag_queue *queue);
 void diag_queue_release(struct diag_queue *queue);
 
-/* Hands on to `out` what was reported with a mark up to `last`, and keeps the rest. */
+/* Passes the entries with a mark up to `last` on to `out`, and keeps the rest. */
 void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last);
 
 #endif

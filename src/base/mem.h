@@ -1,13 +1,12 @@
-/* mem.h - allocation that cannot fail: out of memory ends the program, here and nowhere else. */
+/* mem.h - allocation that cannot fail: out of memory ends the program, only here. */
 #ifndef FIVECHECK_BASE_MEM_H
 #define FIVECHECK_BASE_MEM_H
 
 #include <stddef.h>
 
 /*
- * Like malloc, calloc, realloc and strndup, but never NULL: on exhaustion, or
- * when count * size overflows, they say so on standard error and leave with
- * exit status 3. Free with free().
+ * Like malloc, calloc, realloc and strndup, but never NULL: if memory is exhausted, or count * size overflows, they
+ * print an error and exit with status 3. Free with free().
  */
 void *mem_alloc(size_t size);
 void *mem_zalloc(size_t count, size_t size);
@@ -15,13 +14,13 @@ void *mem_realloc(void *block, size_t count, size_t size);
 char *mem_strndup(const char *text, size_t length);
 
 /*
- * For main, before any other thread starts: freed memory is kept for what is allocated next, and what a thread has to
- * allocate from grows by megabytes. As the C library comes (glibc), that of all threads but the first one grows page by
- * page, by system calls during which the other threads cannot get pages either.
+ * For main, before any other thread starts: freed memory is kept for later allocations, and the heap of a thread grows
+ * by megabytes. By default (glibc) the heaps of all threads but the first grow page by page, by system calls during
+ * which the other threads cannot get pages either.
  */
 void mem_keep_freed(void);
 
-/* Says so and leaves, for what allocates by itself and has failed. */
+/* Prints the error and exits, for code with its own allocation that has failed. */
 _Noreturn void mem_exhausted(void);
 
 /*

@@ -1,4 +1,4 @@
-/* minmax.h - fmin and fmax for numbers that are no NaN: two instructions instead of a call. */
+/* minmax.h - fmin and fmax for numbers that are not NaN: two instructions instead of a call. */
 #ifndef FIVECHECK_BASE_MINMAX_H
 #define FIVECHECK_BASE_MINMAX_H
 

@@ -5,9 +5,8 @@
 #include <stdbool.h>
 
 /*
- * Neither is NaN. Compilers warn of == between doubles because computed values
- * that should be equal rarely are; here exactness is meant: the value that was
- * stored before, a word that is 0, an axis that did not move at all.
+ * Neither is NaN. Compilers warn about == between doubles because computed values that should be equal rarely are. Here
+ * exactness is meant: the value that was stored before, a word that is 0, an axis that did not move at all.
  */
 static inline bool same_double(double a, double b)
 {

@@ -1,11 +1,11 @@
-/* spare_threads.h - how many threads of a run have nothing left to do, for work that could use more of them. */
+/* spare_threads.h - counts the idle threads of a run, for work that could use more of them. */
 #ifndef FIVECHECK_BASE_SPARE_THREADS_H
 #define FIVECHECK_BASE_SPARE_THREADS_H
 
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/* A count only: who takes one may start a thread, which is there as long as it pleases. All zero: there are none. */
+/* Only a count: whoever takes one may start a thread and keep it as long as needed. All zero: there are none. */
 struct spare_threads {
 	atomic_int count;
 };

@@ -1,4 +1,4 @@
-/* spelling.h - which of the known names a misspelt one was probably meant to be. */
+/* spelling.h - finds the known name that a misspelt one probably means. */
 #ifndef FIVECHECK_BASE_SPELLING_H
 #define FIVECHECK_BASE_SPELLING_H
 
@@ -6,16 +6,15 @@
 
 struct spelling {
 	const char *wanted;
-	const char *best;	/* NULL: nothing near enough was offered */
+	const char *best;	/* NULL: no name was near enough */
 	size_t distance;
 };
 
 void spelling_init(struct spelling *spelling, const char *wanted);
 
 /*
- * Considers one known name; among equally near ones the first stays. Near
- * enough is one slip (a letter missing, added, wrong, or two exchanged) for
- * every three letters. Both strings are borrowed.
+ * Considers one known name; among equally near ones the first stays. Near enough is one slip (a letter missing, added,
+ * wrong, or two exchanged) for every three letters. Both strings are borrowed.
  */
 void spelling_offer(struct spelling *spelling, const char *known);
 

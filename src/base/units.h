@@ -1,4 +1,4 @@
-/* units.h - the few conversions between files (degrees, inches, minutes) and the inside (radians, mm, seconds). */
+/* units.h - the conversions between files (degrees, inches, minutes) and internal units (radians, mm, seconds). */
 #ifndef FIVECHECK_BASE_UNITS_H
 #define FIVECHECK_BASE_UNITS_H
 

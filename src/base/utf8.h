@@ -1,4 +1,4 @@
-/* utf8.h - makes valid UTF-8 of names and blocks, which may hold any bytes. */
+/* utf8.h - makes valid UTF-8 of names and blocks, which may contain any bytes. */
 #ifndef FIVECHECK_BASE_UTF8_H
 #define FIVECHECK_BASE_UTF8_H
 

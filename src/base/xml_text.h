@@ -1,12 +1,12 @@
-/* xml_text.h - text that goes into XML by hand. */
+/* xml_text.h - text for XML that is written without a library. */
 #ifndef FIVECHECK_BASE_XML_TEXT_H
 #define FIVECHECK_BASE_XML_TEXT_H
 
 #include "base/strbuf.h"
 
 /*
- * Texts may hold any bytes: a control character becomes a question mark, a byte that is not UTF-8 U+FFFD. Appends
- * ` name="value"` with what may not stand in it escaped.
+ * Texts may contain any bytes: a control character becomes a question mark, a byte that is not UTF-8 U+FFFD. Appends
+ * ` name="value"`, escaped.
  */
 void xml_text_attribute(struct strbuf *out, const char *name, const char *value);
 

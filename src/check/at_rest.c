@@ -18,7 +18,7 @@ static bool is_past_a_limit(const struct checker *c)
 	return false;
 }
 
-/* Checks a pair at the current position; step_class: 0, or the class that this standstill counts as. */
+/* Checks a pair at the current position; step_class: 0, or the class for which this standstill counts. */
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
@@ -49,7 +49,7 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	pair_check_found(check, c->block);
 }
 
-/* Likewise of a body and the stock. */
+/* The same for a body and the stock. */
 static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
@@ -79,15 +79,15 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 struct rest_query {
 	int move;
 	bool tool_only;	/* only the pairs of the tool */
-	bool spindle_stops;	/* only cutters that must stay apart as soon as the spindle stands */
+	bool spindle_stops;	/* only cutters that must stay apart once the spindle has stopped */
 	bool past_a_limit;
 };
 
-/* Is a pair looked at that is checked in these classes of steps, and was last found in this block? */
+/* Is this pair examined? It is checked in these classes of steps, and its last finding was in this block. */
 static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
 			 bool past_limits_only, long found_block)
 {
-	/* What has to stay apart while the spindle turns has just been looked at. */
+	/* Pairs that must stay apart while the spindle turns have just been examined. */
 	if (query->spindle_stops)
 		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && found_block != c->block;
 	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);

@@ -34,7 +34,7 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 	copy->number = number;
 }
 
-/* The slots without an axis stay as the first step has them. */
+/* Slots without an axis keep the values of the first step. */
 static void widen(struct batch_chunk *chunk, const struct motion_step *step, const struct machine *machine)
 {
 	const struct span *span = &step->span;

@@ -1,4 +1,4 @@
-/* batch.h - copies of some thousand steps of a program, which are then checked pair by pair. */
+/* batch.h - copies of some thousand steps of a program, to be checked pair by pair. */
 #ifndef FIVECHECK_CHECK_BATCH_H
 #define FIVECHECK_CHECK_BATCH_H
 
@@ -12,13 +12,13 @@
 
 /* A step and its place in the program. */
 struct batch_step {
-	struct motion_step motion;	/* its path is the batch's copy */
+	struct motion_step motion;	/* its path is a copy in the batch */
 	long block;
 	long number;	/* among all steps of the program, from 0 */
-	bool beyond;	/* an axis is past a limit, or so near that the path tolerance may take it there */
+	bool beyond;	/* an axis is past a limit, or the path tolerance may take it past */
 };
 
-/* Steps to a chunk, and to each of its pieces. */
+/* The number of steps in a chunk, and in each of its pieces. */
 enum { CHUNK_STEPS = 64, PIECE_STEPS = 8 };
 
 /*
@@ -32,7 +32,7 @@ struct batch_chunk {
 	unsigned classes;	/* the classes of its steps, as bits of enum step_class */
 };
 
-/* The sizes of box that a batch has. */
+/* The two sizes of boxes in a batch. */
 enum batch_box { BOX_CHUNK, BOX_PIECE };
 
 struct batch {
@@ -40,7 +40,7 @@ struct batch {
 	size_t step_count, step_capacity;
 	struct path_copies paths;
 	struct batch_chunk *chunks;	/* chunk i begins with step i * CHUNK_STEPS; the last one may be shorter */
-	struct batch_chunk *pieces;	/* likewise, of PIECE_STEPS */
+	struct batch_chunk *pieces;	/* the same with PIECE_STEPS */
 	size_t chunk_capacity, piece_capacity;
 };
 
@@ -50,16 +50,16 @@ void batch_clear(struct batch *batch);
 /* Copies a step and its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block, long number);
 
-/* Fills in chunks and pieces of this machine's steps. Call it after the last batch_add, before they are used. */
+/* Fills in chunks and pieces for this machine. Call it after the last batch_add, before they are used. */
 void batch_close(struct batch *batch, const struct machine *machine);
 
-/* How many steps a box of the size holds; the last one of a batch may hold less. */
+/* The number of steps in a box of this size; the last box of a batch may have fewer. */
 static inline size_t batch_box_steps(enum batch_box size)
 {
 	return size == BOX_CHUNK ? CHUNK_STEPS : PIECE_STEPS;
 }
 
-/* The box of the size that begins with the step; NULL: none does. */
+/* The box of this size that begins with the step; NULL: none does. */
 static inline const struct batch_chunk *batch_box_from(const struct batch *batch, enum batch_box size, size_t step)
 {
 	const size_t steps = batch_box_steps(size);

@@ -14,7 +14,7 @@ static void add_clearance(struct checker *c, long block, size_t pair, double cle
 		block_log_add_expected(&c->log, block, least);
 }
 
-/* Logs what scheduler_measure and stock_check_measure found. */
+/* Logs the results of scheduler_measure and stock_check_measure. */
 static void take_clearances(struct checker *c)
 {
 	for (size_t i = 0; i < c->scheduler.count; i++) {
@@ -45,7 +45,7 @@ static bool measure_stock(struct checker *c)
 	return complete;
 }
 
-/* With cuts missing, what is clear would become a finding. */
+/* With missing cuts, clear motion would cause findings. */
 static void stop_at_log_fault(struct checker *c)
 {
 	if (!stock_check_fault(&c->stock) || c->stopped)
@@ -59,7 +59,7 @@ static void stop_at_log_fault(struct checker *c)
 
 static struct pending_batch *pending_of(struct checker *c, size_t number)
 {
-	/* One that is settled at once stays in the processor's cache for the next. */
+	/* A batch that is settled at once stays in the processor's cache for the next one. */
 	return &c->pending[c->background ? number % PENDING : 0];
 }
 
@@ -82,7 +82,7 @@ static bool measure(struct checker *c, struct pending_batch *pending)
 	return complete;
 }
 
-/* Keeps the scheduler's results: it may go on to the next batch. */
+/* Copies the scheduler's results, because it may begin the next batch. */
 static void keep_results(struct pending_batch *pending, const struct scheduler *scheduler)
 {
 	pending->results = mem_grow(pending->results, &pending->result_capacity, scheduler->result_count,
@@ -137,7 +137,7 @@ static void take_pending(struct checker *c)
 		c->last_block = pending->batch.steps[0].block - 1;
 }
 
-/* Reports progress, or why the check ends here. */
+/* Reports progress, or the reason why the check ends here. */
 static void tell_progress(struct checker *c)
 {
 	if (c->exhausted && !c->stopped)
@@ -166,7 +166,7 @@ static void swap_batches(struct batch *a, struct batch *b)
 	*b = batch;
 }
 
-/* Takes the results of the next batch, which are there, and reports what is known of its blocks. */
+/* Takes the results of the next batch, which is done, and reports everything about its blocks. */
 static void settle_next(struct checker *c, struct block_record *timed)
 {
 	struct pending_batch *pending = c->settling = pending_of(c, c->settled++);
@@ -180,7 +180,7 @@ static void settle_next(struct checker *c, struct block_record *timed)
 		take_pending(c);
 	stop_at_log_fault(c);
 	batch_clear(&pending->batch);
-	/* In a batch that was interrupted, it is unknown which finding comes first. */
+	/* In an interrupted batch it is unknown which finding comes first. */
 	if (!c->broken_off) {
 		checker_hand_on_findings(c);
 		c->checked = pending->last;
@@ -203,7 +203,7 @@ static void settle_next(struct checker *c, struct block_record *timed)
 	}
 }
 
-/* Settles batches until so many are, or the check stops. */
+/* Settles batches until `count` are settled, or the check stops. */
 static void settle(struct checker *c, size_t count, struct block_record *timed)
 {
 	while (c->settled < count && !c->stopped) {
@@ -256,7 +256,7 @@ static bool can_check_in_background(const struct checker *c)
 	       !c->stock.tool_count;
 }
 
-/* All that was begun must be settled. */
+/* All begun batches must be settled. */
 static void start_background(struct checker *c)
 {
 	if (c->background || !can_check_in_background(c))
@@ -266,7 +266,7 @@ static void start_background(struct checker *c)
 	c->scheduler.loop = &c->second.loop;
 }
 
-/* Would one more thread have something to do? Where nothing is done in the background it would share heavy batches. */
+/* Would one more thread have work? Without a background it would share heavy batches. */
 static bool can_use_thread(const struct checker *c)
 {
 	if (c->options->method == CHECK_NOTHING)
@@ -275,14 +275,14 @@ static bool can_use_thread(const struct checker *c)
 	       scheduler_is_heavy(&c->scheduler);
 }
 
-/* If another program is done, its thread helps from now on. */
+/* The thread of a program that is done helps from now on. */
 static void take_spare_thread(struct checker *c)
 {
 	if (!can_use_thread(c) || !spare_threads_take(c->options->spare))
 		return;
 	c->borrowed++;
 	checker_settle(c);
-	/* What was begun behind the batch that ended the check is not settled: the background may still be at it. */
+	/* Batches after the one that ended the check are not settled: the background may still work on them. */
 	if (c->stopped)
 		return;
 	scheduler_add_thread(&c->scheduler);

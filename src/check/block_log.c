@@ -158,7 +158,7 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 	block_log_add_expected(log, block, *least);
 }
 
-/* Cuts the clearances into runs, in the order in which they came. */
+/* Divides the clearances into runs, in the order of their arrival. */
 static void find_runs(struct block_log *log)
 {
 	log->run_count = 0;

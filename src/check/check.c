@@ -8,7 +8,7 @@
 #include "check/checker.h"
 #include "check/measure/path_record.h"
 
-/* Steps to a batch. It is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts. */
+/* Steps in a batch. It is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts. */
 #define BATCH_STEPS 1024
 #define MID_BLOCK (8 * BATCH_STEPS)
 
@@ -115,7 +115,7 @@ static void on_tool(struct checker *c, const struct motion_tool *change)
 
 static void on_spindle_stop(struct checker *c, const struct motion_spindle_stop *stop)
 {
-	/* Before anything moves, the check of the start pose sees the same. */
+	/* Before the first motion, the check of the start pose covers this. */
 	if (!c->moved)
 		return;
 	checker_process(c, NULL);
@@ -128,7 +128,7 @@ static void on_spindle_stop(struct checker *c, const struct motion_spindle_stop 
 		checker_process(c, NULL);
 }
 
-/* The reading of the next block begins. */
+/* Begins the next block. */
 static void start_block(struct checker *c)
 {
 	block_log_begin(&c->log, c->block);
@@ -141,7 +141,7 @@ static void start_block(struct checker *c)
 	}
 }
 
-/* Where steps are only counted, the summary tells at the end of a block that there were any. */
+/* If steps are only counted, the summary shows at the end of a block whether there were any. */
 static void count_steps(struct checker *c, const struct motion_block *block)
 {
 	if (c->number == c->summary.spans)
@@ -150,7 +150,7 @@ static void count_steps(struct checker *c, const struct motion_block *block)
 	c->last = (struct place){block->file, block->line};
 }
 
-/* Then a block that passes no limit is reported for nothing, and need not be kept. */
+/* A block that passes no limit has nothing to report then, and need not be kept. */
 static void pass_block(struct checker *c, const struct motion_block *block)
 {
 	c->stats->blocks_checked += checker_owns(c);
@@ -206,7 +206,7 @@ static bool on_event(void *context, const struct motion_event *event)
 		on_spindle_stop(c, &event->of.spindle_stop);
 		break;
 	case MOTION_MODES:
-		/* For the watcher alone. */
+		/* Only for the watcher. */
 		break;
 	case MOTION_BLOCK:
 		if (c->counts_steps)
@@ -224,14 +224,14 @@ static void on_opened(void *context, const char *path)
 {
 	struct checker *c = context;
 
-	/* The check may end with a batch before it. */
+	/* The check may end with an earlier batch. */
 	if (c->settled < c->begun)
 		file_names_keep(&c->opened, path);
 	else
 		c->options->read.opened->call(c->options->read.opened->context, path);
 }
 
-/* While lines are read of which nobody else hears. */
+/* For lines that cause no event. */
 static bool stops_reading(void *context)
 {
 	struct checker *c = context;
@@ -239,7 +239,7 @@ static bool stops_reading(void *context)
 	return !checker_goes_on(c) || cancel_asked(c->options->read.cancel);
 }
 
-/* No more lines have come: what came is checked and reported before it is asked whether to wait. */
+/* No further line has arrived: checks and reports everything before asking whether to wait. */
 static bool stops_waiting(void *context)
 {
 	struct checker *c = context;
@@ -271,7 +271,7 @@ static void finish(struct checker *c, bool complete)
 	checker_process(c, c->options->times ? record : NULL);
 }
 
-/* As motion_run, with all that is checked in the background settled. */
+/* Like motion_run; afterwards everything in the background is settled. */
 static bool read_program(struct checker *c, const struct motion_options *options, FILE *in)
 {
 	const struct motion_sink sink = {c, on_event};
@@ -367,7 +367,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 		finish(&c, complete);
 		if (complete && !c.stopped && !c.failed && diag->errors == errors)
 			stats->far_cutters = cutter_approach_result(&c.approach);
-		/* After a first finding nothing more was logged. */
+		/* After a first finding, nothing more was logged. */
 		if (options->remainder && complete && !c.stopped && !checker_has_enough(&c))
 			stock_check_remainder(&c.stock, c.number, options->remainder);
 		if (options->stock_view)

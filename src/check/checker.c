@@ -13,7 +13,7 @@ double checker_clock(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* With the lock on `telling`. */
+/* Call it with the lock on `telling`. */
 static void ask_progress(struct checker *c)
 {
 	if (!c->sink->progress(c->sink->context, c->checked_line) && !(c->refused > 0))
@@ -161,7 +161,7 @@ static void say_undecided(struct checker *c, const struct pair_check_result *res
 	c->exhausted |= !box;
 }
 
-/* The error waits for its block like those of the interpreter: a finding before it may end the check. */
+/* Like errors of the interpreter, the error waits for its block: an earlier finding may end the check. */
 static void report_undecided(struct checker *c, const struct pair_check_result *result)
 {
 	const struct batch_step *step = &c->settling->batch.steps[result->step];

@@ -1,4 +1,4 @@
-/* checker.h - the state of a check: steps are collected into batches, batches are checked, findings are reported. */
+/* checker.h - the state of a check: collects steps into batches, checks the batches, and reports the findings. */
 #ifndef FIVECHECK_CHECK_CHECKER_H
 #define FIVECHECK_CHECK_CHECKER_H
 
@@ -21,136 +21,144 @@
 #include "motion/events.h"
 #include "scene/scene.h"
 
-/* A place in the program. File NULL: no place yet. */
+/* A place in the program. File NULL: none yet. */
 struct place {
 	const char *file;
 	long line;
 };
 
-/* A batch that is being checked, and what the check comes to if it ends with it. */
+/* A batch that is being checked, with the state of the reader at its end: the result of the check if it ends there. */
 struct pending_batch {
 	struct batch batch;
-	struct block_page page;	/* the blocks that were completed in it */
-	struct file_names opened;	/* files that were opened meanwhile, not told yet */
-	struct event_copies heard;	/* what options->watch is told when the batches before are settled */
-	long block;	/* the last block of the page, or the one that is being read */
+	struct block_page page;	/* the blocks completed in this batch */
+	struct file_names opened;	/* files opened meanwhile, not reported yet */
+	struct event_copies heard;	/* events for options->watch, sent when the earlier batches are settled */
+	long block;	/* the last block of the page, or the block being read */
 	int tool;	/* in the spindle, during the whole batch */
 	struct place last;	/* the last step's block */
 	struct motion_summary summary;	/* of what was read so far */
 	long blocks_checked;
-	bool runs;	/* it has something to check */
-	bool complete;	/* it was not broken off; then the next are valid */
-	struct pair_check_result *results;	/* of all pairs in order */
+	bool runs;	/* it has steps to check */
+	bool complete;	/* it was checked to its end; only then the next batch is valid */
+	struct pair_check_result *results;	/* of all pairs, in their order */
 	size_t result_count, result_capacity;
-	double seconds, measuring;	/* the check took so long, and so much of that to measure clearances */
+	double seconds, measuring;	/* duration of the check; the part of it that measured clearances */
 };
 
 /* s */
 #define GRACE_SECONDS 1.0
 
-/* So many batches are being checked or wait for it, or for their results to be taken. */
+/* The number of batches that are being checked, wait for the check, or wait for their results to be taken. */
 enum { PENDING = 4 };
 
 /*
- * With several threads the batches that were collected are checked in the background, one by one, while this thread
- * reads on and collects the next one: from the start, or from the batch on at which there is a thread to spare. All
- * else is this thread's: it takes the results in order. A batch with results is the last one that is checked until they
- * are taken, so that no more is checked than with one thread.
+ * With several threads, a background thread checks the collected batches one by one, while this thread reads on and
+ * collects the next one. The background starts at once, or as soon as there is a spare thread. This thread does
+ * everything else: it takes the results in order. After a batch with results the background waits until they are taken,
+ * so that it checks no more than a single thread would.
  */
 struct checker {
+	/* Given by the caller. */
 	struct scene *scene;
 	const struct check_options *options;
 	const struct check_sink *sink;
 	struct diag *diag;
 	struct check_stats *stats;
-	struct file_names names;
-	struct block_log log;
-	struct batch batch;	/* is being collected */
-	struct file_names opened;	/* meanwhile, if batches before it are being checked */
-	struct event_copies heard;	/* meanwhile, with a background */
-	struct scheduler scheduler;	/* the background's while it has a batch to check */
-	struct background second;
-	struct background *background;	/* `second`; NULL: each batch is checked when it is collected */
-	int borrowed;	/* spare threads that are in use */
-	struct pending_batch pending[PENDING];	/* that of batch i is i % PENDING */
-	size_t begun, settled;	/* batches: those between are the background's */
-	struct pending_batch *settling;	/* whose results are being taken */
-	struct stock_check stock;
-	struct cutter_approach approach;
-	struct sweep sweep;	/* for poses at which the axes stand still */
-	struct cancel asked;	/* sweeps ask it again and again whether to stop */
-	pthread_mutex_t telling;	/* for progress, and what it said: */
-	double refused;	/* when it said to give up, by checker_clock; 0: it did not */
-	bool counts_steps;	/* nothing is checked, recorded or watched: steps are not sent, but counted */
-	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
-	long block;	/* number of the block that is being read */
-	long share, share_blocks;	/* the share of the blocks that it belongs to; how many of it were read */
+	bool counts_steps;	/* nothing is checked, recorded or watched: steps are only counted */
+	bool measures;	/* measure the smallest clearance of each pair */
+
+	/* The program as far as it was read. */
+	long block;	/* number of the block being read */
+	long share, share_blocks;	/* its share of the blocks; number of blocks of that share read so far */
+	long steps;	/* of the block being read */
+	long number;	/* of the next step among all steps of the program */
 	int tool;
 	bool moved;
-	bool failed;	/* something was not checked, or not decided at a standstill, and that was reported */
-	bool found;	/* two bodies came too close; without `all` nothing later needs to be checked */
+	bool skipped;	/* blocks of other shards follow the last step of this shard */
+	axis_values position;
+	double time, block_time;	/* where the last step ended */
+	struct place last;	/* the last step's block */
+	struct motion_summary summary;	/* of what was read so far */
+	/* With options->times: start of reading this block; seconds_check then; s spent on clearances since. */
+	double read_from, read_check, measuring;
+
+	/* The batch that is being collected, and those that are being checked. */
+	struct batch batch;
+	struct file_names opened;	/* while it is collected, if earlier batches are being checked */
+	struct event_copies heard;	/* while it is collected, with a background */
+	struct pending_batch pending[PENDING];	/* batch i is pending[i % PENDING] */
+	size_t begun, settled;	/* numbers of batches; those between belong to the background */
+	struct pending_batch *settling;	/* the batch whose results are being taken */
+
+	/* The checks, and the threads that run them. */
+	struct scheduler scheduler;	/* belongs to the background while it checks a batch */
+	struct stock_check stock;
+	struct cutter_approach approach;
+	struct sweep sweep;	/* for poses with the axes at rest */
+	struct background second;
+	struct background *background;	/* &second; NULL: this thread checks each batch itself */
+	int borrowed;	/* spare threads in use */
+	struct cancel asked;	/* asked by sweeps whether to stop */
+	pthread_mutex_t telling;	/* for the progress callback and `refused` */
+	double refused;	/* checker_clock when the callback said to give up; 0: it did not */
+
+	/* The results, and why the check ends. */
+	struct file_names names;
+	struct block_log log;
+	struct place checked;	/* the last block that was checked */
+	atomic_long checked_line;	/* the line of `checked`, for all threads */
+	bool failed;	/* something was not checked or not decided, and this was reported */
+	bool found;	/* two bodies came too close; without `all` the check ends here */
 	bool limit_found;	/* without `all` the check ends with this block */
 	bool exhausted;	/* one step needs more than options->effort: reported; the check ends with its batch */
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* the batch was not checked to its end */
-	bool skipped;	/* blocks of other shards were left out since the last step of this shard */
-	axis_values position;
-	double time, block_time;	/* where the last step ended */
-	struct place last, checked;	/* the last step's block; the last block that was checked */
-	atomic_long checked_line;	/* the same for all threads */
-	struct motion_summary summary;	/* of what was read so far */
 	long last_block;	/* the check ends with it */
-	long steps;	/* of the block that is being read */
-	long number;	/* of the next step among all steps of the program */
-	/*
-	 * With options->times: when reading of that block began; seconds_check then; s spent since on block clearances.
-	 */
-	double read_from, read_check, measuring;
 };
 
-/* Seconds of a clock that never runs backwards. */
+/* Seconds of a monotonic clock. */
 double checker_clock(void);
 
 /*
  * A cancel_fn whose context is a checker. Reports progress during long work, and asks the caller whether to stop. If
- * progress says so, the work has GRACE_SECONDS to come to its end, so that its findings can be reported.
+ * the caller says so, the work has GRACE_SECONDS to finish, so that its findings can be reported.
  */
 bool checker_asks(void *context);
 
-/* Reports progress. False: the check is to stop, now or since an earlier call. */
+/* Reports progress. False: stop the check. */
 bool checker_goes_on(struct checker *c);
 
-/* Is the first finding known, so that nothing later needs to be checked? Never with options->all. */
+/* Is the first finding known, so that nothing later must be checked? Never with options->all. */
 bool checker_has_enough(const struct checker *c);
 
-/* Does this shard check the block that is being read? */
+/* Does this shard check the block being read? */
 bool checker_owns(const struct checker *c);
 
 /*
- * Is the block that was read, which moved the axes for so many seconds, the last one of a share? Only a block that
- * moves is: then the time tells the order of findings in two shares, which merge relies on.
+ * Is the block being read, whose motion takes `seconds`, the last one of its share? Only a block that moves can be: the
+ * time then gives the order of findings in two shares, which merge needs.
  */
 bool checker_ends_share(const struct checker *c, double seconds);
 
-/* Goes on to the next block. */
+/* Begins the next block. */
 void checker_end_block(struct checker *c, double seconds);
 
 /*
- * Adds a finding in the move with this number, in a step of this class (0: the axes stand). `tolerance`: the control
- * may leave the path by so much, and the distance is measured; NULL: it may not.
+ * Adds a finding in the move with this number, in a step of this class (0: the axes are at rest). `tolerance`: the
+ * path tolerance of the control, and the distance is measured; NULL: there is none.
  */
 void checker_add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
 			 int step_class, const struct contact *found, const axis_values *tolerance);
 
 /*
- * Logs the contacts of the batch. Without `all`, *last becomes the first step with a contact: what comes later does not
+ * Logs the contacts of the batch. Without `all`, *last becomes the first step with a contact; later steps do not
  * matter.
  */
 void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count,
 			  size_t *last);
 
-/* Reports what could not be decided up to the step `last` of the batch. */
+/* Reports what was not decided up to the step `last` of the batch. */
 void checker_take_undecided(struct checker *c, const struct pair_check_result *results, size_t count,
 			    size_t last);
 

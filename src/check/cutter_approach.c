@@ -9,16 +9,16 @@
 #include "scene/convex.h"
 
 /*
- * mm: a cutter that comes so near to the hull of a part, or nearer than its own radius, may be at work on material that
- * is not described, such as the first layers of a blank; with the hull in place of the part itself, also in a pocket
- * that is roughed from its middle. Where the stock is described, every tool reaches it.
+ * mm: a cutter that comes this near to the hull of a part, or nearer than its own radius, may be cutting material that
+ * is not described, such as the first layers of a blank; because of the hull, this also includes a pocket that is
+ * roughed from its middle. If the stock is described, every tool reaches it.
  */
 static const double NEAR_PART = 5, NEAR_STOCK = 1;
 /* A new nearest distance matters if it is smaller than this share of the last one. */
 static const double SHARE = 0.9;
-/* Parts of a step that move the cutter by less than this share of what counts as near are looked at where they end. */
+/* Parts of a step that move the cutter by less than this share of the near distance are measured only at their end. */
 static const double SHORT_MOTION = 0.1;
-/* A step is halved so often at most: axes can turn a million times in one block. */
+/* The most halvings of a step: axes can turn a million times in one block. */
 enum { HALVINGS = 12 };
 
 static bool is_target(const struct scene *scene, size_t body)
@@ -39,7 +39,7 @@ static void add_targets(struct cutter_approach *approach, const struct scene *sc
 
 		if (!is_target(scene, i))
 			continue;
-		/* Of tools that are made of sections another thread may be building the tree. */
+		/* For tools given by sections, another thread may be building the tree. */
 		bvh = scene->bodies[i].bvh;
 		all_checked &= body->checked != NULL;
 		approach->with_stock |= body->role == ROLE_STOCK;
@@ -51,7 +51,7 @@ static void add_targets(struct cutter_approach *approach, const struct scene *sc
 		approach->target_count = 0;
 }
 
-/* The ball around the boxes of all targets, as the work's link carries them. */
+/* The ball around the boxes of all targets, in the coordinates of the work's link. */
 static struct ball ball_around(const struct cutter_approach *approach)
 {
 	struct ball ball = {{0, 0, 0}, 0};
@@ -167,7 +167,7 @@ static double gap_to_hull(struct approach_target *target, const struct cylinder 
 	       convex_support(&hull, search.direction, 0, NULL, &visits);
 }
 
-/* The distance from a target, or less; exact to a few hundredths if it matters. */
+/* A lower bound of the distance from a target; exact to a few hundredths if it matters. */
 static double distance_to(struct approach_target *target, const struct approach_tool *tool, const xform *pose)
 {
 	const xform place = xform_mul(&target->from_machine, pose);
@@ -180,7 +180,7 @@ static double distance_to(struct approach_target *target, const struct approach_
 	return to_box >= matters(tool) ? to_box : fmax(to_box, gap_to_hull(target, &cutter));
 }
 
-/* The same at the axis positions q, from the nearest target. Keeps the least so far. */
+/* The same at the axis positions q, from the nearest target. Keeps the smallest so far. */
 static double distance_at(const struct cutter_approach *approach, struct approach_tool *tool, const axis_values *q,
 			  const struct motion_step *step)
 {
@@ -236,7 +236,7 @@ static double way_between(const struct cutter_approach *approach, const struct a
 	return bound.length;
 }
 
-/* Halves the straight way from q0 to q1, where the distances are d0 and d1, as long as a part of it may be nearer. */
+/* Halves the straight path from q0 to q1, with the distances d0 and d1 at its ends, while a part may be nearer. */
 static void look_between(const struct cutter_approach *approach, struct approach_tool *tool, const axis_values *q0,
 			 double d0, const axis_values *q1, double d1, const struct motion_step *step, int halvings)
 {
@@ -263,7 +263,7 @@ static struct approach_tool *tool_of(const struct cutter_approach *approach, int
 	return NULL;
 }
 
-/* Is the cutter, all along the way, so near to where it was at the last look that no distance can matter? */
+/* Does the whole path stay so near to the last measured position that no distance can matter? */
 static bool stays_far(const struct cutter_approach *approach, const struct approach_tool *tool, const axis_values *q0,
 		      const axis_values *q1)
 {

@@ -1,4 +1,4 @@
-/* event_copies.h - events of a program that are told later. */
+/* event_copies.h - copies of a program's events, to be sent later. */
 #ifndef FIVECHECK_CHECK_EVENT_COPIES_H
 #define FIVECHECK_CHECK_EVENT_COPIES_H
 
@@ -18,10 +18,10 @@ struct event_copies {
 
 void event_copies_release(struct event_copies *copies);
 
-/* Copies the event and all that it points to during the call. */
+/* Copies the event and everything that it points to. */
 void event_copies_add(struct event_copies *copies, const struct motion_event *event);
 
-/* Tells the sink the events in the order in which they came, whatever it answers, and forgets them. */
+/* Sends the events to the sink in their order, whatever it answers, and removes them. */
 void event_copies_tell(struct event_copies *copies, const struct motion_sink *sink);
 
 #endif

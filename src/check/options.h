@@ -1,4 +1,4 @@
-/* options.h - how a program is to be checked. */
+/* options.h - the options of a check. */
 #ifndef FIVECHECK_CHECK_OPTIONS_H
 #define FIVECHECK_CHECK_OPTIONS_H
 
@@ -15,8 +15,8 @@ struct stock_view;
 
 enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
-	CHECK_INTERPOLATED,	/* the paper's: axes interpolated between a motion's ends; unsafe between samples */
-	CHECK_CONVENTIONAL,	/* samples, axes computed anew at each; unsafe between samples */
+	CHECK_INTERPOLATED,	/* samples; axes interpolated between the ends of a motion; unsafe between samples */
+	CHECK_CONVENTIONAL,	/* samples; axes computed anew at each; unsafe between samples */
 	CHECK_NOTHING	/* interpret the program and check axis limits only (--parse-only) */
 };
 
@@ -24,8 +24,8 @@ enum check_method {
 #define CHECK_EFFORT 1000000000L
 
 /*
- * If shards share one program, they take turns: each checks this many blocks, or more up to one that moves an axis, then
- * the next shard does.
+ * Shards of one program take turns: each checks this many blocks, or more, up to one that moves an axis; then the next
+ * shard does.
  */
 enum { SHARE_BLOCKS = 1024 };
 
@@ -37,28 +37,28 @@ struct check_options {
 	bool all;	/* report the first finding of each pair in each block; false: stop at the first */
 	/* read.cancel is asked during a batch, too. If a batch is interrupted, none of its findings is reported. */
 	struct read_options read;
-	long effort;	/* node pairs to look at for one pair in one step before giving up; 0: CHECK_EFFORT */
+	long effort;	/* the most node pairs examined for one pair in one step; 0: CHECK_EFFORT */
 	int threads;	/* >= 1 */
-	struct spare_threads *spare;	/* threads that others give up, to use as well, and to be given back; or NULL */
-	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
+	struct spare_threads *spare;	/* threads that other programs have released, to borrow; or NULL */
+	bool block_clearances;	/* measure the clearance in each block; the check takes longer */
 	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
 	/*
-	 * Of each block hand on its smallest clearance alone, and that only below the cap. It is measured less sharply,
-	 * and in a long program only of some blocks; of the others it is what was proved of all so far.
+	 * Report only the smallest clearance of each block, and only below the cap. It is measured less exactly, and in
+	 * a long program only for some blocks; for the others it is the value proved for all blocks so far.
 	 */
 	bool least_clearances;
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
 	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */
 	const struct setup_change *change;	/* check with the setup changed like this; or NULL */
-	/* is told every event before it is checked; its answer is ignored; or NULL */
+	/* receives every event before it is checked; its answer is ignored; or NULL */
 	const struct motion_sink *watch;
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
-	struct stock_remainder *remainder;	/* all 0 before; receives the stock that the program leaves; or NULL */
-	struct stock_view *stock_view;	/* receives the stock as it is at a time, also after a finding; or NULL */
+	struct stock_remainder *remainder;	/* all 0 before; receives the remaining stock; or NULL */
+	struct stock_view *stock_view;	/* receives the stock at a given time, also after a finding; or NULL */
 	/*
-	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.
-	 * Each shard interprets the whole program, and each block is checked by exactly one shard. Together the shards
-	 * find what one run with `all` finds.
+	 * Check only part number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks. Each shard
+	 * interprets the whole program, and each block is checked by exactly one shard. Together the shards find what
+	 * one run with `all` finds.
 	 */
 	int shard, shards;
 };

@@ -17,7 +17,7 @@ static int tool_of(const struct scene *scene, const struct scene_pair *pair)
 	return a ? a : b;
 }
 
-/* Where a program starts or a tool is changed only those pairs are looked at that must stay apart at rapid. */
+/* At the start of a program or a tool change, only pairs that must stay apart at rapid are examined. */
 static bool starts_unseen(unsigned steps)
 {
 	return !(steps & STEP_RAPID);
@@ -34,7 +34,7 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 	check->past_limits_only = p->status == PAIR_OUT_OF_REACH;
 	check->found_block = check->unknown_block = check->nearest_block = -1;
 	check->maybe_inside = starts_unseen(p->steps);
-	/* The clearance of a cutter's core is of no interest. */
+	/* The clearance of a cutter's core is not reported. */
 	if (p->status != PAIR_CUTTING)
 		check->measuring = measuring;
 }
@@ -168,7 +168,7 @@ static bool applies(const struct pair_check *check, const struct batch_step *ste
 	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
-/* How many steps from i on are checked at once, as the box of the size that begins there; 0: check smaller parts. */
+/* The number of steps from i on that are checked at once, as the box of this size; 0: check smaller parts. */
 static size_t skip_box(struct pair_check *check, const struct batch *batch, size_t i, size_t to, enum batch_box size,
 		       const struct check_options *options)
 {
@@ -188,7 +188,7 @@ static size_t skip_box(struct pair_check *check, const struct batch *batch, size
 	return count;
 }
 
-/* How many successive steps from i on apply to the pair. */
+/* The number of successive steps from i on that apply to the pair. */
 static size_t count_alike(const struct pair_check *check, const struct batch *batch, size_t i, size_t to)
 {
 	size_t end = i;
@@ -200,7 +200,7 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 	return end - i;
 }
 
-/* How many steps from i on were measured as clear. *next: the first of check->open that may be behind i. */
+/* The number of steps from i on that were measured as clear. *next: the first of check->open that may come after i. */
 static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_t *next)
 {
 	size_t end;
@@ -215,7 +215,7 @@ static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_
 	return end - i;
 }
 
-/* How many steps from i on need no check one by one. */
+/* The number of steps from i on that need no check one by one. */
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
 {
@@ -303,7 +303,7 @@ static void start_room(struct pair_check *check, long block, double most, bool l
 	block_clearance_start(&check->methods->block, most);
 }
 
-/* block_clearance sees only surfaces: as long as one body may be inside the other, check whether it is. */
+/* block_clearance knows only surfaces: while one body may be inside the other, test this. */
 static void measure_inside(struct pair_check *check, const struct motion_step *step)
 {
 	struct block_clearance *block = &check->methods->block;
@@ -322,7 +322,7 @@ bool pair_check_has_clearance(const struct pair_check *check)
 	return check->steps == STEP_ANY;
 }
 
-/* mm: the largest clearance that is of interest in so many steps from `from` on. */
+/* mm: the largest cap in this number of steps from `from` on. */
 static double most_of(const struct measure_plan *plan, const struct batch *batch, size_t from, size_t steps)
 {
 	const size_t to = from + steps < batch->step_count ? from + steps : batch->step_count;
@@ -347,7 +347,7 @@ static bool box_clears(struct block_clearance *block, const struct batch *batch,
 	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
 
-/* All that is of interest of the blocks of a chunk, which begins with step i. */
+/* Stores the cap for all blocks of a chunk, which begins with step i. */
 static void add_clear_chunk(struct pair_check *check, const struct batch *batch, const struct measure_plan *plan,
 			    size_t i)
 {
@@ -368,7 +368,7 @@ static void add_clear_chunk(struct pair_check *check, const struct batch *batch,
 	}
 }
 
-/* Must the steps of a chunk be looked at one by one, although each has what is of interest? */
+/* Must the steps of a chunk be examined one by one, although each has its cap? */
 static bool needs_each_step(const struct pair_check *check, const struct check_options *options)
 {
 	const struct block_clearance *block = &check->methods->block;
@@ -384,7 +384,7 @@ static enum clearance_accuracy accuracy_of(const struct check_options *options, 
 	return rough ? CLEARANCE_ROUGH : CLEARANCE_COARSE;
 }
 
-/* Node pairs that measuring has looked at: searches for planes count, too. */
+/* Node pairs examined by measuring, including searches for planes. */
 static long looked_at(const struct pair_check *check, const struct sweep *sweep)
 {
 	return sweep->visits + check->methods->block.pair.planes.visits;
@@ -438,7 +438,7 @@ static double clear_from(const struct pair_check *check, const struct check_opti
 	return needed;
 }
 
-/* Step i has to be checked, as the measurement has not proved enough. */
+/* Step i must be checked, because the measurement has not proved enough. */
 static void leave_open(struct pair_check *check, size_t i)
 {
 	check->open = mem_grow(check->open, &check->open_capacity, check->open_count + 1, sizeof(*check->open));

@@ -1,4 +1,4 @@
-/* pair_check.h - the check of one pair: takes it through the steps of each batch. */
+/* pair_check.h - checks one pair in the steps of each batch. */
 #ifndef FIVECHECK_CHECK_PAIR_CHECK_H
 #define FIVECHECK_CHECK_PAIR_CHECK_H
 
@@ -19,43 +19,40 @@ struct pair_check_result {
 	enum query_answer answer;	/* CONTACT or UNDECIDED */
 	bool exhausted;	/* undecided because check_options.effort was used up */
 	struct contact contact;
-	bool certain;	/* with the stock: it holds for every stock that the cuts can have left */
+	bool certain;	/* with the stock: the contact holds for every possible remaining stock */
 };
 
-/* The clearance that the pair keeps in those steps of a block that are in the batch. */
+/* The clearance of the pair in those steps of a block that are in the batch. */
 struct pair_check_clearance {
 	long block;
 	double clearance;	/* mm: proven, at most `most` */
-	double most;	/* mm: a larger one was of no interest */
+	double most;	/* mm: larger clearances were not needed */
 	bool so_far;	/* as in struct pair_clearance */
 };
 
-/* Where only least clearances are measured: what is wanted of a block. Else every block is measured. */
+/* With options->least_clearances: what to measure in a block. Without it every block is measured. */
 enum measure_wish {
-	MEASURE_NOTHING,	/* the smallest clearance of all steps so far is given */
-	MEASURE_CURVE,	/* a point of the curve, while effort lasts */
-	MEASURE_NEAREST	/* it lowered the smallest clearance of a pair */
+	MEASURE_NOTHING,	/* report the smallest clearance of all steps so far */
+	MEASURE_CURVE,	/* measure a point of the curve, while effort lasts */
+	MEASURE_NEAREST	/* measure: the block lowered the smallest clearance of a pair */
 };
 
-/* What is to be measured of a batch, with options->least_clearances; else effort and wishes do not matter. */
+/* What to measure in a batch. `wishes` and `effort` are used only with options->least_clearances. */
 struct measure_plan {
-	const double *most;	/* mm, above 0: for each step that of its block; a larger clearance is given as this */
-	double largest;	/* mm: of what `most` begins with; none is larger */
-	const enum measure_wish *wishes;	/* for each step that of its block */
-	/*
-	 * After so many node pairs a point of the curve is no longer measured, and what must be measured is measured
-	 * roughly.
-	 */
+	const double *most;	/* mm, above 0, for the block of each step: the cap of its clearance */
+	double largest;	/* mm: the largest initial value in `most` */
+	const enum measure_wish *wishes;	/* for the block of each step */
+	/* After this number of node pairs curve points are no longer measured, and the nearest blocks only roughly. */
 	long effort;
 };
 
-/* Whether the smallest clearance of a pair is found. */
+/* Whether the smallest clearance of a pair is measured. */
 struct pair_measuring {
-	double up_to;	/* mm: beyond what is required; INFINITY: all of it; 0: do not */
+	double up_to;	/* mm above the required clearance; INFINITY: without a cap; 0: not measured */
 	bool coarsely;	/* STRATEGY_MEASURES_COARSELY */
 };
 
-/* What takes the pair through the steps; large. */
+/* The methods that check the pair; a large struct. */
 struct pair_methods {
 	struct sampler sampler;	/* the sampled methods */
 	struct strategy strategy;	/* CERTIFIED */
@@ -63,37 +60,43 @@ struct pair_methods {
 };
 
 struct pair_check {
+	/* The pair, and when it is checked. */
 	struct scene *scene;	/* borrowed */
 	size_t pair;	/* of the scene */
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
-	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
+	unsigned steps;	/* bits of enum step_class: the classes in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	struct pair_measuring measuring;
-	bool has_started;	/* the sampled methods need not look at where the first step begins */
+	struct pair_methods *methods; /* NULL until pair_check_prepare */
+
+	/* The state at the end of the last step. */
+	bool has_started;	/* the sampled methods have examined the start of the first step */
+	bool maybe_inside;	/* after a contact: one body may be inside the other, with the surfaces apart */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
-	long nearest_block;	/* the last block of the batch that lowered the smallest clearance; -1: none */
-	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
-	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
-	struct pair_check_result *results;	/* of this batch */
+	long unknown_block;	/* the first block in which one body may have been inside the other; -1: none */
+
+	/* The results of this batch. */
+	struct pair_check_result *results;
 	size_t result_count, result_capacity;
-	struct pair_check_clearance *clearances;	/* of this batch */
+	struct pair_check_clearance *clearances;
 	size_t clearance_count, clearance_capacity;
+	long nearest_block;	/* the last block of the batch that lowered the smallest clearance; -1: none */
+
 	/*
-	 * The batch was measured before it is checked: then only these steps are checked, in their order. Throughout
-	 * each other one the pair is proved to be farther apart than required, by more than the tolerance.
+	 * If the batch was measured before the check, only the `open` steps are checked, in their order. In every other
+	 * step the pair is proved to be farther apart than required plus tolerance.
 	 */
 	bool measured_first;
 	size_t *open;
 	size_t open_count, open_capacity;
-	long measured_steps;	/* that were left out so far */
-	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
+	long measured_steps;	/* steps left out so far because they were measured */
 };
 
-/* The check is all zero before. */
+/* *check must be all zero before the call. */
 void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, struct pair_measuring measuring);
 
 /*
- * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of
+ * Allocates the methods, unless they exist. Call it before the pair is checked for the first time; most pairs belong to
  * tools that a program does not use.
  */
 void pair_check_prepare(struct pair_check *check, const struct check_options *options);
@@ -111,26 +114,26 @@ void pair_check_found(struct pair_check *check, long block);
 /* The tool that one of the bodies belongs to has come into the spindle, or left it. */
 void pair_check_change_tool(struct pair_check *check);
 
-/* Steps were left out, and nothing is known about them: one body may even be inside the other by now. */
+/* Steps were left out, and nothing is known about them: one body may even be inside the other now. */
 void pair_check_jump(struct pair_check *check);
 
 /*
- * Checks the batch's steps from `from`, which begins a chunk, to before `to`. Stores the results: with options->all the
- * first of each block, else the first.
+ * Checks the batch's steps from `from`, which must begin a chunk, to before `to`. Stores the results: with options->all
+ * the first one of each block, else only the first one.
  */
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);
 
-/* Measures the clearance at a position where the axes stand, where the pair is known to be apart. */
+/* Measures the clearance at a position with the axes at rest, where the pair is known to be apart. */
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at);
 
-/* Is the clearance of this pair measured? Not that of a pair which may meet in some steps. */
+/* Is the clearance of this pair measured? Not if the pair may meet in some steps. */
 bool pair_check_has_clearance(const struct pair_check *check);
 
 /*
- * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Returns how many node
- * pairs were looked at. Where every block is measured, call it before pair_check_run, which then leaves out what was
- * proved; else after it.
+ * Measures the clearance of the pair in each block of the batch in which it is checked. Returns the number of node
+ * pairs examined. If every block is measured, call it before pair_check_run, which then skips the proved steps;
+ * otherwise call it after pair_check_run.
  */
 long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 			const struct measure_plan *plan, const struct check_options *options);

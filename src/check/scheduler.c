@@ -31,7 +31,7 @@
 #define SHORT_PROGRAM 1000L
 #define MEASURING_SHARE 0.15
 
-/* This share of the price of a measured block is that in the last batch. */
+/* The weight of the last batch in the running mean of the price of a measured block. */
 #define PRICE_SHARE 0.5
 
 /*
@@ -195,7 +195,7 @@ static void do_task(void *context, int worker, size_t i)
 	work->scheduler->sweeps[worker] = sweep;
 }
 
-/* Carries out the tasks on up to so many threads. */
+/* Runs the tasks on up to `threads` threads. */
 static void do_tasks(struct scheduler *scheduler, int threads, struct work *work)
 {
 	if (!scheduler->loop)
@@ -272,7 +272,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 
 /* ------------------------------------------------------------- clearances */
 
-/* mm: roughly how near the bodies of a check are to each other. */
+/* mm: the approximate distance of the bodies of a check. */
 struct nearness {
 	struct pair_check *check;
 	double distance;
@@ -340,7 +340,7 @@ static void lower_most(struct scheduler *scheduler, const struct batch *batch, s
 	}
 }
 
-/* How many blocks of the batch have a number that the stride divides. */
+/* The number of blocks of the batch whose number is a multiple of the stride. */
 static long blocks_at(const struct batch *batch, long stride)
 {
 	const long first = batch->steps[0].block, last = batch->steps[batch->step_count - 1].block;
@@ -348,7 +348,7 @@ static long blocks_at(const struct batch *batch, long stride)
 	return (last + 1) / stride - first / stride;
 }
 
-/* The least distance of measured blocks that the effort left allows in this batch. */
+/* The smallest distance of measured blocks that the remaining effort allows in this batch. */
 static long affordable_stride(const struct scheduler *scheduler, const struct batch *batch)
 {
 	long stride = 1;
@@ -411,7 +411,7 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	measure.most = scheduler->most;
 	measure.largest = options->block_clearance_cap;
 	measure.wishes = scheduler->wishes;
-	/* How many are measured together does not depend on the number of threads, so neither do the clearances. */
+	/* The number measured together does not depend on the number of threads, so the clearances do not either. */
 	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {
 		const size_t to = from + together < count ? from + together : count;
 
@@ -441,7 +441,7 @@ void scheduler_collect(struct scheduler *scheduler, const struct check_options *
 	for (size_t i = 0; i < scheduler->count; i++) {
 		struct pair_check *check = &scheduler->checks[i];
 
-		/* What is measured of a pair that was never checked is where measuring begins. */
+		/* For a pair that was never checked, measuring begins here. */
 		if (proven)
 			pair_check_prepare(check, options);
 		if (!check->methods)

@@ -13,7 +13,7 @@ void shared_loop_release(struct shared_loop *loop)
 	pthread_mutex_destroy(&loop->lock);
 }
 
-/* Carries out the next round as this thread, without the lock. */
+/* Runs the next iteration in this thread, without the lock. */
 static void take_round(struct shared_loop *loop, int number)
 {
 	const size_t round = loop->next++;

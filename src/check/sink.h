@@ -7,12 +7,12 @@
 
 #include "check/finding.h"
 
-/* The clearance that a pair keeps in a block. */
+/* The clearance of a pair in a block. */
 struct pair_clearance {
 	size_t pair;	/* of the scene */
 	double clearance;	/* mm: proven; at most the cap (check_options.block_clearance_cap) */
 	bool capped;
-	/* with check_options.least_clearances: not measured in this block; it is what was proved of all up to here */
+	/* with check_options.least_clearances: not measured in this block, but proved for all blocks up to here */
 	bool so_far;
 };
 
@@ -20,9 +20,9 @@ struct pair_clearance {
 struct check_block {
 	const char *file;
 	long line;
-	long number;	/* number among the blocks that were carried out, from 1 */
+	long number;	/* number among the executed blocks, from 1 */
 	double seconds;	/* of motion, dwells excluded */
-	long steps;	/* straight pieces of it that were checked */
+	long steps;	/* number of straight pieces that were checked */
 	double interpret, check;	/* s of wall time; with check_options.times */
 	/* in the order of the pairs; with check_options.block_clearances */
 	const struct pair_clearance *clearances;
@@ -34,8 +34,8 @@ struct check_sink {
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
 	/*
-	 * Called now and then with the number of lines that were read. False: stop after the present batch; the check
-	 * is then incomplete, and that is reported. During a long batch it is called again with the same line, from any
+	 * Called now and then with the number of lines read so far. False: stop after the present batch; the check is
+	 * then incomplete, and this is reported. During a long batch it is called again with the same line, from any
 	 * thread, but never by two threads at a time. May be NULL.
 	 */
 	bool (*progress)(void *context, long lines);

@@ -12,12 +12,12 @@ struct check_stats {
 	long blocks_checked;	/* of this shard; all blocks if there is no shard */
 	long findings;
 	size_t pairs_required, pairs_excused, pairs_skipped;	/* checked; adjacent; rigid, out of reach, waived */
-	size_t pairs_unknown;	/* their surfaces are apart, but one body may have been inside the other */
+	size_t pairs_unknown;	/* the surfaces stayed apart, but one body may have been inside the other */
 	size_t first_unknown;	/* the first of those pairs, as an index of scene->pairs */
 	struct far_cutters far_cutters;	/* all 0 unless the program was checked to its end */
 	long budgets;	/* steps of pairs proved by a motion budget alone */
 	long planes;	/* the same by travelling planes */
-	long measured;	/* steps of pairs that were measured as clear, and so not checked besides */
+	long measured;	/* steps of pairs that were measured as clear, and therefore not checked again */
 	long queries;	/* distance queries */
 	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */

@@ -1,4 +1,4 @@
-/* step.h - one step of a program as it moves one pair of bodies, and how far the axes may be off its straight line. */
+/* step.h - one step of a program as it moves one pair of bodies, and how far the axes may be from its straight line. */
 #ifndef FIVECHECK_CHECK_STEP_H
 #define FIVECHECK_CHECK_STEP_H
 
@@ -23,7 +23,7 @@ bool step_may_leave_path(const struct chain *chain, const struct motion_step *st
 /* The errors of the chain's joints in the step. */
 struct position_errors step_errors(const struct chain *chain, const struct motion_step *step);
 
-/* Is the way between the step's ends unknown (PATH_BOX)? */
+/* Is the path between the step's ends unknown (PATH_BOX)? */
 bool step_is_box(const struct motion_step *step);
 
 /* The box of all positions between the step's ends, without errors. */

@@ -4,7 +4,7 @@
 
 #include "check/step.h"
 
-/* Instants that are looked at: in the step of the contact, and in all. */
+/* Number of instants examined: in the step of the contact, and in total. */
 #define STEP_INSTANTS 12
 #define BLOCK_INSTANTS 36
 
@@ -35,7 +35,7 @@ bool stock_certainty_from(struct stock_pair *check, const struct batch *batch, s
 		const struct batch_step *step = &batch->steps[i];
 		const int count = i == first ? STEP_INSTANTS : 1;
 
-		/* Where such a step leads is not known. */
+		/* The path of such a step is not known. */
 		if (step->motion.bounded || step_is_box(&step->motion))
 			return false;
 		if (!stock_pair_watches(check, step->motion.step_class) ||

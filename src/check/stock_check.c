@@ -11,13 +11,13 @@
 #include "motion/path.h"
 #include "stock/cutting.h"
 
-/* Of the stock's tolerance: the edge of the smallest cells, and how exactly the ways of cutters are logged. */
+/* Shares of the stock's tolerance: the edge of the smallest cells, and the chord error of logged paths. */
 #define EDGE_SHARE 0.25
 #define CUT_SHARE 0.0625
 
 /* ------------------------------------------------------------------ start */
 
-/* What a check with stock cannot do yet; NULL: nothing. */
+/* The reason why these options are not possible with stock; NULL: they are. */
 static const char *unsupported(const struct check_options *options)
 {
 	if (options->method != CHECK_CERTIFIED)
@@ -168,7 +168,7 @@ void stock_check_log(struct stock_check *check, const struct motion_step *step, 
 		log_piece(check, tool, step, &step->span, (double)number, (double)number + 1);
 		return;
 	}
-	/* Far from all bodies the steps of curved moves are coarse. */
+	/* Far from all bodies, the steps of curved moves are coarse. */
 	span_walk_init(&walk, &step->span, check->chord_error);
 	while (span_walk_next(&walk, &piece))
 		log_piece(check, tool, step, &piece, (double)number + (piece.u0 - step->span.u0) / length,
@@ -214,7 +214,7 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		if (pair->sweep.broken_off)
 			return false;
 		add_results(check, pair, batch, last + 1);
-		/* What comes after the first contact does not matter then. */
+		/* Nothing after the first contact matters then. */
 		if (pair->result_count && !options->all)
 			last = pair->results[0].step;
 	}
@@ -251,7 +251,7 @@ void stock_check_collect(const struct stock_check *check, const struct scene *sc
 	}
 }
 
-/* Chunks of the log that are looked at for one size of the cubes of --stock-out: some seconds. */
+/* The most chunks of the log examined for one cube size of --stock-out: some seconds. */
 #define REMAINDER_EFFORT 1000000
 
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder)

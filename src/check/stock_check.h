@@ -1,14 +1,14 @@
 /*
- * stock_check.h - the stock of a program: logs what its cutters cut, and checks what must not touch what remains.
+ * stock_check.h - the stock of a program: logs the cuts, and checks the bodies that must not touch the remaining stock.
  *
  * The data flow: <stock> of the setup becomes a body of the scene, whose mesh is the blank (machine/stock_build.h). Its
  * pairs are marked (scene_pair.stock), and the scheduler leaves them to this file. Each step of the program comes here
- * first, in the order of time, whichever shard checks it: where a turning cutter feeds, what it surely removes goes to
- * the log (stock/cutting.h, stock/cut_log.h). Then each batch is checked pair by pair (check/stock_pair.h). A question
- * goes to the cells (stock/stock_cells.h), which ask the log for the cuts before its time, and divide where that is not
- * enough.
+ * first, in the order of time, whichever shard checks it: where a turning cutter feeds, the material that it certainly
+ * removes goes to the log (stock/cutting.h, stock/cut_log.h). Then each batch is checked pair by pair
+ * (check/stock_pair.h). A query goes to the cells (stock/stock_cells.h); they ask the log for the cuts before its time,
+ * and divide if that is not enough.
  *
- * A finding is `rapid-contact` of a cutter at rapid or standing, `collision` (or `clearance`) of everything else.
+ * A finding is `rapid-contact` for a cutter at rapid or at rest, `collision` (or `clearance`) for everything else.
  */
 #ifndef FIVECHECK_CHECK_STOCK_CHECK_H
 #define FIVECHECK_CHECK_STOCK_CHECK_H
@@ -23,10 +23,10 @@
 #include "stock/cutter.h"
 #include "stock/stock_mesh.h"
 
-/* A tool that cuts, with the pair that tells how it moves over the stock. */
+/* A tool that cuts, with the pair that describes its motion relative to the stock. */
 struct stock_tool {
 	int tool;
-	bool surely;	/* what it removes is known: a cutter of sections; else it may remove what it passes */
+	bool surely;	/* a cutter given by sections, whose cuts are known; else they are only possible */
 	struct body_pair bodies;	/* the stock is a, the cutter b */
 };
 
@@ -37,7 +37,7 @@ struct stock_check {
 	struct cutter *cutters;	/* of the log: one for each of the tools */
 	struct stock_tool *tools;
 	size_t tool_count;
-	double chord_error;	/* mm: how exactly the ways of cutters are logged */
+	double chord_error;	/* mm: how exactly the paths of cutters are logged */
 	vec3 low, high;	/* the box around the blank */
 	struct cut_log log;
 	struct stock_cells cells;
@@ -45,21 +45,21 @@ struct stock_check {
 	size_t result_count, result_capacity;
 };
 
-/* Must not be moved afterwards. False: something is faulty or not supported with stock, reported. */
+/* *check must not be moved afterwards. False: an error, or something that is not supported with stock, reported. */
 bool stock_check_init(struct stock_check *check, struct scene *scene, const struct check_options *options,
 		      const struct cancel *cancel, struct diag *diag);
 void stock_check_release(struct stock_check *check);
 
-/* Logs what the step cuts; `number` counts all steps of the program from 0. */
+/* Logs the cuts of the step; `number` counts all steps of the program from 0. */
 void stock_check_log(struct stock_check *check, const struct motion_step *step, long number);
 
 /*
- * errno of the first fault of the log's temporary file; 0: there was none. After a fault nothing holds that was said of
- * the stock: no finding, and no absence of findings.
+ * errno of the first error of the log's temporary file; 0: none. After an error no statement about the stock is valid:
+ * neither a finding, nor that there is none.
  */
 int stock_check_fault(const struct stock_check *check);
 
-/* The next step may not begin where a pair was looked at last: a tool was changed, or steps were left out. */
+/* The next step may not begin where a pair was last examined: a tool was changed, or steps were left out. */
 void stock_check_jump(struct stock_check *check);
 
 /*
@@ -70,19 +70,19 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		     const struct check_options *options);
 
 /*
- * Measures the clearances in the batch's blocks (stock_clearance_measure), each in `blocks` of its `clearances`.
- * Call it after stock_check_run. False: interrupted; then they are invalid.
+ * Measures the clearances in the batch's blocks (stock_clearance_measure), into `blocks` of each of its `clearances`.
+ * Call it after stock_check_run. False: interrupted; the clearances are invalid.
  */
 bool stock_check_measure(struct stock_check *check, const struct batch *batch, int tool);
 
-/* What remains of the stock before the step `number`; nothing is known of it after a fault of the log. */
+/* The remaining stock before the step `number`; invalid after an error of the log. */
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);
 
-/* Fills in what the view asks for, at the latest before the step `number`. Without stock it stays as it is. */
+/* Fills in the view, at the latest before the step `number`. Without stock the view is unchanged. */
 void stock_check_view(struct stock_check *check, long number, struct stock_view *view);
 
 /*
- * Adds up the counters and the pairs that became unknown up to last_block, which ended the check. proven may be NULL.
+ * Adds up the counters, and the pairs that became unknown up to last_block, where the check ended. proven may be NULL.
  */
 void stock_check_collect(const struct stock_check *check, const struct scene *scene, long last_block,
 			 struct check_stats *stats, double *proven);

@@ -12,7 +12,7 @@
 #define LEAST_WAY_SHARE 0.0625
 #define MARGIN_SHARE 0.0625
 
-/* Looking at a cell costs as much as this many pairs of nodes, the unit of check_options.effort. */
+/* The cost of a cell in node pairs, the unit of check_options.effort. */
 #define CELL_EFFORT 8
 
 /* mm: distances beyond this are all alike. */

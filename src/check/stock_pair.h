@@ -1,4 +1,4 @@
-/* stock_pair.h - the check of one body against the stock, which cutters change: takes the pair through the steps. */
+/* stock_pair.h - checks one body against the remaining stock in the steps of each batch. */
 #ifndef FIVECHECK_CHECK_STOCK_PAIR_H
 #define FIVECHECK_CHECK_STOCK_PAIR_H
 
@@ -11,24 +11,24 @@
 #include "stock/stock_sweep.h"
 
 /*
- * The exact answer is stock_sweep's, and it depends on the step, the blank and the earlier cuts alone. What saves work
- * is a motion budget: a distance that was proved once. The stock only ever shrinks, so the budget stays valid until the
- * axes have used it up. It covers only what is farther from the stock than the sweep would report.
+ * The exact answer comes from stock_sweep and depends only on the step, the blank and the earlier cuts. A motion budget
+ * saves work: a distance that was proved once. The stock only ever shrinks, so the budget stays valid until the axes
+ * have used it up. It covers only motion that stays farther from the stock than the sweep would report.
  */
 struct stock_pair {
 	size_t pair;	/* of the scene */
 	int tool;	/* the tool that the body belongs to; 0: none */
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
-	bool feeds_too;	/* a cutter that must keep off at a feed, too (a rule of the user) */
-	bool open;	/* the body's mesh is open: what is inside it cannot be told */
+	bool feeds_too;	/* a cutter that may not touch at a feed either (a rule of the user) */
+	bool open;	/* the body's mesh is open: it has no defined inside */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
-	long unknown_block;	/* the first block in which the stock may have been inside the body, unseen; -1: none */
+	long unknown_block;	/* the first block in which the stock may have been inside the body; -1: none */
 	struct body_pair bodies;
-	struct revolved revolved;	/* of a tool's piece that is made of sections */
+	struct revolved revolved;	/* the surface of a tool's piece that is given by sections */
 	struct obstacle obstacle;
 	struct stock_sweep sweep;
-	double margin;	/* mm: a budget begins only if so much of it remains */
+	double margin;	/* mm: the least room with which a budget begins */
 	struct motion_budget budget;
 	bool clear_at_end;	/* proved where the last step ended: the pair is apart there */
 	bool asked;	/* a distance was proved, or a step was swept */
@@ -38,8 +38,8 @@ struct stock_pair {
 };
 
 /*
- * `tolerance` (mm) is how exactly the stock is to be known. Must not be moved afterwards. False: the mesh of a cutter
- * is open, reported.
+ * `tolerance` (mm): how exactly the stock must be known. *check must not be moved afterwards. False: the mesh of a
+ * cutter is open, reported.
  */
 bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair, struct stock_cells *cells,
 		     double tolerance, const struct check_options *options, const struct cancel *cancel,
@@ -52,16 +52,17 @@ bool stock_pair_is_active(const struct stock_pair *check, int tool);
 bool stock_pair_watches(const struct stock_pair *check, enum step_class class);
 
 /*
- * Checks the batch's steps before `to`. Stores the results: with options->all the first of each block, else the first.
+ * Checks the batch's steps before `to`. Stores the results: with options->all the first one of each block, else only
+ * the first one.
  */
 void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
 		    const struct check_options *options);
 
-/* The exact answer for one step: the pair's own `sweep`, or a copy of it that asks for another clearance. */
+/* The exact answer for one step, by the pair's own `sweep`, or a copy of it with another clearance. */
 enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep *sweep, const struct motion_step *step,
 				   long number, struct contact *contact);
 
-/* Looks at the axis positions q, where the axes stand before the step `number`. */
+/* Checks the position q, where the axes are at rest before the step `number`. */
 enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *q, long number,
 				   struct contact *contact);
 

@@ -1,4 +1,4 @@
-/* argv_parser.h - takes a command line apart by a table of options; the caller decides what each option does. */
+/* argv_parser.h - splits a command line with a table of options; the caller decides what each option does. */
 #ifndef FIVECHECK_CLI_ARGV_PARSER_H
 #define FIVECHECK_CLI_ARGV_PARSER_H
 
@@ -21,13 +21,13 @@ struct argv_parser {
 };
 
 /*
- * Hands over options and operands, which may come in any order, as GNU getopt_long does; argv[0] is skipped. False,
- * reported: an option is unknown or ambiguous, or lacks its argument. getopt_long keeps global state: call this once
- * in a process.
+ * Passes on options and operands, which may come in any order, as GNU getopt_long does; argv[0] is skipped. False,
+ * reported: an option is unknown or ambiguous, or its argument is missing. getopt_long keeps global state: call this
+ * once in a process.
  */
 bool argv_parser_run(const struct argv_parser *parser, int argc, char **argv, struct diag *diag);
 
-/* Appends what --help says about each option. */
+/* Appends the help of each option. */
 void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count);
 
 #endif

@@ -10,8 +10,8 @@
 
 struct command {
 	const char *name;
-	const char *operands;	/* as --help calls them */
-	const char *const *choices;	/* the operand is one of these, ends in NULL; NULL: operands are files */
+	const char *operands;	/* their name in --help */
+	const char *const *choices;	/* the possible operands, ends in NULL; NULL: operands are files */
 	const char *summary;
 	const struct option_row *options;
 	size_t option_count;

@@ -1,4 +1,4 @@
-/* command_line.h - reads the command line of a check into options, and prints what --help says. */
+/* command_line.h - reads the command line of a check into options, and prints --help. */
 #ifndef FIVECHECK_CLI_COMMAND_LINE_H
 #define FIVECHECK_CLI_COMMAND_LINE_H
 
@@ -15,7 +15,7 @@
  */
 bool command_line_parse(struct options *options, int argc, char **argv, struct diag *diag);
 
-/* Appends what --help prints; `commands` is the table of subcommands. */
+/* Appends the text of --help; `commands` is the table of subcommands. */
 void command_line_help(struct strbuf *out, const struct command *commands);
 
 #endif

@@ -1,4 +1,4 @@
-/* command_table.h - the one table of subcommands. */
+/* command_table.h - the table of subcommands. */
 #ifndef FIVECHECK_CLI_COMMAND_TABLE_H
 #define FIVECHECK_CLI_COMMAND_TABLE_H
 
@@ -7,7 +7,7 @@
 /* Ends in a row without a name. */
 extern const struct command command_table[];
 
-/* The subcommand of that name, or NULL. A file with the name of a subcommand is written with its folder: ./init */
+/* The subcommand with this name, or NULL. To check a file with the name of a subcommand, write its folder: ./init */
 const struct command *command_table_find(const char *name);
 
 #endif

@@ -5,7 +5,7 @@
 #include "base/diag.h"
 #include "cli/error_list.h"
 
-/* Report to `diag`: every diagnostic goes on to `out`, and error_list_add keeps the errors. */
+/* Report to `diag`: every diagnostic goes to `out`, and error_list_add keeps the errors. */
 struct diag_tee {
 	struct diag diag;
 	struct diag *out;	/* borrowed */

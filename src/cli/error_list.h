@@ -1,4 +1,4 @@
-/* error_list.h - the first errors that were reported, and the first warning, kept for the reports. */
+/* error_list.h - keeps the first errors and the first warning for the reports. */
 #ifndef FIVECHECK_CLI_ERROR_LIST_H
 #define FIVECHECK_CLI_ERROR_LIST_H
 

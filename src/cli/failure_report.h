@@ -1,4 +1,4 @@
-/* failure_report.h - writes the reports of a run that could not check any program because a file is faulty. */
+/* failure_report.h - writes the reports of a run that could not check any program because of an error in a file. */
 #ifndef FIVECHECK_CLI_FAILURE_REPORT_H
 #define FIVECHECK_CLI_FAILURE_REPORT_H
 
@@ -9,9 +9,9 @@
 
 /*
  * Reports every program as incomplete and closes the sinks, so that a CI server does not read the reports of an earlier
- * run. A file is replaced only if it is empty or begins like a report of its format: as long as the machine file cannot
- * be read, its meshes are unknown, and they must not be overwritten. A note names each file that is left as it was.
- * False, reported: a report could not be written.
+ * run. A file is replaced only if it is empty or begins like a report of its format: if the machine file cannot be
+ * read, its meshes are unknown, and must not be overwritten. A note names each file that is left unchanged. False,
+ * reported: a report could not be written.
  */
 bool failure_report_write(const struct options *options, const struct error_list *errors, struct sinks *sinks,
 		   struct diag *diag);

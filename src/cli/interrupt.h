@@ -1,4 +1,4 @@
-/* interrupt.h - the interrupt key (SIGINT) ends a check in good order: findings so far are reported. */
+/* interrupt.h - the interrupt key (SIGINT) ends a check with a report of the findings so far. */
 #ifndef FIVECHECK_CLI_INTERRUPT_H
 #define FIVECHECK_CLI_INTERRUPT_H
 
@@ -7,10 +7,10 @@
 /* From now on the first SIGINT is recorded and a second one ends the process. SIGALRM is used, too. */
 void interrupt_watch(void);
 
-/* Has SIGINT come? */
+/* Did SIGINT come? */
 bool interrupt_seen(void);
 
-/* Has SIGINT come more than a second ago? Then work that is still under way must be broken off. */
+/* Did SIGINT come more than a second ago? Then running work must be broken off. */
 bool interrupt_presses(void);
 
 #endif

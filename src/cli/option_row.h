@@ -7,9 +7,9 @@
 enum option_kind {
 	VALUE_FLAG,	/* bool, set to true */
 	VALUE_TEXT,	/* const char *, not empty */
-	VALUE_LETTERS,	/* const char *; none are an argument, too */
+	VALUE_LETTERS,	/* const char *; may be empty */
 	VALUE_OUTPUT,	/* const char *: the name of a file, not empty; - becomes NULL, standard output */
-	VALUE_LIST,	/* struct text_list, gets one more */
+	VALUE_LIST,	/* struct text_list, to which it is added */
 	VALUE_NUMBER,	/* double from least to greatest */
 	VALUE_COUNT,	/* int from least to greatest */
 	VALUE_CHOICE,	/* int: the index of the choice */
@@ -17,21 +17,21 @@ enum option_kind {
 	VALUE_SHARD,	/* two int: K and N of K/N */
 	VALUE_KINDS,	/* unsigned: a bit for each choice named */
 	VALUE_AMOUNTS,	/* four double from least to greatest, separated by commas */
-	VALUE_MODE	/* the mode of the run becomes `mode`; an argument: const char *, `choices` are only offered */
+	VALUE_MODE	/* sets the mode of the run; an argument: const char *, `choices` are suggestions */
 };
 
 struct option_row {
 	int key;	/* its letter, or a number above 255 that no other row has */
 	const char *name;
-	const char *argument;	/* as --help calls it; NULL: it takes none */
+	const char *argument;	/* its name in --help; NULL: none */
 	unsigned modes;	/* a bit for each mode of the run in which it is allowed */
 	enum option_kind kind;
-	size_t field;	/* offset of what it sets */
+	size_t field;	/* offset of the member that it sets */
 	double least, greatest;
 	const char *unit;
 	const char *const *choices;	/* ends in NULL */
 	int mode;
-	const char *help;	/* %s stands for "a, b or c", the choices */
+	const char *help;	/* %s is replaced by the choices, "a, b or c" */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* option_table.h - the one table of a check's options; parser, help, completions and usage errors are made from it. */
+/* option_table.h - the table of a check's options; parser, help, completions and usage errors are generated from it. */
 #ifndef FIVECHECK_CLI_OPTION_TABLE_H
 #define FIVECHECK_CLI_OPTION_TABLE_H
 

@@ -10,11 +10,11 @@
 
 /*
  * Sets the field of *record that the row names. Numbers are plain decimals, with or without an exponent. False,
- * reported: *record is untouched.
+ * reported: *record is unchanged.
  */
 bool option_value_set(void *record, const struct option_row *row, const char *text, struct diag *diag);
 
-/* Reads a finite plain decimal number. False: the text is something else, *out is untouched. */
+/* Reads a finite plain decimal number. False: the text is no such number, and *out is unchanged. */
 bool option_value_number(double *out, const char *text);
 
 #endif

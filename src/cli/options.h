@@ -1,4 +1,4 @@
-/* options.h - what the command line asks for. */
+/* options.h - the options of the command line. */
 #ifndef FIVECHECK_CLI_OPTIONS_H
 #define FIVECHECK_CLI_OPTIONS_H
 
@@ -10,7 +10,7 @@
 #include "machine/machine.h"
 #include "report/writers/writers.h"
 
-/* What --fail-on accepts besides the kinds of findings: indices of its choices, bits of `fail_on`. */
+/* The choices of --fail-on besides the kinds of findings: indices of its choices, bits of `fail_on`. */
 enum { FAIL_ON_WARNING = FINDING_KINDS, FAIL_ON_NONE };
 
 enum run_mode {
@@ -34,7 +34,7 @@ struct text_list {
 	size_t count, capacity;
 };
 
-/* One element of an array that is indexed by enum report_format: what --format asked for. */
+/* One element of an array that is indexed by enum report_format: an argument of --format. */
 struct format_choice {
 	bool wanted;
 	const char *path;	/* NULL: the file of --output, or standard output */
@@ -44,13 +44,13 @@ struct format_choice {
 struct options {
 	enum run_mode mode;
 	const char *machine;
-	const char *job_file;	/* that names this job; NULL: none does */
-	bool jobs;	/* that is a job file */
-	const char *setup;	/* NULL: the machine's own, if it has one */
-	char **programs;	/* "-" is standard input, once at most; owned array */
+	const char *job_file;	/* the job file of this job, or NULL */
+	bool jobs;	/* `machine` is a job file */
+	const char *setup;	/* NULL: the one inside the machine file, if any */
+	char **programs;	/* "-" is standard input, at most once; owned array */
 	size_t program_count;
-	const char *files_from;	/* a list of more; "-" is standard input; or NULL */
-	char *list;	/* the text of that file, cut into names; owned */
+	const char *files_from;	/* a list of more programs; "-" is standard input; or NULL */
+	char *list;	/* the text of that file, divided into names; owned */
 	int shard, shards;	/* K and N of --shard; 0: not given */
 	char program_list[DIGEST_SIZE];	/* see struct report_run */
 	struct check_options check;
@@ -58,8 +58,8 @@ struct options {
 	struct format_choice formats[FORMAT_COUNT];
 	struct text_list includes;	/* folders; `check` refers to them */
 	const char *output;	/* NULL: standard output */
-	bool output_of_format;	/* it was given as the file of --format, for a table */
-	const char *explain;	/* the word that --explain asks about, or NULL */
+	bool output_of_format;	/* given as the file of --format, for a table */
+	const char *explain;	/* the word of --explain, or NULL */
 	const char *pose;	/* or NULL */
 	const char *stock_out;	/* or NULL */
 	const char *report;	/* or NULL */
@@ -78,28 +78,28 @@ struct options {
 	int color;	/* enum color_choice */
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
-	int dialect;	/* of dialect_choice_names; -1: the machine's */
-	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
+	int dialect;	/* index of dialect_choice_names; -1: that of the machine file */
+	int duplicates;	/* 1: if a word stands twice in a block, the last one counts */
 };
 
-/* An option that names a file to be written. */
+/* An option that names an output file. */
 struct output_option {
 	const char *option;
-	const char **path;	/* where the name of the file stands; *path is NULL if the option was not given */
+	const char **path;	/* the member with the file name; *path is NULL if the option was not given */
 };
 
 enum { OUTPUT_OPTIONS = FORMAT_COUNT + 9 };
 
-/* Fills the list with all of them: a check writes no other file. The paths are those of *options. */
+/* Fills the list with all output files: a check writes no others. The paths are those of *options. */
 void options_list_outputs(struct options *options, struct output_option list[OUTPUT_OPTIONS]);
 
 /* Was --sensitivity given with any amount above 0? */
 bool options_want_sensitivity(const struct options *options);
 
-/* Does a report contain the digests of the files that are read? */
+/* Does a report contain the digests of the input files? */
 bool options_want_digests(const struct options *options);
 
-/* Is a report or a picture to be drawn? */
+/* Will a report or a picture be drawn? */
 bool options_want_visual(const struct options *options);
 
 void options_release(struct options *options);

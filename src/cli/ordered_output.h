@@ -12,14 +12,14 @@
 #include "cli/error_list.h"
 #include "report/sink.h"
 
-/* The outputs of all programs. Only the current program writes at once; the others are buffered. */
+/* The outputs of all programs. Only the current program writes immediately; the others are buffered. */
 struct ordered_output {
 	struct stderr_ui *ui;	/* borrowed */
 	struct sinks *sinks;	/* borrowed */
 	pthread_mutex_t lock;
 	struct program_output *programs;	/* in the order of the command line */
 	size_t count;
-	size_t current;	/* index of the program that writes at once */
+	size_t current;	/* index of the program that writes immediately */
 };
 
 /* The output of one program. */
@@ -38,7 +38,7 @@ void ordered_output_release(struct ordered_output *order);
 /* Has a write failed? Then the remaining programs need not be checked. */
 bool ordered_output_is_lost(struct ordered_output *order);
 
-/* Writes or buffers text for a sink, and empties it. False once a write has failed. */
+/* Writes or buffers text for a sink, and empties it. False after a failed write. */
 bool program_output_write(struct program_output *output, size_t sink, struct strbuf *text);
 
 /* Shows the progress of the program if it is the current one. */

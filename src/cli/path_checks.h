@@ -1,4 +1,4 @@
-/* path_checks.h - refuses to overwrite inputs, and refuses input files outside of --input-root. */
+/* path_checks.h - refuses to overwrite inputs, and refuses input files outside --input-root. */
 #ifndef FIVECHECK_CLI_PATH_CHECKS_H
 #define FIVECHECK_CLI_PATH_CHECKS_H
 
@@ -18,8 +18,8 @@
 bool path_checks_outputs(const struct options *options, struct diag *diag);
 
 /*
- * The same for a file whose name is made from that of an option, as --report does for each of several programs;
- * `files`, too, were read.
+ * The same for a file whose name is derived from that of an option, as for --report with several programs; `files` are
+ * further input files.
  */
 bool path_checks_derived(const struct options *options, const char *option, const char *path,
 			 const struct report_file *files, size_t file_count, struct diag *diag);
@@ -29,8 +29,8 @@ bool path_checks_meshes(const struct options *options, const struct machine *mac
 			struct diag *diag);
 
 /*
- * False, reported: an output is a file that was read. The files of subprograms are known only after the check, so this
- * runs before outputs take their names.
+ * False, reported: an output is an input file. The files of subprograms are known only after the check, so call this
+ * before outputs replace files.
  */
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
@@ -38,9 +38,9 @@ bool path_checks_inputs(const struct options *options, const struct input_files 
 bool path_checks_root(const struct options *options, struct diag *diag);
 
 /*
- * False, reported: the machine or the setup names a mesh outside of --input-root, symbolic links followed. The bodies
- * remember the root, so that meshes which are read later obey it, too. Tool libraries obeyed it when they were read
- * (machine_load_within).
+ * False, reported: the machine or the setup names a mesh outside --input-root, after symbolic links are followed. The
+ * bodies remember the root, so that it also applies to meshes that are read later. Tool libraries were tested when they
+ * were read (machine_load_within).
  */
 bool path_checks_within(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);

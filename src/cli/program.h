@@ -28,7 +28,7 @@ bool program_close(struct program_file *file, struct diag *diag);
 /* What the programs of a run share. Borrows everything. */
 struct program_context {
 	const struct options *options;
-	struct check_options check;	/* the options', with the threads that one program may use */
+	struct check_options check;	/* from the options, with the threads for one program */
 	struct model *model;
 	struct scene *scene;	/* the model's */
 	struct report_run run;
@@ -45,7 +45,7 @@ struct program_outcome {
 	long waived;	/* findings */
 	bool accepted;	/* there are findings, and none of them fails the run */
 	bool has_first;	/* a finding fails the run; then: */
-	axis_values first_axes;	/* where the machine stood */
+	axis_values first_axes;	/* the axis positions there */
 	int first_tool;	/* in the spindle */
 };
 

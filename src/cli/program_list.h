@@ -11,8 +11,7 @@
 bool program_list_read(struct options *options, struct diag *diag);
 
 /*
- * Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. Sets options->program_list from the
- * names of all.
+ * Keeps only the programs of --shard K/N: the K-th, the (K+N)-th, and so on. Sets options->program_list from all names.
  */
 void program_list_take_shard(struct options *options);
 

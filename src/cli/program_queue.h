@@ -1,4 +1,4 @@
-/* program_queue.h - which program is checked next, when several are checked at a time. */
+/* program_queue.h - decides which program is checked next, if several are checked at a time. */
 #ifndef FIVECHECK_CLI_PROGRAM_QUEUE_H
 #define FIVECHECK_CLI_PROGRAM_QUEUE_H
 
@@ -7,24 +7,24 @@
 #include <stddef.h>
 
 struct program_queue {
-	pthread_mutex_t lock;	/* for all that follows */
+	pthread_mutex_t lock;	/* guards everything below */
 	size_t count;
 	double *sizes;	/* bytes */
 	bool *taken;
 	size_t *by_size;	/* all programs, the largest first */
-	size_t next, largest;	/* before these, of the programs and of by_size, all are taken */
-	double left;	/* the sum of the sizes of those that are not taken */
+	size_t next, largest;	/* all programs before these, in order and in by_size, are taken */
+	double left;	/* the sum of the sizes of the others */
 	int threads;
 };
 
-/* sizes: bytes of each program, 0 where that is not known. */
+/* sizes: bytes of each program, 0 if not known. */
 void program_queue_init(struct program_queue *queue, const double *sizes, size_t count, int threads);
 void program_queue_release(struct program_queue *queue);
 
 /*
- * Takes a program; false: all are taken. They are taken in their order, because results are printed in that order;
- * except that a program with more than a thread's share of all that is left is taken at once: else the other threads
- * would have nothing to do in the end, when one still checks it.
+ * Takes a program; false: all are taken. They are taken in their order, because results are printed in that order. But
+ * a program with more than one thread's share of the remaining work is taken at once: otherwise the other threads would
+ * be idle at the end, while one still checks it.
  */
 bool program_queue_take(struct program_queue *queue, size_t *program);
 

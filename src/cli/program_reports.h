@@ -1,6 +1,6 @@
 /*
  * program_reports.h - the reports with pictures of a run (--report, --glb, --picture): one file for each program, and
- * an index page where there are several.
+ * an index page for several programs.
  */
 #ifndef FIVECHECK_CLI_PROGRAM_REPORTS_H
 #define FIVECHECK_CLI_PROGRAM_REPORTS_H
@@ -15,9 +15,9 @@
 #include "report/html/scene_pack.h"
 #include "report/report.h"
 
-/* What the index says of a program. Owned; NULL: not known yet. */
+/* The row of a program in the index. Owned; NULL: not known yet. */
 struct reported_program {
-	/* of its files: a part of the program's name that may stand in a file name; "" for a single program */
+	/* for its files: the part of the program's name that is allowed in a file name; "" for a single program */
 	char *name;
 	char *sentence;
 	const char *word;
@@ -28,27 +28,27 @@ struct program_reports {
 	const struct options *options;
 	struct scene *scene;
 	struct scene_pack pack;
-	struct report_file *files;	/* that are known before the check; their texts are borrowed */
+	struct report_file *files;	/* known before the check; their texts are borrowed */
 	size_t file_count;
-	size_t stock_bytes;	/* that the stock may need in a report; 0: there is none */
+	size_t stock_bytes;	/* reserved for the stock in a report; 0: there is none */
 	struct reported_program *programs;
 };
 
 /*
- * Looks whether the files can be written. The meshes are packed now for several programs, later for one. False:
+ * Tests whether the files can be written. For several programs the meshes are packed now, for one program later. False:
  * reported.
  */
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
 
-/* The part of a program's name that may stand in the names of its files: "parts/a b.nc" becomes "a_b". */
+/* The part of a program's name that is allowed in the names of its files: "parts/a b.nc" becomes "a_b". */
 void program_reports_add_stem(struct strbuf *out, const char *program);
 
-/* False, reported: the file is there already, and is no report, picture or scene, which alone may be replaced. */
+/* False, reported: the file exists and is no report, picture or scene; only these may be replaced. */
 bool program_reports_may_replace(const char *option, const char *path, struct diag *diag);
 
-/* How many triangles what remains of the stock may have; 0: there is no stock. */
+/* The most triangles for the remaining stock; 0: there is no stock. */
 size_t program_reports_stock_triangles(const struct program_reports *reports);
 
 /*

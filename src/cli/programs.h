@@ -13,7 +13,7 @@
 struct programs_run {
 	const struct options *options;
 	struct model *model;
-	double seconds;	/* that loading took */
+	double seconds;	/* duration of loading */
 	struct stderr_ui *ui;
 	struct sinks *sinks;
 	struct input_files *inputs;	/* those read so far; the files of subprograms are added */

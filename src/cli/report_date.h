@@ -1,4 +1,4 @@
-/* report_date.h - the day that waivers are compared with. */
+/* report_date.h - the day with which the dates of waivers are compared. */
 #ifndef FIVECHECK_CLI_REPORT_DATE_H
 #define FIVECHECK_CLI_REPORT_DATE_H
 

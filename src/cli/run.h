@@ -1,4 +1,4 @@
-/* run.h - carries out a command line that has no subcommand: a check, or a table about the machine or the path. */
+/* run.h - runs a command line without a subcommand: a check, or a table about the machine or the path. */
 #ifndef FIVECHECK_CLI_RUN_H
 #define FIVECHECK_CLI_RUN_H
 
@@ -12,8 +12,8 @@
 enum run_status run_options(const struct options *options, struct stderr_ui *ui);
 
 /*
- * The same on a model that was loaded from the files that the options name, and prepared; for RUN_CHECK. `known` has
- * the digests of these files that earlier checks on the model computed, and gets those of this one. NULL and NULL: as
+ * The same on a model that was loaded from the files in the options, and prepared; for RUN_CHECK. `known` has the
+ * digests of these files from earlier checks on the model, and receives those of this one. NULL and NULL: like
  * run_options.
  */
 enum run_status run_options_on(const struct options *options, struct model *model, struct known_digests *known,

@@ -10,16 +10,16 @@ enum color_choice { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
 
 struct stderr_ui {
-	struct diag diag;	/* prints every entry that is reported to it */
-	bool quiet;	/* prints errors and the notes that belong to them, no progress */
+	struct diag diag;	/* prints every entry */
+	bool quiet;	/* prints only errors and their notes, no progress */
 	bool after_error;	/* the last entry was an error, or a note that belongs to it */
 	bool colour;
-	bool terminal, renews;	/* a terminal; one that can show a line anew */
+	bool terminal, renews;	/* a terminal; one that can renew a line */
 	enum progress_kind kind;
 	size_t programs, done;	/* programs of the run, and how many of them are finished */
-	double started;	/* as stderr_ui_seconds tells it */
+	double started;	/* by stderr_ui_seconds */
 	bool progress;	/* the last line of the terminal shows the progress */
-	double shown;	/* when progress was last printed, as stderr_ui_seconds tells it */
+	double shown;	/* when progress was last printed, by stderr_ui_seconds */
 };
 
 /* The structure must not be moved afterwards: its diag points back at it. */
@@ -41,7 +41,7 @@ void stderr_ui_finish(struct stderr_ui *ui);
  */
 void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share);
 
-/* Removes the progress line; to be called before anything else is printed. */
+/* Removes the progress line. Call it before anything else is printed. */
 void stderr_ui_clear(struct stderr_ui *ui);
 
 /* Seconds of the monotonic clock. */

@@ -1,4 +1,4 @@
-/* subcommand.h - reads the words of a subcommand into its request, and prints its help. */
+/* subcommand.h - reads the arguments of a subcommand into its request, and prints its help. */
 #ifndef FIVECHECK_CLI_SUBCOMMAND_H
 #define FIVECHECK_CLI_SUBCOMMAND_H
 
@@ -12,8 +12,8 @@
 /* One of the options has the letter h: it prints the help. */
 struct subcommand {
 	const char *name;
-	const char *usage;	/* what the help says before the options */
-	const char *examples;	/* what it says behind them; NULL: nothing */
+	const char *usage;	/* the help before the options */
+	const char *examples;	/* the help after them, or NULL */
 	const struct option_row *options;
 	size_t option_count;
 };
@@ -25,13 +25,13 @@ struct operands {
 };
 
 /*
- * Sets the fields of *request that the options name and fills *operands; argv[0] is skipped. False: there is nothing
- * left to do, and *status is the exit status: the help was printed, or a fault was reported.
+ * Sets the fields of *request that the options name and fills *operands; argv[0] is skipped. False: nothing is left to
+ * do, and *status is the exit status: the help was printed, or an error was reported.
  */
 bool subcommand_read(const struct subcommand *subcommand, void *request, struct operands *operands, int argc,
 		     char **argv, struct diag *diag, enum run_status *status);
 
-/* Notes where the options are listed, behind an error about them. */
+/* After an error about the options, a note that names the option with their list. */
 enum run_status subcommand_refuse(const struct subcommand *subcommand, struct diag *diag);
 
 void operands_release(struct operands *operands);

@@ -1,4 +1,4 @@
-/* dialects.h - the one table of the dialects that programs can be written in: a row for each control. */
+/* dialects.h - the only table of the dialects of programs: a row for each control. */
 #ifndef FIVECHECK_CONTROL_DIALECTS_H
 #define FIVECHECK_CONTROL_DIALECTS_H
 
@@ -7,10 +7,9 @@
 #include "control/control_presets.h"
 
 /*
- * ROW(name, title, ...): the name stands in the machine file and after
- * --dialect, and src/gcode/dialect/NAME/ defines dialect_NAME; the title stands
- * in messages; the rest are the members of struct dialect_row that are not 0.
- * The first row is the default.
+ * ROW(name, title, ...): the name is used in the machine file and after --dialect, and src/gcode/dialect/NAME/ defines
+ * dialect_NAME; the title is used in messages; the rest are the members of struct dialect_row that are not 0. The first
+ * row is the default.
  */
 #define DIALECTS(ROW)                                                                                                  \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
@@ -23,15 +22,15 @@
 		"the control may leave the programmed path by an amount that is not known, and only that path "        \
 		"was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")
 
-/* What is known of a control before any program is read. */
+/* The properties of a control that are known before any program is read. */
 struct dialect_row {
 	const char *name;
 	const char *title;
-	/* Every G0 goes straight to its end. Otherwise a parameter decides, which the machine file tells. */
+	/* Every G0 moves straight to its end. Otherwise a parameter decides, which the machine file gives. */
 	bool straight_rapids;
 	/*
-	 * Parameters of the control say what a number without a decimal point means, and whether axes move where the
-	 * length compensation changes. Otherwise the machine file must not tell it: least_input,
+	 * Parameters of the control define the meaning of a number without a decimal point, and whether axes move when
+	 * the length compensation changes. Otherwise the machine file must not have these attributes: least_input,
 	 * length_offset_moves, length_after_reference, g53_with_g91.
 	 */
 	bool has_parameters;

@@ -10,12 +10,12 @@
 
 _Static_assert((int)BVH_WIDTH == (int)LANES, "a lane a child");
 
-/* What each child takes up of an axis. */
+/* The extent of each child along an axis. */
 struct extent {
 	lanes low, high, middle;
 };
 
-/* Where a box of the other body stands on an axis of a frame at one end: middle and half size. */
+/* The position of a box of the other body on an axis of a frame at one end: middle and half size. */
 static inline void place(const struct box_map *map, int axis, const struct box *box, float *middle, float *half)
 {
 	const float *r = map->r[axis], *s = map->abs_r[axis];
@@ -43,7 +43,7 @@ LANES_FUNCTION struct extent place_children(const struct box_map *map, int axis,
 	return e;
 }
 
-/* The square of the gap between two intervals, 0 where they overlap, added to `sum`. */
+/* Adds the square of the gap between two intervals, 0 if they overlap, to `sum`. */
 LANES_FUNCTION lanes add_gap(lanes sum, lanes low_a, lanes high_a, lanes low_b, lanes high_b)
 {
 	lanes gap = lanes_max(lanes_sub(low_a, high_b), lanes_sub(low_b, high_a));
@@ -52,13 +52,13 @@ LANES_FUNCTION lanes add_gap(lanes sum, lanes low_a, lanes high_a, lanes low_b, 
 	return lanes_add(sum, lanes_mul(gap, gap));
 }
 
-/* A hull is tight along one straight shift; what is lost goes across it: the second largest. */
+/* A hull is tight along one straight shift; the loss is across it: the second largest. */
 LANES_FUNCTION lanes second_largest(lanes a, lanes b, lanes c)
 {
 	return lanes_max(lanes_min(a, b), lanes_min(lanes_max(a, b), c));
 }
 
-/* In the node's frame the moving box has one hull, and the children stand still. */
+/* In the node's frame the moving box has one hull, and the children are fixed. */
 LANES_FUNCTION lanes apart_in_own(const struct box_view *view, bool still, const struct bvh_node *node,
 				  const struct box *other, lanes *lost)
 {
@@ -87,7 +87,7 @@ LANES_FUNCTION lanes apart_in_own(const struct box_view *view, bool still, const
 	return square;
 }
 
-/* In the box's frame every child has a hull of its own. */
+/* In the box's frame every child has its own hull. */
 LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, const struct bvh_node *node,
 				    const struct box *other, lanes *lost)
 {
@@ -112,7 +112,7 @@ LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, con
 	return square;
 }
 
-/* A lower bound on the distance: the root is rounded down, what may be off is taken away. */
+/* A lower bound of the distance: the root is rounded down, and the displacement subtracted. */
 LANES_FUNCTION lanes distance_of(lanes square, float displacement)
 {
 	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - FLOAT_MARGIN)), lanes_all(displacement));
@@ -127,7 +127,7 @@ static LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, 
 	lanes a = distance_of(apart_in_own(own, motion->still, node, other, &own_lost), own->displacement);
 	lanes b;
 
-	/* Often one view alone dismisses the whole node. */
+	/* Often one view alone excludes the whole node. */
 	if (lanes_above(a, lanes_all(enough))) {
 		lanes_store(apart, a);
 		lanes_store(lost, own_lost);

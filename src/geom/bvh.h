@@ -1,4 +1,4 @@
-/* bvh.h - a mesh with a tree of axis-aligned boxes over it, eight children a node. */
+/* bvh.h - a mesh with a tree of axis-aligned boxes over it; each node has eight children. */
 #ifndef FIVECHECK_GEOM_BVH_H
 #define FIVECHECK_GEOM_BVH_H
 
@@ -42,13 +42,13 @@ struct bvh {
 	vec3 origin;	/* middle of the bounds, mm */
 	vec3 half;	/* half the size of the bounds */
 	double radius;	/* mm: no vertex is farther from the origin */
-	int simd_level;	/* that boxes and triangles are tested at (simd_level.h) */
+	int simd_level;	/* of the tests of boxes and triangles (simd_level.h) */
 };
 
-/* Takes over the mesh (which is then empty); it holds at least one triangle. */
+/* Takes over the mesh, which is empty afterwards; it has at least one triangle. */
 struct bvh *bvh_new(struct mesh *mesh);
 
-/* So many triangles are worth more than one thread. */
+/* From this number of triangles on, several threads pay. */
 #define BVH_LARGE 50000
 
 /* The same tree, built by up to `threads` threads if the mesh is large. */

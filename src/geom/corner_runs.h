@@ -1,4 +1,4 @@
-/* corner_runs.h - the corners of a mesh, each once for each small branch of its tree: how far they reach. */
+/* corner_runs.h - the corners of a mesh, listed once for each small branch of its tree, for support functions. */
 #ifndef FIVECHECK_GEOM_CORNER_RUNS_H
 #define FIVECHECK_GEOM_CORNER_RUNS_H
 
@@ -8,14 +8,14 @@
 #include "geom/simd_kernels.h"
 
 /*
- * A branch of at most so many triangles has a run, if the branch above has more. Measured: 64 corners or fewer, which
- * are looked at in less time than the boxes above their triangles.
+ * A branch of at most this number of triangles has a run, if the branch above has more. Measured: 64 corners or fewer,
+ * which are examined in less time than the boxes above their triangles.
  */
 enum { RUN_TRIANGLES = 64 };
 
 /*
- * The mesh of more triangles has no runs: they take some ten bytes a triangle, and what they save does not grow with
- * the mesh.
+ * A mesh of more triangles has no runs: they take about ten bytes per triangle, and their gain does not grow with the
+ * mesh.
  */
 enum { RUN_MESH_TRIANGLES = 100000 };
 
@@ -32,7 +32,7 @@ struct corner_runs *corner_runs_new(const struct bvh *bvh);
 /* NULL is none. */
 void corner_runs_free(struct corner_runs *runs);
 
-/* The point of a run that reaches farthest along n, about. */
+/* The point of a run that reaches farthest along n, approximately. */
 vec3 corner_runs_farthest(const struct corner_runs *runs, const struct corner_run *run, const float n[3]);
 
 #endif

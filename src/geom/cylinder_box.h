@@ -1,4 +1,4 @@
-/* cylinder_box.h - how far a solid cylinder is from a solid box. */
+/* cylinder_box.h - the distance of a solid cylinder from a solid box. */
 #ifndef FIVECHECK_GEOM_CYLINDER_BOX_H
 #define FIVECHECK_GEOM_CYLINDER_BOX_H
 
@@ -17,8 +17,8 @@ struct solid_box {
 };
 
 /*
- * The distance (mm); 0 where they meet. It is that of two points of them, so never too small; it exceeds the true
- * distance by at most a hundredth of it, or by a few hundredths of a mm where an edge grazes. The search ends early
+ * The distance (mm); 0 if they meet. It is the distance of two of their points, so it is never too small; it exceeds
+ * the true distance by at most a hundredth, or by a few hundredths of a mm where an edge grazes. The search ends early
  * once it is below `enough`.
  *
  * Method: alternating projections, which end at the nearest points of two convex sets (Cheney and Goldstein, 1959).

@@ -1,4 +1,4 @@
-/* edge_balance.h - whether a mesh is closed, asked faster than its topology is found. */
+/* edge_balance.h - decides whether a mesh is closed, faster than by its topology. */
 #ifndef FIVECHECK_GEOM_EDGE_BALANCE_H
 #define FIVECHECK_GEOM_EDGE_BALANCE_H
 
@@ -7,9 +7,9 @@
 #include "geom/mesh.h"
 
 /*
- * Does every edge run as often one way as the other, and does the mesh enclose a volume? Then it is closed, but for
- * sheets that are drawn from both sides beside a solid. If not, only its topology tells (geom/topology.h). Sums of 64
- * bits of hash decide: an open mesh passes by a chance of 2^-64.
+ * Is every edge used as often in one direction as in the other, and does the mesh enclose a volume? Then it is closed,
+ * except for sheets that are drawn from both sides beside a solid. If not, its topology must decide (geom/topology.h).
+ * The test compares sums of 64-bit hashes: an open mesh passes with a probability of 2^-64.
  */
 bool edge_balance_is_closed(const struct mesh *mesh);
 

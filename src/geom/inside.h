@@ -18,7 +18,7 @@ int mesh_winding_number(const struct mesh *mesh, vec3 point);
 enum inside {
 	INSIDE_NO,
 	INSIDE_YES,
-	INSIDE_UNKNOWN	/* the mesh is open there, or its shells do not say which side of them is solid */
+	INSIDE_UNKNOWN	/* the mesh is open there, or its shells do not say which side is solid */
 };
 
 /*
@@ -28,8 +28,8 @@ enum inside {
 enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
 
 /*
- * Does one of a few rays from the point cross no triangle? Then mesh_inside does not say INSIDE_YES of the point, and
- * no topology is needed to know that.
+ * Does one of a few rays from the point cross no triangle? Then mesh_inside does not return INSIDE_YES for the point,
+ * and no topology is needed.
  */
 bool mesh_ray_is_free(const struct bvh *bvh, vec3 point);
 

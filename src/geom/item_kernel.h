@@ -1,4 +1,4 @@
-/* item_kernel.h - the bounds of triangles' boxes for one level of SIMD; see simd_kernels.h. */
+/* item_kernel.h - the bounds of the boxes of triangles for one level of SIMD; see simd_kernels.h. */
 #include <float.h>
 
 #include "geom/lanes.h"

@@ -1,10 +1,9 @@
 /*
- * lanes.h - eight floats side by side: the one place that knows of SIMD.
+ * lanes.h - eight floats side by side: the only file with SIMD instructions.
  *
- * A file defines LANES_LEVEL before it includes this one and gets the type and
- * its operations at that level. Every level gives the same bits: each operation is
- * correctly rounded and none is fused with another. Wider ones (AVX-512) have
- * nothing to gain from nodes of eight children.
+ * A file defines LANES_LEVEL before it includes this one and gets the type and its operations at that level. Every
+ * level gives the same bits: each operation is correctly rounded and none is fused with another. Wider vectors
+ * (AVX-512) gain nothing, because nodes have eight children.
  */
 #ifndef FIVECHECK_GEOM_LANES_H
 #define FIVECHECK_GEOM_LANES_H
@@ -19,7 +18,7 @@ enum { LANES = 8 };
 
 #include <immintrin.h>
 
-/* What a function that uses lanes must be marked with. */
+/* The attribute of a function that uses lanes. */
 #define LANES_TARGET __attribute__((target("avx2")))
 #define LANES_FUNCTION static inline __attribute__((always_inline, target("avx2")))
 

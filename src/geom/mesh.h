@@ -28,7 +28,7 @@ static inline vec3 mesh_corner(const mesh_triangle *t, int corner)
 /* The least and greatest coordinates; the mesh is not empty. */
 void mesh_bounds(const struct mesh *mesh, vec3 *least, vec3 *greatest);
 
-/* Multiplies every coordinate (for files in inches or metres), and accounts for the rounding in `rounding`. */
+/* Multiplies every coordinate (for files in inches or metres), and adds the rounding to `rounding`. */
 void mesh_scale(struct mesh *mesh, double factor);
 
 #endif

@@ -1,4 +1,4 @@
-/* moved_tri.h - triangles out of a mesh, and where a pose takes them. */
+/* moved_tri.h - triangles of a mesh, and their places at a pose. */
 #ifndef FIVECHECK_GEOM_MOVED_TRI_H
 #define FIVECHECK_GEOM_MOVED_TRI_H
 
@@ -28,7 +28,7 @@ static inline vec3 tri_greatest(const tri *t)
 	return vec3_max(t->p[0], vec3_max(t->p[1], t->p[2]));
 }
 
-/* A lower bound on the distance between a and the hull of b's two places, from their boxes. */
+/* A lower bound of the distance between a and the hull of b's two places, from their boxes. */
 static inline double tri_box_gap(const tri *a, const tri *b0, const tri *b1)
 {
 	vec3 below = vec3_sub(vec3_min(tri_least(b0), tri_least(b1)), tri_greatest(a));

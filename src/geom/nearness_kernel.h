@@ -1,9 +1,9 @@
-/* nearness_kernel.h - how near boxes are to a point, for one level of SIMD; see simd_kernels.h. */
+/* nearness_kernel.h - the distance of boxes from a point, for one level of SIMD; see simd_kernels.h. */
 #include "geom/bvh.h"
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
-/* More than the rounding of squares and of their sum takes off: below 8 roundings of float. */
+/* More than the rounding of the squares and their sum: below 8 roundings of float. */
 #define SQUARES_KEPT (1 - 0x1p-21f)
 
 static LANES_TARGET unsigned AT_LEVEL(boxes_near)(const struct bvh_node *node, const float p[3], float slack,

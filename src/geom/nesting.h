@@ -7,13 +7,13 @@
 #include "geom/mesh.h"
 #include "geom/topology.h"
 
-/* A shell whose triangles face the other way than those of the shell around it is a cavity, and counts nowhere here. */
+/* A shell whose triangles face the other way than those of the shell around it is a cavity; it is not counted here. */
 struct nesting {
-	size_t inverted;	/* oriented shells in no other one whose triangles face inward */
-	size_t nested; /* oriented shells in a not much larger one that faces the same way: solid, or a faulty cavity */
+	size_t inverted;	/* oriented shells that face inward and are inside no other one */
+	size_t nested; /* oriented shells in a little larger one that faces the same way: solid, or a faulty cavity */
 };
 
-/* Of a mesh with thousands of shells only those that face inward are counted, cavities among them. */
+/* In a mesh with thousands of shells only those that face inward are counted, including cavities. */
 void nesting_find(struct nesting *nesting, const struct mesh *mesh, const struct topology *topology);
 
 #endif

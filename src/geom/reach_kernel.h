@@ -1,4 +1,4 @@
-/* reach_kernel.h - how far boxes and points reach in a direction, for one level of SIMD; see simd_kernels.h. */
+/* reach_kernel.h - the extent of boxes and points in a direction, for one level of SIMD; see simd_kernels.h. */
 #include <math.h>
 
 #include "geom/bvh.h"

@@ -7,12 +7,13 @@
 #include "geom/tri.h"
 
 /*
- * Triangle a stands still; b's corners go from b0 to b1, each on its chord to
- * within a displacement that is the caller's (he adds it to `apart`). fivecheck(7),
- * "Certificates".
+ * Triangle a is fixed; b's corners go from b0 to b1, each on its chord to within a displacement that the caller adds to
+ * `apart`. fivecheck(7), "Certificates".
  */
 
-/* One axis: a fixed unit direction along which the gap exceeds `apart` at both ends does so all the way. */
+/*
+ * One axis: if the gap along a fixed unit direction exceeds `apart` at both ends, it does so during the whole interval.
+ */
 bool separating_axis_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart);
 
 /*

@@ -1,4 +1,4 @@
-/* simd_kernels.h - what is compiled for each level of SIMD; all give the same bits. */
+/* simd_kernels.h - the functions that are compiled for each level of SIMD; all levels give the same bits. */
 #ifndef FIVECHECK_GEOM_SIMD_KERNELS_H
 #define FIVECHECK_GEOM_SIMD_KERNELS_H
 
@@ -19,34 +19,34 @@ typedef void boxes_apart_fn(const struct box_motion *motion, int side, const str
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
 /*
- * reach[i] becomes the greatest n.p over the points p of the node's i-th box, from the tree's origin. Off by less than
- * 8 roundings of float times |n| and the largest |p|.
+ * reach[i] becomes the greatest n.p over the points p of the node's i-th box, relative to the tree's origin. The error
+ * is less than 8 roundings of float times |n| and the largest |p|.
  */
 typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float *reach);
 
 /*
- * near2[i] becomes at most the square of the distance in mm of p, which is from the tree's origin, from the node's i-th
- * box. `slack` mm: at least 8 roundings of float times the largest coordinate of p and of the boxes. Bit i of the
+ * near2[i] becomes a lower bound of the squared distance in mm of p, relative to the tree's origin, from the node's
+ * i-th box. `slack` mm: at least 8 roundings of float times the largest coordinate of p and of the boxes. Bit i of the
  * result: it is at most within2, and the child is in use.
  */
 typedef unsigned boxes_near_fn(const struct bvh_node *node, const float p[3], float slack, float within2, float *near2);
 
 /*
- * The greatest n.p over points in groups of eight, at least one group: x of the first eight, y, z, x of the next. Off
- * by less than 6 roundings of float times |n| and the largest |p|.
+ * The greatest n.p over points in groups of eight, at least one group: x of the first eight, y, z, x of the next. The
+ * error is less than 6 roundings of float times |n| and the largest |p|.
  */
 typedef float points_reach_fn(const float *points, size_t groups, const float n[3]);
 
-/* A triangle's box: the least x y z, 0, the greatest x y z with their signs changed, 0. So one minimum widens all. */
+/* A triangle's box: the least x y z, 0, the greatest x y z with reversed signs, 0. So one minimum widens everything. */
 struct bvh_item {
 	float bounds[8];
 };
 
-/* *box: around all items; *middles: likewise, around the sums of each item's least and greatest corner. */
+/* *box encloses all items; *middles encloses the sums of each item's least and greatest corner. */
 typedef void bvh_items_bounds_fn(const struct bvh_item *items, size_t count, struct bvh_item *box,
 				 struct bvh_item *middles);
 
-/* All of them, for one level. */
+/* The functions of one level. */
 struct simd_kernels {
 	boxes_apart_fn *boxes_apart;
 	support_fn *support;
@@ -59,10 +59,10 @@ struct simd_kernels {
 extern const struct simd_kernels simd_kernels_scalar;
 #if LANES_BEST == LANES_AVX2
 extern const struct simd_kernels simd_kernels_sse2;
-extern const struct simd_kernels simd_kernels_avx2;	/* only where simd_level() says so */
+extern const struct simd_kernels simd_kernels_avx2;	/* only if simd_level() allows it */
 #endif
 
-/* Those of a level that this processor has. */
+/* The functions of a level that this processor has. */
 const struct simd_kernels *simd_kernels_at_level(int level);
 
 #endif

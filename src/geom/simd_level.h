@@ -15,13 +15,13 @@
 #define LANES_BEST LANES_SCALAR
 #endif
 
-/* The environment variable that names a level to be used instead of the highest: scalar, sse2, avx2. */
+/* The environment variable that names a level to use instead of the highest: scalar, sse2, avx2. */
 #define SIMD_LEVEL_VARIABLE "FIVECHECK_SIMD"
 
-/* The level of that name; false: there is none, or this processor does not have it. */
+/* The level with this name; false: there is none, or this processor does not have it. */
 bool simd_level_of(const char *name, int *level);
 
-/* The level that SIMD_LEVEL_VARIABLE names, else the highest that this processor has; all lower ones work too. */
+/* The level that SIMD_LEVEL_VARIABLE names, else the highest of this processor; all lower ones work, too. */
 int simd_level(void);
 
 #endif

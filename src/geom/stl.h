@@ -7,21 +7,19 @@
 #include "base/diag.h"
 #include "geom/mesh.h"
 
-/* No file may have more, so that 31 bits number its corners. */
+/* The most triangles of a file, so that 31 bits number the corners. */
 #define STL_TRIANGLES_MAX 700000000
 
 /*
- * Reads the triangles of a file; binary and ASCII are told apart by the
- * content, not by the word "solid". What is missing, not a regular file,
- * truncated, oversized, empty of triangles, not written to its end (two or more
- * triangles of zeros there in a binary file), or not finite is reported with the
- * byte or line where it stands; then *out is untouched and the result false.
- * Coordinates are as in the file, the nearest floats; the rounding accounts for the
- * rounding of decimals (binary files: 0), in the file's unit.
+ * Reads the triangles of a file; the content decides between binary and ASCII, not the word "solid". A file that is
+ * missing, not a regular file, truncated, oversized, empty of triangles, not written to its end (a binary file that
+ * ends in two or more triangles of zeros), or not finite is reported with the byte or line of the error; then *out is
+ * unchanged and the result false. Coordinates are as in the file, the nearest floats; the rounding includes that of
+ * decimals (binary files: 0), in the file's unit.
  */
 bool stl_read(struct mesh *out, const char *path, struct diag *diag);
 
-/* The same; a file outside of the folder `root` (NULL: no such folder) is an error, too. */
+/* The same; a file outside the folder `root` (NULL: no such folder) is also an error. */
 bool stl_read_below(struct mesh *out, const char *root, const char *path, struct diag *diag);
 
 #endif

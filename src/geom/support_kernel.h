@@ -5,13 +5,13 @@
 #include "geom/simd_kernels.h"
 
 enum {
-	TURN = 3 * LANES,	/* floats after which corners begin at the same lanes again */
-	TURN_READS = TURN + 2	/* and how far a turn reads */
+	TURN = 3 * LANES,	/* floats after which corners begin at the same lane again */
+	TURN_READS = TURN + 2	/* floats that a turn reads */
 };
 
 /*
- * Corners lie as x y z x y z ... in memory. Three vectors read from one float on from each other have x, y and z
- * of the same corner in every third lane; what the other lanes make of two corners is pushed below everything.
+ * Corners lie as x y z x y z ... in memory. Three vectors, read one float apart, have x, y and z of the same corner in
+ * every third lane; the mixed values in the other lanes are replaced by the smallest float.
  */
 LANES_FUNCTION lanes greatest_of_turn(const float *at, const lanes n[3], lanes most)
 {

@@ -1,4 +1,4 @@
-/* tri.h - two triangles: whether they meet, how far apart they are, and along which axes they can be separated. */
+/* tri.h - two triangles: whether they meet, their distance, and the axes that can separate them. */
 #ifndef FIVECHECK_GEOM_TRI_H
 #define FIVECHECK_GEOM_TRI_H
 
@@ -8,7 +8,7 @@
 
 #include "geom/vec3.h"
 
-/* Closed: edges and corners belong to it. Corners may coincide or be collinear: then it is that segment or point. */
+/* Closed: includes its edges and corners. If corners coincide or are collinear it is that segment or point. */
 typedef struct tri {
 	vec3 p[3];
 } tri;
@@ -16,8 +16,8 @@ typedef struct tri {
 #define TRI_AXES_MAX 11
 
 /*
- * Of the true distance, tri_distance misses at most this share of the pair's
- * size, tri_pair_size(a, b). The tests hold it to a sixth of that.
+ * The error of tri_distance is at most this share of the pair's size, tri_pair_size(a, b). The tests allow a sixth of
+ * it.
  */
 #define TRI_DISTANCE_ERROR (32 * DBL_EPSILON)
 
@@ -36,19 +36,17 @@ static inline double tri_pair_size(const tri *a, const tri *b)
 }
 
 /*
- * The paper's axes (Chen, Lin and Chang). Not coplanar: both normals and the
- * nine cross products of edges, 11; coplanar: the normal of a times each edge of
- * a, that of b times each edge of b, 6. Not normalised. Axes that nearly vanish
- * are left out, so there may be none at all (two points). Returns how many.
- * Any n, or -n, along which tri_gap exceeds tri_gap_error proves them apart, wherever it comes from.
+ * The paper's axes (Chen, Lin and Chang). Not coplanar: both normals and the nine cross products of edges, 11;
+ * coplanar: the normal of a times each edge of a, that of b times each edge of b, 6. Not normalised. Axes that nearly
+ * vanish are left out, so there may be none at all (two points). Returns their number. Any n, or -n, along which
+ * tri_gap exceeds tri_gap_error proves the triangles apart, however it was found.
  */
 int tri_axes(const tri *a, const tri *b, vec3 axes[TRI_AXES_MAX]);
 
 /*
- * Do the triangles share a point? An axis of tri_axes separates when its gap
- * exceeds tri_gap_error; "yes" when none does, so triangles that touch are never
- * called apart. For a triangle without a normal those axes do not suffice: then
- * tri_distance decides. Exact for integer coordinates up to 2^14.
+ * Do the triangles share a point? An axis of tri_axes separates them if its gap exceeds tri_gap_error. The answer is
+ * yes if none does, so triangles that touch are never called apart. For a triangle without a normal those axes are not
+ * enough: then tri_distance decides. Exact for integer coordinates up to 2^14.
  */
 bool tri_meet(const tri *a, const tri *b);
 
@@ -59,7 +57,7 @@ bool tri_meet(const tri *a, const tri *b);
  */
 double tri_distance(const tri *a, const tri *b, vec3 *on_a, vec3 *on_b);
 
-/* The gap along n, which need not be of unit length: least n.q over b less greatest n.p over a. */
+/* The gap along n, which need not have unit length: least n.q over b minus greatest n.p over a. */
 static inline double tri_gap(const tri *a, const tri *b, vec3 n)
 {
 	double p0 = vec3_dot(n, a->p[0]), p1 = vec3_dot(n, a->p[1]), p2 = vec3_dot(n, a->p[2]);
@@ -70,9 +68,8 @@ static inline double tri_gap(const tri *a, const tri *b, vec3 n)
 }
 
 /*
- * The rounding of tri_gap at most: each projection has three roundings of half an
- * epsilon, at most size |n|_1 each, and the difference one of twice that: 4 epsilon
- * in all to first order. DBL_MIN covers products that underflow.
+ * The largest rounding of tri_gap: each projection has three roundings of half an epsilon, at most size |n|_1 each, and
+ * the difference one of twice that: 4 epsilon in all to first order. DBL_MIN covers products that underflow.
  */
 static inline double tri_gap_error(double pair_size, vec3 n)
 {

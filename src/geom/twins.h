@@ -8,12 +8,12 @@
 #include "geom/weld.h"
 
 enum twin {
-	TWIN_NONE,	/* no triangle faces the other way, or it is the surplus of more triangles on one side */
-	TWIN_KEPT,	/* one triangle of a place that is drawn from both sides alike */
-	TWIN_DROPPED	/* the others, as many on one side as on the other */
+	TWIN_NONE,	/* no opposite triangle, or one of the surplus triangles on one side */
+	TWIN_KEPT,	/* the one kept of a place with as many triangles on both sides */
+	TWIN_DROPPED	/* the others, equally many on both sides */
 };
 
-/* Fills twins[0..mesh->count), which are all TWIN_NONE, with enum twin; returns how many are dropped. */
+/* Fills twins[0..mesh->count), which are all TWIN_NONE, with enum twin; returns the number of dropped ones. */
 size_t twins_find(struct soup *soup, uint8_t *twins);
 
 #endif

@@ -49,7 +49,7 @@ static inline double vec3_norm(vec3 a)
 	return sqrt(vec3_norm2(a));
 }
 
-/* The unit vector of a's direction; 0 where a is so short that its square loses digits. */
+/* The unit vector of a's direction; 0 if a is so short that its square loses digits. */
 static inline vec3 vec3_unit(vec3 a)
 {
 	double norm2 = vec3_norm2(a);
@@ -63,7 +63,7 @@ static inline vec3 vec3_lerp(vec3 a, vec3 b, double s)
 	return vec3_mad(a, s, vec3_sub(b, a));
 }
 
-/* Coordinate by coordinate; of finite numbers, so that a comparison will do. */
+/* For each coordinate; the numbers are finite, so a comparison is enough. */
 static inline vec3 vec3_min(vec3 a, vec3 b)
 {
 	return (vec3){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};

@@ -1,4 +1,4 @@
-/* weld.h - which corners of a triangle soup are the same vertex. */
+/* weld.h - finds which corners of a triangle soup are the same vertex. */
 #ifndef FIVECHECK_GEOM_WELD_H
 #define FIVECHECK_GEOM_WELD_H
 
@@ -8,20 +8,20 @@
 
 #include "geom/mesh.h"
 
-/* A mesh with numbered vertices, and working storage for sorting: three entries a triangle each. */
+/* A mesh with numbered vertices, and working storage for sorting: three entries for each triangle. */
 struct soup {
 	const struct mesh *mesh;	/* borrowed */
 	size_t corner_count;
-	uint32_t *vertex;	/* of each corner, which vertex it is */
+	uint32_t *vertex;	/* the number of the vertex of each corner */
 	uint32_t vertex_count;
 	uint64_t *keys, *scratch;
 };
 
-/* Corners are the same vertex when their coordinates are (-0 is 0). At most INT32_MAX / 3 triangles. */
+/* Corners with equal coordinates are the same vertex (-0 is 0). At most INT32_MAX / 3 triangles. */
 void soup_init(struct soup *soup, const struct mesh *mesh);
 void soup_release(struct soup *soup);
 
-/* Are the triangle's corners fewer than three vertices? */
+/* Does the triangle have fewer than three vertices? */
 static inline bool soup_is_degenerate(const struct soup *soup, size_t triangle)
 {
 	const uint32_t *v = &soup->vertex[3 * triangle];
@@ -29,7 +29,7 @@ static inline bool soup_is_degenerate(const struct soup *soup, size_t triangle)
 	return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
 }
 
-/* Sorts soup->keys[0..count), which are below 2^bits (32 to 64). Fast where keys differ in their upper bits. */
+/* Sorts soup->keys[0..count), which are below 2^bits (32 to 64). Fast if keys differ in their upper bits. */
 void soup_sort_keys(struct soup *soup, size_t count, int bits);
 
 #endif

@@ -82,7 +82,7 @@ static inline xform xform_inverse(const xform *t)
 	return (xform){transposed, vec3_scale(-1, mat3_apply(&transposed, t->translation))};
 }
 
-/* Right-handed turn by `angle` radians about the unit vector `axis` (Rodrigues' formula). */
+/* Right-handed rotation by `angle` radians about the unit vector `axis` (Rodrigues' formula). */
 static inline mat3 mat3_turn(vec3 axis, double angle)
 {
 	double x = axis.x, y = axis.y, z = axis.z, c, s, k;

@@ -64,9 +64,9 @@ struct mcode_description {
 
 struct macro_description {
 	const void *at;
-	bool has_program;	/* or the code alone says which it is */
+	bool has_program;	/* false: only the code identifies it */
 	long program;
-	const char *name;	/* given in place of a number; NULL: it is not */
+	const char *name;	/* given instead of a number; or NULL */
 	struct optional_number code;
 	enum macro_action action;
 	struct optional_number around[SLOT_COUNT];
@@ -88,8 +88,8 @@ struct place_description {
 };
 
 struct controller_description {
-	const void *at;	/* NULL: the file says nothing of it */
-	struct controller told;	/* what single words answer; nothing of what stands below is in it yet */
+	const void *at;	/* NULL: the file has no such element */
+	struct controller told;	/* the simple attributes; the members below are not in it yet */
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
 	struct optional_number overrun;	/* of G60 */
@@ -115,9 +115,9 @@ struct body_description {
 	double scale;	/* mm per unit of the mesh */
 	xform frame;	/* the mesh's origin on its link or on the workholding */
 	enum body_role role;
-	/* of a part: how deep a cutter may enter it; the first of the stock, too */
+	/* of a part: how deep a cutter may enter it; the first also of the stock */
 	struct optional_number rapid_allowance, gouge;
-	enum stock_shape shape;	/* of the stock; a box or a cylinder stands on the origin of its frame, along Z */
+	enum stock_shape shape;	/* of the stock; the origin of a box or cylinder is the middle of its lower face */
 	vec3 size;	/* mm: of the box; of the cylinder: diameter, 0, height */
 	struct optional_number uncertainty, excess;	/* of the stock */
 	const char *checked;	/* or NULL */
@@ -129,7 +129,7 @@ struct axis_description {
 	int slot;
 	const char *title;	/* or NULL */
 	const char *checked;	/* or NULL */
-	bool rotary;	/* from the file; it may contradict the letter */
+	bool rotary;	/* as in the file; may contradict the letter */
 	int parent;	/* the link that carries it */
 	vec3 direction;	/* of any length */
 	bool has_location;
@@ -179,7 +179,7 @@ struct machine_description {
 	size_t spindle_count;
 	struct workholding_description *workholdings;
 	size_t workholding_count;
-	const void *pairs_at;	/* NULL: the file says nothing of pairs */
+	const void *pairs_at;	/* NULL: the file has no <pairs> */
 	struct optional_number adjacent_within;
 	struct pair_description *pairs;
 	size_t pair_count;
@@ -239,7 +239,7 @@ struct length_offset_description {
 	long number;
 	struct optional_number length, radius;	/* at least one of them */
 	bool d_of_control;	/* the radius may be a diameter: the control's cutter_comp_d says which */
-	bool of_tool;	/* both are the control's values for the tool of this number: it has no others */
+	bool of_tool;	/* both are the control's only values for the tool with this number */
 };
 
 /* <tools>: a file of another program. */

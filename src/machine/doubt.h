@@ -6,7 +6,7 @@
 
 #include "geom/vec3.h"
 
-/* Lengths in mm, angles in radians. "Against the work" means: the tool's motion as seen from the workholding. */
+/* Lengths in mm, angles in radians. "Relative to the work": the tool's motion as seen from the workholding. */
 enum doubt_kind {
 	/* About the machine's motions; `axis` and `other` are indices of machine->axes. */
 	DOUBT_LEFT_HANDED, /* X Y Z of the tool relative to the work */
@@ -26,7 +26,7 @@ enum doubt_kind {
 	/* no circle has its middle on the axis; the nearest, of diameter `limit`, is off by `value` */
 	DOUBT_ROTARY_BESIDE,
 	DOUBT_SPINDLE_ACROSS, /* Z does not move the tool along the spindle */
-	DOUBT_SPINDLE_TOWARD, /* Z+ moves the tool where its tip points */
+	DOUBT_SPINDLE_TOWARD, /* Z+ moves the tool in the direction of its tip */
 	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
 	DOUBT_SPINDLE_IN_HEAD,
 	DOUBT_SPINDLE_AWAY, /* the workholding is behind the tool at every position, by at least `value` */
@@ -53,7 +53,7 @@ enum doubt_kind {
 	/*
 	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.
 	 */
-	DOUBT_FLOATS, /* the body is `value` away from all that could hold it; `against` is the nearest of it */
+	DOUBT_FLOATS, /* the body is `value` away from all bodies that could hold it; `against` is the nearest */
 	DOUBT_SINKS, /* the body is `value` deep inside `against` */
 	DOUBT_PART_LARGE, /* the body is `value` large, the longest travel is `limit` */
 	DOUBT_BODY_SMALL, /* the same */
@@ -69,7 +69,7 @@ enum doubt_kind {
 	DOUBT_TOOL_ENDS, /* the tool's bodies end `value` from the gauge line, its length is `limit` */
 	DOUBT_TOOL_ASIDE, /* the middle of `body`, of a tool, is `value` beside the spindle's line */
 	DOUBT_RADIUS_OFFSET, /* the radius of D is `value`, the diameter of the tool with its number is `limit` */
-	DOUBT_TOOL_NAME, /* the tool's diameter is `value`, and its name tells `limit`, twice as much */
+	DOUBT_TOOL_NAME, /* the tool's diameter is `value`, and its name says `limit`, twice as much */
 	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
 	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */
 	DOUBT_OFFSET_FAR /* program zero is `value` away from everything that is set up; the setup is `limit` large */

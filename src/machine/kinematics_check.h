@@ -8,7 +8,7 @@
 #include "machine/doubt.h"
 #include "machine/machine.h"
 
-/* What an axis moves: 1 the tool, -1 the work, 0 neither, both, or the file does not say. */
+/* What an axis moves: 1 the tool, -1 the work, 0 neither, both, or unknown. */
 int kinematics_side(const struct machine *machine, const struct axis *axis);
 
 /*

@@ -14,7 +14,7 @@
 
 /*
  * Everything is in machine coordinates at the zero pose (every axis at 0), in mm, radians and seconds. Link 0 is the
- * base; link i + 1 is what axes[i] carries.
+ * base; link i + 1 is carried by axes[i].
  */
 
 struct axis {
@@ -23,18 +23,18 @@ struct axis {
 	int slot;	/* index of its value in an axis_values */
 	bool rotary;
 	int parent;	/* the link that carries it */
-	vec3 direction;	/* unit vector: how the carried link moves for a positive value; rotary: right-handed */
+	vec3 direction;	/* unit vector: the motion of the carried link for a positive value; rotary: right-handed */
 	vec3 location;	/* a point on a rotary axis */
 	double limit_min, limit_max;	/* mm or radians; -INFINITY, INFINITY: unlimited */
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	enum wrap wrap;
-	int half_turn;	/* 1 or -1: the direction of half a turn, where both ways are equally long; 0: not known */
+	int half_turn;	/* 1 or -1: the direction of half a turn, if both directions are equally long; 0: not known */
 	long line;	/* in the XML file */
 };
 
-/* <pair>: what the user says about two bodies, roles or links. */
+/* <pair>: the user's rule about two bodies, roles or links. */
 enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
 
 struct pair_name {
@@ -74,7 +74,7 @@ struct machine {
 	const char *path;	/* as the user named it */
 	const char *name;	/* title of the machine; may be empty */
 	struct controller controller;
-	struct axis axes[SLOT_COUNT];	/* in file order: a carrying axis before what it carries */
+	struct axis axes[SLOT_COUNT];	/* in file order: an axis before those that it carries */
 	size_t axis_count;
 	struct body *bodies;	/* in file order */
 	size_t body_count;
@@ -90,12 +90,12 @@ struct machine {
 /* Reads a machine file and builds the machine. Every fault is reported with its place; NULL if there was one. */
 struct machine *machine_load(const char *path, struct diag *diag);
 
-/* The same; tool libraries outside of the folder `root` (NULL: none is) are an error and not opened. */
+/* The same; tool libraries outside the folder `root` (NULL: no such folder) are an error and not opened. */
 struct machine *machine_load_within(const char *path, const char *root, struct diag *diag);
 
 /*
- * Does the <controller> of a machine file say what the control of its dialect can be told? The text is that of a whole
- * file, of which the rest is not judged. False: reported, at no file.
+ * Is the <controller> of a machine file valid for its dialect? The text is that of a whole file; the rest of it is not
+ * judged. False: reported, without a file.
  */
 bool machine_check_controller(const char *text, struct diag *diag);
 
@@ -103,7 +103,7 @@ void machine_free(struct machine *machine);
 
 /*
  * Reports names in <pair> that are no body of the machine, of its own setup or of `setup` (which may be NULL). These
- * are errors; without any setup they are warnings, because a setup may have the body.
+ * are errors; without any setup they are warnings, because a setup may contain the body.
  */
 bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
 

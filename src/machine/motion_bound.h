@@ -1,4 +1,4 @@
-/* motion_bound.h - bounds on how far the joints between two links can move one body, as the other sees it. */
+/* motion_bound.h - bounds of the motion of one body in the frame of another, by the joints between their links. */
 #ifndef FIVECHECK_MACHINE_MOTION_BOUND_H
 #define FIVECHECK_MACHINE_MOTION_BOUND_H
 
@@ -6,12 +6,12 @@
 #include "machine/chain.h"
 
 /*
- * Two views of one relative motion. In view 0 the chain's fixed link stands still and the moved link's body moves; in
+ * Two views of one relative motion. In view 0 the chain's fixed link is at rest and the moved link's body moves; in
  * view 1 it is the other way round. Each view gives its own bounds, and both hold for the distance between the bodies.
  */
 enum { VIEWS = 2 };
 
-/* Around a body at the zero pose, in machine coordinates, mm. */
+/* A ball around a body at the zero pose, in machine coordinates, mm. */
 struct ball {
 	vec3 centre;
 	double radius;
@@ -22,15 +22,15 @@ struct chain_state {
 	xform pose;	/* the moved link's zero-pose geometry in the fixed link's */
 	double rho[VIEWS][SLOT_COUNT];	/* mm: farthest point of the moving body from the joint's axis; 0: linear */
 	vec3 direction[SLOT_COUNT];	/* of each joint in the fixed link's zero-pose coordinates */
-	vec3 location[SLOT_COUNT];	/* of each rotary joint's axis, likewise */
+	vec3 location[SLOT_COUNT];	/* of each rotary joint's axis, in the same coordinates */
 };
 
 void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
 		      const struct ball *fixed, const struct ball *moved);
 
 /*
- * A motion in which every joint goes linearly from q0 to q1, with a chord error of at most `chord_error`. The control
- * may leave it by `tolerance` (NULL: not at all). Borrows everything.
+ * A motion in which every joint moves linearly from q0 to q1, with a chord error of at most `chord_error`. The control
+ * may leave it by `tolerance` (NULL: no tolerance). Borrows everything.
  */
 struct joint_chord {
 	const struct chain *chain;
@@ -39,10 +39,10 @@ struct joint_chord {
 };
 
 /*
- * Bounds for such a motion (fivecheck(7), "How far a point can move"). At the instant when the joints should be at q,
- * the tolerance moves a point by at most its path displacement: the sum over the rotary joints of the tolerance times
- * the point's distance to the axis at q, plus the tolerances of the linear joints. This depends on q alone, and not on
- * how the motion is cut into pieces.
+ * Bounds for such a motion (fivecheck(7), "How far a point can move"). At the instant of the nominal position q, the
+ * tolerance moves a point by at most its path displacement: the sum over the rotary joints of the tolerance times the
+ * point's distance from the axis at q, plus the tolerances of the linear joints. This depends only on q, and not on how
+ * the motion is divided into pieces.
  */
 struct chord_bound {
 	double length;	/* L: no point moves farther, without chord errors (the better of both views) */
@@ -62,9 +62,9 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 			 const axis_values *tolerance);
 
 /*
- * Bounds for joints that may be anywhere within `half` of the state's position (mm, radians). From its place at the
- * state, each linear joint moves a point by at most `half` along its direction, either way, and each rotary joint by at
- * most `turn` at right angles to its axis. The directions are those at the state.
+ * Bounds for joints that may be anywhere within `half` of the state's position (mm, radians). Starting at the state,
+ * each linear joint moves a point by at most `half` along its direction, either way, and each rotary joint by at most
+ * `turn` perpendicular to its axis. The directions are those at the state.
  */
 struct box_bound {
 	double turn[VIEWS][SLOT_COUNT];	/* mm, by joint; 0: linear */

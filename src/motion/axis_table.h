@@ -1,4 +1,4 @@
-/* axis_table.h - what every move asks of a machine's axes, close together in memory. */
+/* axis_table.h - the data of a machine's axes that every move needs, close together in memory. */
 #ifndef FIVECHECK_MOTION_AXIS_TABLE_H
 #define FIVECHECK_MOTION_AXIS_TABLE_H
 

@@ -16,17 +16,17 @@
  * degrees or, without these, P as degrees.
  */
 struct blend {
-	bool taken;	/* from a move, which had: */
+	bool taken;	/* from a move with: */
 	bool on;
 	double programmed, turn;
 	axis_values tolerance;
 };
 
-/* blend_take of a move that says something else than the last one. */
+/* blend_take for a move that differs from the last one. */
 void blend_change(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
 		  const struct canon_move *move);
 
-/* Takes over what the move says, which rarely changes. A blend of zeros has not seen a move yet. */
+/* Takes the data of the move, which rarely changes. A blend of zeros has not seen a move yet. */
 static inline void blend_take(struct blend *blend, const struct machine *machine, const struct axis_table *axes,
 			      const struct canon_move *move)
 {
@@ -35,7 +35,7 @@ static inline void blend_take(struct blend *blend, const struct machine *machine
 		blend_change(blend, machine, axes, move);
 }
 
-/* Is G64 in force without a tolerance from the program or the machine file? */
+/* Is G64 active without a tolerance from the program or the machine file? */
 bool blend_is_unbounded(const struct machine *machine, const struct canon_move *move);
 
 #endif

@@ -24,24 +24,24 @@ struct canon_to_spans {
 	struct diag *diag;
 	const char *name;	/* of the program, for messages */
 	axis_values position;	/* of the machine's axes */
-	axis_values controller;	/* the same position as given by the end of the last move */
-	bool inside;	/* the position is known to be inside of the axes' limits */
+	axis_values controller;	/* the same position as the controller sees it: the end of the last move */
+	bool inside;	/* the position is known to be inside the axis limits */
 	bool controller_guided;	/* `controller` is a position under TCP */
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
 	bool probes;	/* the tool is a probe */
 	struct cutter_hand hand;	/* of the tool */
-	struct length_check length;	/* of that tool */
+	struct length_check length;	/* of the tool */
 	struct blend blend;	/* of the last move */
 	double time, block_time;
 	bool tells_steps, tells_modes;
-	struct motion_modes modes;	/* that were sent last */
+	struct motion_modes modes;	/* the last ones sent */
 	bool modes_told;
-	struct motion_event event;	/* room for events; its summary is the run's, without lines */
+	struct motion_event event;	/* storage for events; its summary is that of the run, without lines */
 };
 
 /*
- * Begins at home with the setup's first tool. All pointers are borrowed, and the machine stays as it is; setup may be
+ * Begins at home with the setup's first tool. All pointers are borrowed, and the machine must not change; setup may be
  * NULL.
  */
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,

@@ -8,8 +8,8 @@
 #include "motion/path.h"
 
 /*
- * Divides a straight path at the times when axes arrive, |way| / rate. The parts are straight, have their seconds, and
- * follow one another without a gap. Returns how many there are; 0: no axis moves.
+ * Divides a straight path at the times when axes arrive, |distance| / rate. The parts are straight, have their seconds,
+ * and follow one another without a gap. Returns their number; 0: no axis moves.
  */
 size_t dogleg_split(const struct machine *machine, const struct path *path, struct path parts[SLOT_COUNT]);
 

@@ -19,26 +19,26 @@ struct motion_step {
 	double time;	/* s from the start of the program to the start of the span, dwells included */
 	double block_time;	/* s of motion in this block before the span, dwells excluded */
 	double seconds;	/* the span's own duration */
-	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the chord error */
+	/* mm, radians: how far the axes may be from the path (G64, canon_move.spread); not part of the chord error */
 	axis_values tolerance;
 	bool outside;	/* a part of the move is past an axis limit */
-	bool bounded;	/* known only as a set of ways, or as one that may end early: it cuts nothing for certain */
+	bool bounded;	/* known only as a set of paths, or may end early: it cuts nothing for certain */
 	enum step_class step_class;
 };
 
-/* An axis leaves, or may leave, its travel: the first instant of that in a move. Sent before the steps of the move. */
+/* An axis leaves, or may leave, its travel: the first such instant in a move. Sent before the steps of the move. */
 struct motion_limit {
 	int slot;
 	double bound;	/* the limit, mm or radians */
-	double target;	/* where the move leads the axis */
-	double excess;	/* how far past the limit the move takes, or may take, the axis, at the farthest */
-	/* mm, radians: the axis may be so far beside its path, which is inside; 0: it is outside */
+	double target;	/* the position to which the move takes the axis */
+	double excess;	/* the largest distance past the limit that the axis has, or may have */
+	/* mm, radians: how far the axis may be from its path, which is inside; 0: the path itself is outside */
 	double path_tolerance;
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: the block commands machine coordinates */
-	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
+	double work, shift;	/* its value for the axis, and the sum of G52 and G92 */
 	bool length_acts;	/* the tool's length moves this axis: Z, and all linear ones under TCP */
 	double length;	/* mm: of the tool, in force */
-	axis_values position;	/* where the axes are at that instant */
+	axis_values position;	/* the axis positions at that instant */
 	double time;
 	double block_time;
 	const char *file;
@@ -53,24 +53,24 @@ struct motion_tool {
 	axis_values position;	/* where the axes are */
 };
 
-/* The spindle has turned and stops here. */
+/* The spindle was turning and stops here. */
 struct motion_spindle_stop {
 	axis_values position;	/* where the axes are */
 	double time;	/* s since the start of the program */
-	int move;	/* the block's last before it; 0: none */
+	int move;	/* the last move of the block before the stop; 0: none */
 };
 
 /*
- * What holds for the steps that follow, besides their path: sent before the first step and whenever it changes, if
- * motion_options.modes asks for it.
+ * The modes of the following steps: sent before the first step and whenever they change, if motion_options.modes asks
+ * for it.
  */
 struct motion_modes {
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: machine coordinates are commanded */
-	axis_values work, shift;	/* its values, and what G52 and G92 add; mm and radians */
+	axis_values work, shift;	/* its values, and the sums of G52 and G92; mm and radians */
 	double length;	/* mm: of the tool, in force */
 	bool tcp;
 	bool turned;	/* as in canon_origin */
-	double feed;	/* mm/s that the program asks for; 0: a rapid, feed of rotary axes alone, or time (G93) */
+	double feed;	/* programmed feed, mm/s; 0: a rapid, feed of rotary axes alone, or time (G93) */
 	double spindle_speed;	/* as in canon_move */
 };
 
@@ -78,17 +78,17 @@ struct motion_modes {
 struct motion_block {
 	const char *file;
 	long line;
-	const char *text;	/* the line as it stands in the file */
+	const char *text;	/* the line of the file */
 	double seconds;	/* of motion, dwells excluded */
 	int moves;
-	const struct srcloc *callers;	/* of the subprogram that it stands in: call_chain.h */
-	size_t caller_count;	/* 0: it stands in the program itself */
+	const struct srcloc *callers;	/* of its subprogram: call_chain.h */
+	size_t caller_count;	/* 0: the block is in the program itself */
 };
 
 /* Totals of a run so far, or of the whole run. */
 struct motion_summary {
 	long lines;
-	long blocks;	/* blocks carried out */
+	long blocks;	/* executed blocks */
 	long moves;	/* of nonzero length */
 	long spans;
 	double seconds;	/* machining time, dwells included */
@@ -98,9 +98,9 @@ struct motion_summary {
 enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_MODES, MOTION_BLOCK };
 
 /*
- * Plain data that can be copied. Three pointers are valid during the call only: step.span.path with its tcp, block.text
- * and block.callers. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File
- * names live as long as the table that contains them.
+ * Plain data that can be copied. Three pointers are valid only during the call: step.span.path with its tcp, block.text
+ * and block.callers. To keep the event, copy what they point to (path_copies.h does that for paths). File names live as
+ * long as the table that contains them.
  */
 struct motion_event {
 	enum motion_event_kind kind;

@@ -1,5 +1,6 @@
 /*
- * length_check.h - does a tool cut with the length of another one? Then H is wrong, or G43 after a tool change missing.
+ * length_check.h - does a tool cut with the length of another one? Then H is wrong, or G43 is missing after a tool
+ * change.
  */
 #ifndef FIVECHECK_MOTION_LENGTH_CHECK_H
 #define FIVECHECK_MOTION_LENGTH_CHECK_H
@@ -13,9 +14,9 @@
 /* All zero: no tool yet. Borrows the setup. */
 struct length_check {
 	const struct setup *setup;	/* NULL: there is nothing to compare with */
-	const struct tool *tool;	/* in the spindle; NULL: none that is to be looked at */
-	double last;	/* mm: the length that was looked at last; 0: none since the tool change */
-	bool told;	/* once a program is enough */
+	const struct tool *tool;	/* in the spindle; NULL: none to be checked */
+	double last;	/* mm: the last length that was checked; 0: none since the tool change */
+	bool told;	/* the warning was given; once per program is enough */
 };
 
 /*
@@ -23,12 +24,12 @@ struct length_check {
  */
 void length_check_tool(struct length_check *check, const struct setup *setup, int tool);
 
-/* length_check_move where there is something to look at. */
+/* length_check_move if there is something to check. */
 void length_check_look(struct length_check *check, struct diag *diag, struct srcloc at, double length);
 
 /*
- * A move with this length in force. Warns if the spindle turns at feed and the length is none of the tool's own, but
- * that of another tool. A length of 0 is no compensation.
+ * A move with this active length. Warns if the spindle turns at feed and the length does not belong to the tool, but to
+ * another one. A length of 0 is no compensation.
  */
 static inline void length_check_move(struct length_check *check, struct diag *diag, struct srcloc at,
 				     const struct canon_move *move)

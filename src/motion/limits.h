@@ -1,4 +1,4 @@
-/* limits.h - finds where a move leaves, or may leave, the travel of the machine's axes. */
+/* limits.h - finds the instants at which a move leaves, or may leave, the travel of the machine's axes. */
 #ifndef FIVECHECK_MOTION_LIMITS_H
 #define FIVECHECK_MOTION_LIMITS_H
 
@@ -23,8 +23,8 @@ static inline bool limits_hold(const struct axis_table *axes, const axis_values 
 }
 
 /*
- * Does every axis surely stay inside its limits on all legs, wherever its room leaves it (limits_crossed)? False: look
- * for crossings. Nearly every move is inside as a whole.
+ * Is every axis certain to stay inside its limits on all legs, including its room (limits_crossed)? False: search
+ * crossings. Nearly every move is inside as a whole.
  */
 bool limits_kept(const struct axis_table *axes, const struct leg *legs, size_t leg_count, const axis_values *room);
 
@@ -36,16 +36,16 @@ struct limit_crossing {
 	int slot;
 	double bound;	/* the limit, mm or radians */
 	bool below;	/* it is the lower one */
-	double room;	/* mm, radians: how far the axis may be beside its path; 0: the path itself passes the limit */
+	double room;	/* mm, radians: how far the axis may be from its path; 0: the path itself passes the limit */
 	size_t leg;
 	double u;	/* the first instant in the leg's path; 0: it starts outside */
-	double excess;	/* how far past the limit the move takes the axis at the farthest, to 1e-4 mm or degrees */
+	double excess;	/* the largest distance of the axis past the limit, to 1e-4 mm or degrees */
 };
 
 /*
- * Finds at most one crossing for each axis, in the order of time, then of slots, and returns how many. First come axes
- * whose path passes a limit, then those that may pass one because they may be so far beside their path: room, mm and
- * radians (NULL: none).
+ * Finds at most one crossing for each axis, in the order of time, then of slots, and returns their number. First come
+ * axes whose path passes a limit, then those that may pass one because they may be up to `room` (mm and radians; NULL:
+ * 0) from their path.
  */
 size_t limits_crossed(const struct machine *machine, const struct leg *legs, size_t leg_count,
 		      const axis_values *room, struct limit_crossing crossings[SLOT_COUNT]);

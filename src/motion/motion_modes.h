@@ -1,4 +1,4 @@
-/* motion_modes.h - what holds for a move besides its path; the check needs none of it. */
+/* motion_modes.h - the modes of a move besides its path; only reports use them. */
 #ifndef FIVECHECK_MOTION_MOTION_MODES_H
 #define FIVECHECK_MOTION_MOTION_MODES_H
 

@@ -1,4 +1,4 @@
-/* orient.h - the rotary positions that stand the tool in a given direction to the workpiece (G53.1). */
+/* orient.h - the rotary positions that give the tool a direction relative to the workpiece (G53.1). */
 #ifndef FIVECHECK_MOTION_ORIENT_H
 #define FIVECHECK_MOTION_ORIENT_H
 
@@ -9,20 +9,18 @@
 #include "machine/machine.h"
 
 /*
- * For one or two rotary axes anywhere between workpiece and spindle, nutating
- * ones included. With two there are up to two solutions, each in as many turns
- * as the limits allow; of those within the limits the one is chosen that Fanuc
- * controls choose: by the way of the axis that carries the other (of a table
- * and a head: the table), then by the other's. The choice is told as a note. An
- * axis that any angle suits stays. False, with an error at loc: the machine
- * cannot stand so, or two choices are as good as each other.
+ * For one or two rotary axes anywhere between workpiece and spindle, including nutating ones. With two there are up to
+ * two solutions, each in as many turns as the limits allow. Of those within the limits this chooses the one that Fanuc
+ * controls choose: the shortest rotation of the axis that carries the other (of a table and a head: the table), then of
+ * the other. A note names the choice. An axis for which any angle is right stays. False, with an error at loc: the
+ * machine cannot reach the direction, or two choices are equally good.
  */
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		 struct kinematics_orientation *orientation);
 
 /*
- * Implements kinematics.orientations for this machine: every solution, and no choice. False, with an error at loc: as
- * above.
+ * Implements kinematics.orientations for this machine: every solution, without a choice. False, with an error at loc:
+ * as above.
  */
 bool orient_solutions(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		      const struct kinematics_orientation *orientation, struct kinematics_solutions *solutions);

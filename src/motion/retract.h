@@ -9,9 +9,9 @@
 #include "machine/machine.h"
 
 /*
- * Takes the linear axes X, Y and Z of a machine position along the tool's axis as retract->position has it, by its
- * distance or up to the limit that is reached first. False, with an error at loc and *retract untouched: the machine's
- * chain does not allow it (tcp_init), or no axis that moves has a limit.
+ * Moves the linear axes X, Y and Z of a machine position along the tool's axis as retract->position gives it, by its
+ * distance or up to the first limit. False, with an error at loc and *retract unchanged: the machine's chain does not
+ * allow it (tcp_init), or no axis that moves has a limit.
  */
 bool retract_along_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
 			struct kinematics_retract *retract);

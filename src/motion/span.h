@@ -1,4 +1,4 @@
-/* span.h - a piece of a move along which every axis position is linear, with a bound on the error of that. */
+/* span.h - a piece of a move along which every axis position is linear, with a bound of the error. */
 #ifndef FIVECHECK_MOTION_SPAN_H
 #define FIVECHECK_MOTION_SPAN_H
 
@@ -16,7 +16,7 @@ struct span {
 	axis_values q0, q1;
 	axis_values chord_error;	/* of the chord from the true path; 0 for straight moves */
 	const struct path *path;	/* the move that it is a piece of */
-	double u0, u1;	/* where in the path, 0 to 1 */
+	double u0, u1;	/* the piece of the path, 0 to 1 */
 };
 
 /* A straight or curved part of a move: its path, and the span that is the whole of it. */
@@ -31,7 +31,7 @@ void span_init(struct span *whole, const struct path *path);
 /* The end and the chord error of span_init. */
 void span_init_curved(struct span *whole, const struct path *path);
 
-/* The same where the position at its start is known: it is not computed again. Nearly all paths are straight. */
+/* The same if the position at its start is known and need not be computed again. Nearly all paths are straight. */
 static inline void span_init_from(struct span *whole, const struct path *path, const axis_values *start)
 {
 	whole->q0 = *start;
@@ -52,25 +52,25 @@ void span_halve(const struct span *span, struct span *first, struct span *second
 /* True if no axis' chord deviates by more than `linear` mm. */
 bool span_is_flat(const struct span *span, double linear);
 
-/* Halvings of a whole path after which a span is as short as it gets, whatever its chord error. */
+/* The number of halvings of a whole path after which a span is not divided further, whatever its chord error. */
 #define SPAN_DEPTH 48
 
 bool span_is_shortest(const struct span *span);
 
-/* Walks over a span in flat pieces, in the order of time. Plain data. */
+/* Visits the flat pieces of a span, in the order of time. Plain data. */
 struct span_walk {
 	double linear;	/* mm */
 	size_t count;
 	struct span ahead[SPAN_DEPTH + 1];	/* the next on top */
 };
 
-/* Pieces deviate by at most `linear` mm, or by hardly more than what rounding makes of any piece. */
+/* Pieces deviate by at most `linear` mm, or by little more than the rounding of any piece. */
 void span_walk_init(struct span_walk *walk, const struct span *whole, double linear);
 
 /* The next piece; false at the end. */
 bool span_walk_next(struct span_walk *walk, struct span *piece);
 
-/* How many pieces such a walk has. */
+/* The number of such pieces. */
 long span_count(const struct span *whole, double linear);
 
 #endif

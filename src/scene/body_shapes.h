@@ -1,4 +1,4 @@
-/* body_shapes.h - what searches for planes need of a body: made once, for all pairs of the body. */
+/* body_shapes.h - the shapes of a body for plane searches: computed once, shared by all pairs of the body. */
 #ifndef FIVECHECK_SCENE_BODY_SHAPES_H
 #define FIVECHECK_SCENE_BODY_SHAPES_H
 
@@ -7,10 +7,10 @@
 #include "geom/xform.h"
 #include "scene/profile.h"
 
-/* The corners of a tree, and the profiles of the whole of it. Any thread may ask for them. */
+/* The corners of a tree, and the profiles of the whole tree. Any thread may ask for them. */
 struct body_shapes;
 
-/* Borrows the tree, which stands at `place`. Who makes the shapes holds them, too. */
+/* Borrows the tree, which is at `place`. The caller is the first holder. */
 struct body_shapes *body_shapes_new(const struct bvh *bvh, const xform *place);
 struct body_shapes *body_shapes_hold(struct body_shapes *shapes);
 
@@ -21,8 +21,8 @@ void body_shapes_release(struct body_shapes *shapes);
 const struct corner_runs *body_shapes_corners(struct body_shapes *shapes);
 
 /*
- * profile_init of the whole tree. *visits grows by as much whether the profile was made before or not, so that the
- * order in which pairs are checked makes no difference.
+ * profile_init of the whole tree. *visits grows by the same amount whether the profile existed before or not, so that
+ * the order in which pairs are checked makes no difference.
  */
 void body_shapes_profile(struct body_shapes *shapes, vec3 location, vec3 axis, struct profile *profile, long *visits);
 

@@ -1,4 +1,4 @@
-/* box_query.h - what boxes alone say of two bodies that stand still. */
+/* box_query.h - proves two bodies at rest apart by boxes alone. */
 #ifndef FIVECHECK_SCENE_BOX_QUERY_H
 #define FIVECHECK_SCENE_BOX_QUERY_H
 
@@ -21,8 +21,8 @@ void box_query_init(struct box_query *query, const struct bvh *a, const struct b
 bool box_query_parts_boxes(const struct box_query *query);
 
 /*
- * Is the surface of bodies[side] proved apart from the whole box around the other body? Then all of that box is on one
- * side of the surface. False, too, if the boxes of a few triangles meet the box.
+ * Is the surface of bodies[side] proved apart from the whole box around the other body? Then the whole box is on one
+ * side of the surface. Also false if the boxes of a few triangles meet the box.
  */
 bool box_query_parts_surface(const struct box_query *query, int side);
 

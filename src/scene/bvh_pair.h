@@ -1,4 +1,4 @@
-/* bvh_pair.h - a pair of subtrees, one from each body's tree: the unit of work of every walk over two trees. */
+/* bvh_pair.h - a pair of subtrees, one of each body's tree: the unit of work when two trees are traversed. */
 #ifndef FIVECHECK_SCENE_BVH_PAIR_H
 #define FIVECHECK_SCENE_BVH_PAIR_H
 
@@ -16,8 +16,8 @@ struct leaf {
 };
 
 /*
- * A box around the triangles below a leaf or an inner node, from the tree's origin (mm). A node's is as tight as those
- * of its children.
+ * A box around the triangles below a leaf or an inner node, relative to the tree's origin (mm). The box of a node is as
+ * tight as those of its children.
  */
 void leaf_box(const struct bvh *bvh, struct leaf leaf, vec3 *centre, vec3 *half);
 
@@ -44,13 +44,13 @@ static inline struct subtree subtree_child(const struct bvh_node *node, int lane
 	return subtree_of(box_of(node, lane), (struct leaf){node->first[lane], node->count[lane]});
 }
 
-/* A subtree of each body's tree, and the least distance (mm) that their boxes allow. */
+/* A subtree of each body's tree, and a lower bound of the distance (mm) from their boxes. */
 struct bvh_pair {
 	struct subtree a, b;
 	float least;
 };
 
-/* Should a be opened, and not b? The larger of the two is opened, unless it is a leaf. At most one is a leaf. */
+/* Should a be opened instead of b? The larger of the two is opened, unless it is a leaf. At most one is a leaf. */
 static inline bool bvh_pair_opens_a(const struct subtree *a, const struct subtree *b)
 {
 	return b->leaf.count || (!a->leaf.count && a->size >= b->size);

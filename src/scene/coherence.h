@@ -1,4 +1,4 @@
-/* coherence.h - axes and triangles that helped to prove a pair apart, to be tried first next time. */
+/* coherence.h - axes and triangles with which the last proof of a pair succeeded, to be tried first next time. */
 #ifndef FIVECHECK_SCENE_COHERENCE_H
 #define FIVECHECK_SCENE_COHERENCE_H
 
@@ -18,16 +18,16 @@ struct coherence_axis {
 	int frame;
 };
 
-/* Where two triangles were nearest to each other when they were last measured (near_pair.h). */
+/* The nearest points of two triangles when they were last measured (near_pair.h). */
 struct near_points {
 	bool known;
 	uint32_t a, b;	/* the triangles of the trees */
 	vec3 on_a, on_b;	/* each in its own mesh coordinates */
-	bool a_replaced;	/* the last nearer triangle that was found is a's */
+	bool a_replaced;	/* the last nearer triangle found is a's */
 };
 
 /*
- * The axes that separated the bodies last, newest first, and two triangles that were close. They change how fast an
+ * The last axes that separated the bodies, newest first, and two triangles that were close. They change how fast an
  * answer comes, but never the answer. All zero is empty.
  */
 struct coherence {
@@ -36,7 +36,7 @@ struct coherence {
 	int idle, idleness;	/* subtrees to skip now; subtrees to skip after the next failure */
 	uint32_t near_a, near_b;	/* triangles of the trees */
 	struct near_points points;
-	double near;	/* mm: two triangles were this close when the distance was last asked for */
+	double near;	/* mm: the distance of the two triangles in the last distance query */
 };
 
 /*
@@ -54,8 +54,8 @@ bool coherence_separates_triangles(struct coherence *coherence, const struct mot
 				   const tri *b0, const tri *b1, double clearance);
 
 /*
- * The same for all triangles under two subtrees, if there are few and this has helped lately. Where two surfaces bulge
- * towards each other one axis separates many triangles whose boxes overlap.
+ * The same for all triangles under two subtrees, if there are few and this has succeeded lately. Where two surfaces
+ * bulge towards each other, one axis separates many triangles whose boxes overlap.
  */
 bool coherence_separates_subtrees(struct coherence *coherence, const struct motion_interval *interval,
 				  const struct body_pair *pair, const struct subtree *a, const struct subtree *b,

@@ -1,4 +1,6 @@
-/* contact_search.h - looks for axis positions at which two bodies meet. It may miss some; what it finds is there. */
+/*
+ * contact_search.h - searches axis positions at which two bodies meet. It may miss some, but a found contact is real.
+ */
 #ifndef FIVECHECK_SCENE_CONTACT_SEARCH_H
 #define FIVECHECK_SCENE_CONTACT_SEARCH_H
 
@@ -15,17 +17,17 @@ struct contact_search {
 };
 
 /*
- * Do the surfaces come as near as `clearance` (mm) at `near` or, if `steps` are allowed, where the nearest triangles
- * are moved together from there? `near` is moved into the travel from low to high first. True: they do. A look at a
- * place where similar bodies met, for a small part of what contact_search_finds costs.
+ * Do the surfaces come as near as `clearance` (mm) at `near`, or, with `steps`, after the nearest triangles were moved
+ * together from there? `near` is first moved into the travel from low to high. True: they do. It tries a position at
+ * which similar bodies met, and costs a small part of contact_search_finds.
  */
 bool contact_search_recalls(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,
 			    double clearance, const axis_values *low, const axis_values *high, const axis_values *near,
 			    int steps);
 
 /*
- * Do the surfaces come as near as `clearance` (mm) at a position between low and high? True: they do. False: none
- * was found. Looks at positions spread over the travel; if `moves`, instead of these it moves the nearest triangles
+ * Do the surfaces come as near as `clearance` (mm) at a position between low and high? True: they do. False: no such
+ * position was found. Tries positions spread over the travel; with `moves` it instead moves the nearest triangles
  * together from a few of them, which finds more and takes ten times as long.
  */
 bool contact_search_finds(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,

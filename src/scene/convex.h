@@ -1,6 +1,6 @@
 /*
- * convex.h - how far a part of a body reaches in a direction: the support function of its convex hull, or of the convex
- * hull of all places to which a rotary joint can turn it.
+ * convex.h - the support function of a part of a body: of its convex hull, or of the convex hull of all places to which
+ * a rotary joint can turn it.
  */
 #ifndef FIVECHECK_SCENE_CONVEX_H
 #define FIVECHECK_SCENE_CONVEX_H
@@ -14,8 +14,8 @@
 #include "scene/profile.h"
 
 /*
- * Part of a body at one pose. Borrows everything. With a profile it is the hull of the rings about the axis; the
- * ball is then around these.
+ * A part of a body at one pose. Borrows everything. With a profile it is the hull of the rings about the axis, and the
+ * ball encloses these.
  */
 struct convex {
 	const struct mesh_part *mesh;
@@ -42,16 +42,16 @@ struct convex convex_of_mesh(const struct mesh_part *part, const xform *place);
 struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis);
 
 /*
- * At least the greatest m.p over the points p, in double, and at most |m| times `slack` mm and two millionths of the
- * body's size more; m is any vector. *at, unless NULL, is a point that reaches as far to within the same. Of a finely
- * meshed round body the boxes that stick out farther than a point known so far are many, and with a slack they need not
- * be looked into. Adds the node pairs that this is worth to *visits.
+ * An upper bound of the greatest m.p over the points p, in double; at most |m| times `slack` mm plus two millionths of
+ * the body's size too large. m is any vector. *at, unless NULL, is a point that reaches as far to within the same. With
+ * a slack, boxes that exceed the best known point by less need not be opened; in a finely meshed round body these are
+ * many. Adds the cost in node pairs to *visits.
  */
 double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits);
 
 enum { CONVEX_STEPS = 24 };
 
-/* What a search for a direction finds. */
+/* The result of a search for a direction. */
 struct convex_search {
 	vec3 direction;	/* unit, from a to b */
 	vec3 seen[CONVEX_STEPS];	/* each from a point of a to one of b: no gap along n is larger than n.seen */
@@ -59,8 +59,8 @@ struct convex_search {
 };
 
 /*
- * Searches a direction along which the parts are nearly as far apart as they are (Gilbert, Johnson and Keerthi, 1988).
- * False: none was found. The direction is a guess: the supports tell what it is worth.
+ * Searches a direction along which the parts are nearly as far apart as possible (Gilbert, Johnson and Keerthi, 1988).
+ * False: none was found. The direction is a guess: the supports show how good it is.
  */
 bool convex_direction(const struct convex *a, const struct convex *b, struct convex_search *search, long *visits);
 

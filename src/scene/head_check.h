@@ -6,13 +6,13 @@
 #include "scene/scene.h"
 
 /*
- * Adds DOUBT_SPINDLE_IN_HEAD for each body that most lines beside the spindle's axis find far ahead of the gauge point.
+ * Adds DOUBT_SPINDLE_IN_HEAD for each body that most lines beside the spindle's axis meet far ahead of the gauge point.
  * A body that begins at the gauge point, with the head behind it, is drawn in the spindle (an arbor) and is not
  * doubted.
  *
  * If the head is behind the gauge point and nothing ahead of it, the drawing confirms a spindle across Z, such as that
- * of an angle head: takes away DOUBT_SPINDLE_ACROSS, and with it what is said of the places that such a tool reaches
- * while the rotary axes are at 0.
+ * of an angle head: removes DOUBT_SPINDLE_ACROSS, and the doubts about the places that such a tool reaches with the
+ * rotary axes at 0.
  */
 void head_check(const struct scene *scene, struct doubts *doubts);
 

@@ -1,4 +1,4 @@
-/* interval_pool.h - storage of the intervals of a sweep, of which few are needed at a time. */
+/* interval_pool.h - storage for the intervals of a sweep; few are needed at a time. */
 #ifndef FIVECHECK_SCENE_INTERVAL_POOL_H
 #define FIVECHECK_SCENE_INTERVAL_POOL_H
 
@@ -7,8 +7,7 @@
 #include "scene/motion_interval.h"
 
 /*
- * An interval is kept as long as it has users: entries of a walk's stack, and the interval whose half it is. All zero
- * is ready.
+ * An interval is kept as long as it has users: entries of the traversal's stack, and its own halves. All zero is ready.
  */
 struct interval_pool {
 	struct motion_interval **all;
@@ -19,7 +18,7 @@ struct interval_pool {
 /* An interval with one user, the caller; the caller fills it in. */
 struct motion_interval *interval_pool_take(struct interval_pool *pool);
 
-/* The same with all that *other holds, whose halves are not taken over. */
+/* The same with the contents of *other, except its halves. */
 struct motion_interval *interval_pool_copy(struct interval_pool *pool, const struct motion_interval *other);
 
 /* Adds a user. */
@@ -28,10 +27,10 @@ static inline void interval_pool_share(struct motion_interval *interval)
 	interval->users++;
 }
 
-/* Takes a user away. Without any the interval is spare, and it no longer uses its halves. */
+/* Removes a user. An interval without users becomes spare and no longer uses its halves. */
 void interval_pool_leave(struct interval_pool *pool, struct motion_interval *interval);
 
-/* Frees all intervals, also those with users. */
+/* Frees all intervals, including those with users. */
 void interval_pool_release(struct interval_pool *pool);
 
 #endif

@@ -1,4 +1,4 @@
-/* joint_check.h - is every moving link drawn near to what carries it, or does a body between them lack? */
+/* joint_check.h - is every moving link drawn near its carrier, or is a body between them missing? */
 #ifndef FIVECHECK_SCENE_JOINT_CHECK_H
 #define FIVECHECK_SCENE_JOINT_CHECK_H
 

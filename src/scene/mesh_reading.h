@@ -5,8 +5,8 @@
 #include "scene/scene.h"
 
 /*
- * Reads the meshes of all bodies, whether or not a pair needs them, and builds their trees; those of tools' pieces that
- * are made of sections are made when they are asked for. False: some mesh is faulty; each is reported, in their order.
+ * Reads the meshes of all bodies, whether or not a pair needs them, and builds their trees. Pieces of tools that are
+ * given by sections are made later, when needed. False: some meshes are faulty; each is reported, in their order.
  */
 bool mesh_reading_run(struct scene *scene, int threads, struct diag *diag);
 

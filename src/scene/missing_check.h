@@ -1,6 +1,6 @@
 /*
- * missing_check.h - finds what a model lacks: bodies that hold the machine, the spindle or the work, the ends of a
- * travel, the holders of tools; and a travel that is longer than the machine.
+ * missing_check.h - finds missing elements of a model: bodies on base, spindle or workholding, limits of a travel,
+ * holders of tools; also a travel that is longer than the machine.
  */
 #ifndef FIVECHECK_SCENE_MISSING_CHECK_H
 #define FIVECHECK_SCENE_MISSING_CHECK_H
@@ -9,13 +9,13 @@
 #include "scene/scene.h"
 
 /*
- * Has the machine bodies on three links or more? One with fewer is a sketch, in which nothing is missed.
+ * Does the machine have bodies on three links or more? One with fewer is a sketch, in which nothing counts as missing.
  */
 bool missing_is_drawn(const struct scene *scene);
 
 /*
- * Appends the doubts about a machine that is drawn and has a spindle and a workholding, and about its setup's tools; of
- * other machines nothing is said. Elements marked checked="" are left out.
+ * Appends the doubts about a drawn machine with a spindle and a workholding, and about the tools of its setup; other
+ * machines are not judged. Elements marked checked="" are left out.
  */
 void missing_check(const struct scene *scene, struct doubts *doubts);
 

@@ -1,6 +1,6 @@
 /*
- * model_check.h - finds likely mistakes in the drawing of a machine and in a setup: places, sizes and units that do not
- * fit each other.
+ * model_check.h - finds likely mistakes in the drawing of a machine and in a setup: positions, sizes and units that do
+ * not fit each other.
  */
 #ifndef FIVECHECK_SCENE_MODEL_CHECK_H
 #define FIVECHECK_SCENE_MODEL_CHECK_H

@@ -6,8 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * Adds a doubt for each pair that is excused as neighbours (PAIR_ADJACENT) if somewhere in the travel of their joint
- * one of them stands deeper in the other than at home. A few positions are looked at, and some points of each body.
+ * Adds a doubt for each pair that is excused as neighbours (PAIR_ADJACENT) if one of them is deeper inside the other
+ * somewhere in the travel of their joint than at home. Tests a few positions, and some points of each body.
  */
 void neighbour_check(struct scene *scene, struct doubts *doubts);
 

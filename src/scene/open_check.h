@@ -1,4 +1,4 @@
-/* open_check.h - bodies with open meshes: what gets inside through a gap would not be seen. */
+/* open_check.h - bodies with open meshes: a body that enters one through a gap would not be noticed. */
 #ifndef FIVECHECK_SCENE_OPEN_CHECK_H
 #define FIVECHECK_SCENE_OPEN_CHECK_H
 

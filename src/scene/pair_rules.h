@@ -12,9 +12,9 @@ struct pair_ruling {
 };
 
 /*
- * The rule with the more specific names wins: a body is more specific than a role, a role more than a link, and the
- * more specific of a rule's two names is compared first. Among equals ALWAYS beats NEVER, and the larger clearance
- * beats the smaller.
+ * The rule with the more specific names takes precedence: a body is more specific than a role, a role more than a link,
+ * and the more specific of a rule's two names is compared first. Between equals ALWAYS precedes NEVER, and the larger
+ * clearance the smaller.
  */
 struct pair_ruling pair_rules_apply(const struct machine *machine, const struct body *a, const struct body *b);
 

@@ -1,4 +1,4 @@
-/* pairs.h - which pairs of bodies must be checked, and why the others need not be. */
+/* pairs.h - derives which pairs of bodies must be checked, and the reasons for the others. */
 #ifndef FIVECHECK_SCENE_PAIRS_H
 #define FIVECHECK_SCENE_PAIRS_H
 
@@ -7,7 +7,7 @@
 #include "geom/tolerance.h"
 #include "scene/scene.h"
 
-/* Fills scene->pairs (fivecheck(7), "Pairs") with up to `threads` threads, once the meshes are read. */
+/* Fills scene->pairs (fivecheck(7), "Pairs") with up to `threads` threads, after the meshes are read. */
 void pairs_derive(struct scene *scene, double clearance, int threads);
 
 #endif

@@ -1,4 +1,4 @@
-/* profile.h - rings about a rotary axis that hold a part of a body wherever a turn about the axis takes it. */
+/* profile.h - rings about a rotary axis that contain a part of a body at every angle of the axis. */
 #ifndef FIVECHECK_SCENE_PROFILE_H
 #define FIVECHECK_SCENE_PROFILE_H
 
@@ -8,8 +8,8 @@
 enum { PROFILE_RINGS = 64 };
 
 /*
- * The convex hull of the rings holds the part. Ring i is a piece of a cylinder: rho[i] mm from the axis, from low[i] to
- * high[i] mm along it, counted from the axis' location.
+ * The convex hull of the rings contains the part. Ring i is a piece of a cylinder: rho[i] mm from the axis, from low[i]
+ * to high[i] mm along it, measured from the location of the axis.
  */
 struct profile {
 	int count;
@@ -18,14 +18,14 @@ struct profile {
 
 /*
  * The triangles below `leaf` of the tree, at `place`, about the axis through `location` along the unit vector `axis`.
- * Adds the nodes looked at to *visits.
+ * Adds the nodes examined to *visits.
  *
- * What is small against the part stands for its triangles with its box, so that the nodes to look at depend on the
- * part's shape and not on the number of its triangles. The rings hold the part all the same: each corner of a triangle
- * is in the range of a ring, or within the box of a node, and then the box' corners are. A body of revolution about the
- * axis is convex if its half plane is, so with the corners of a box the hull of the rings holds the whole box, and with
- * the corners of a triangle the triangle. Boxes are rounded outward (bvh.h); what is computed here in double is off by
- * no more than what the same sums are for a triangle's corner, to within a sum (POSE_ROUNDING).
+ * A small branch is replaced by its box, so the number of nodes depends on the shape of the part and not on the number
+ * of its triangles. The rings still contain the part: each corner of a triangle is in the range of a ring, or inside
+ * the box of a node, and then the corners of the box are. A body of revolution about the axis is convex if its half
+ * plane is, so the hull of rings that contain the corners of a box contains the whole box, and the same holds for a
+ * triangle. Boxes are rounded outward (bvh.h); the values computed here in double have no larger errors than the same
+ * sums for a triangle's corner, up to one sum (POSE_ROUNDING).
  */
 void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
 		  vec3 axis, long *visits);

@@ -11,7 +11,7 @@
 struct last_contact;
 struct last_tool;
 
-/* One thread's searches. What it remembers of other pairs saves work, and changes no result. */
+/* The searches of one thread. The data kept about other pairs saves work and changes no result. */
 struct reach_search {
 	struct contact_search contacts;
 	struct sweep sweep;
@@ -22,16 +22,16 @@ struct reach_search {
 void reach_search_init(struct reach_search *search, const struct scene *scene);
 void reach_search_release(struct reach_search *search);
 
-/* Is it proved that the pair stays apart over the whole travel? The proof ends after so many steps: false. */
+/* Is the pair proved to stay apart over the whole travel? The proof stops after a fixed number of steps: false. */
 bool reach_search_proves(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
 			 const struct body_pair *bodies);
 
 enum reach { REACH_APART, REACH_MEETS, REACH_UNKNOWN };
 
 /*
- * Looks at a tool's piece, the second body of the pair, by its sections, which takes a small part of the time that its
- * triangles would take. A corner of the other body, whose tree is given, inside it means that no proof over the travel
- * is possible.
+ * Tests a tool's piece, the second body of the pair, by its sections, which takes a small part of the time of its
+ * triangles. If a corner of the other body, whose tree is given, is inside the piece, no proof over the travel is
+ * possible.
  */
 enum reach reach_search_tool(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
 			     const struct bvh *tree);

@@ -1,5 +1,5 @@
 /*
- * setup_check.h - finds likely mistakes in a setup: places, sizes, reach, tools and work offsets that do not fit the
+ * setup_check.h - finds likely mistakes in a setup: positions, sizes, reach, tools and work offsets that do not fit the
  * machine.
  */
 #ifndef FIVECHECK_SCENE_SETUP_CHECK_H

@@ -6,8 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * The size of all bodies together against the longest travel; if it is not too small, then single bodies, and links
- * with all that is drawn on them, that are far too small for it. Bodies with checked="" are left out.
+ * Compares the size of all bodies together with the longest travel. If it is not too small, doubts single bodies, and
+ * links with all their bodies, that are far too small. Bodies with checked="" are left out.
  */
 void size_check(const struct scene *scene, struct doubts *doubts);
 

@@ -1,4 +1,4 @@
-/* static_query.h - checks two bodies that stand still: apart, too close, or one inside the other. */
+/* static_query.h - checks two bodies at rest: apart, too close, or one inside the other. */
 #ifndef FIVECHECK_SCENE_STATIC_QUERY_H
 #define FIVECHECK_SCENE_STATIC_QUERY_H
 
@@ -27,8 +27,8 @@ enum inside static_query_contained(struct scene *scene, const struct scene_pair 
 				   vec3 *point);
 
 /*
- * Is neither the pair's first body inside `shell`, one surface around its second body, nor the shell inside of it?
- * Their surfaces are apart. False: one is, or may be.
+ * Is neither the pair's first body inside `shell`, one surface around its second body, nor the shell inside the first
+ * body? Their surfaces are apart. False: one is inside, or may be.
  */
 bool static_query_is_outside(struct scene *scene, const struct scene_pair *pair, const struct bvh *shell,
 			     const axis_values *q);

@@ -6,8 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * Adds DOUBT_OUT_OF_STOCK for each part that stands out of the stock. A part that is nowhere in it is not doubted if
- * another one is: it may be cut from a blank of its own.
+ * Adds DOUBT_OUT_OF_STOCK for each part that reaches outside the stock. A part that is wholly outside is not doubted if
+ * another part is inside: it may be cut from a blank of its own.
  */
 void stock_fit_check(struct scene *scene, struct doubts *doubts);
 

@@ -1,5 +1,5 @@
 /*
- * sweep.h - walks over two bodies' trees and an interval of motion: proves the bodies apart, or finds the first
+ * sweep.h - traverses the trees of two bodies over an interval of motion: proves the bodies apart, or finds the first
  * contact.
  */
 #ifndef FIVECHECK_SCENE_SWEEP_H
@@ -26,18 +26,18 @@ struct sweep {
 	struct interval_pool intervals;
 	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */
-	long visits;	/* node pairs looked at */
+	long visits;	/* node pairs examined */
 	const struct cancel *cancel;	/* borrowed; or NULL */
-	long ask_at;	/* number of visits at which `cancel` is asked next */
+	long ask_at;	/* the number of visits at which `cancel` is asked next */
 	bool broken_off;	/* `cancel` said stop: since then nothing is proved or found */
-	long effort;	/* node pairs to look at for one chord or box before it is undecided; 0: no limit */
-	bool exhausted;	/* `effort` was reached; whoever wants to know resets this before */
+	long effort;	/* the most node pairs for one chord or box; 0: no limit */
+	bool exhausted;	/* `effort` was reached; reset it before a query */
 };
 
-/* Must the walk stop? To be called again and again during a walk. */
+/* Must the traversal stop? Call it repeatedly during a traversal. */
 bool sweep_breaks_off(struct sweep *sweep);
 
-/* Room for `count` entries of the queue, which is used by walks at a single pose. */
+/* Makes room for `count` entries of the queue, which traversals at a single pose use. */
 struct bvh_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
 
 void sweep_release(struct sweep *sweep);
@@ -60,22 +60,21 @@ enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *p
 				  double clearance, double tolerance, struct contact *contact);
 
 /*
- * The same for every position in the box between low and high. Looks at no more than max_visits node pairs (0: no
- * limit).
+ * The same for every position in the box between low and high. Examines at most max_visits node pairs (0: no limit).
  */
 enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
 			    const axis_values *high, double clearance, double tolerance, long max_visits,
 			    struct contact *contact);
 
 /*
- * A lower bound on the distance (mm) at the axis positions q: at least `share` (0 to 1) of it, less rounding. A large
- * share costs more. The search ends early with just some lower bound if the distance turns out to be below `enough`,
- * after max_visits node pairs (0: no limit), or if `cancel` says stop.
+ * A lower bound of the distance (mm) at the axis positions q: at least `share` (0 to 1) of it, minus rounding. A large
+ * share costs more. The search ends early with a weaker bound if the distance turns out to be below `enough`, after
+ * max_visits node pairs (0: no limit), or if `cancel` says stop.
  */
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough, long max_visits);
 
-/* Two triangles in a's mesh coordinates, with two points that are as near as any. */
+/* Two triangles in a's mesh coordinates, with their nearest points. */
 struct nearest_triangles {
 	tri a, b;
 	vec3 on_a, on_b;
@@ -83,8 +82,8 @@ struct nearest_triangles {
 };
 
 /*
- * The triangles of a pair that are nearest to each other at the axis positions q. With a share below 1 they may be
- * farther apart than the nearest: `share` of their distance is less than the least. That costs less.
+ * The triangles of a pair that are nearest to each other at the axis positions q. With a share below 1 it may return
+ * others, which costs less: `share` of their distance is less than the smallest distance.
  */
 void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 			     struct nearest_triangles *nearest);

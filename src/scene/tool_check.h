@@ -1,4 +1,4 @@
-/* tool_check.h - do the bodies of a tool fit its length, its line and each other? */
+/* tool_check.h - do the bodies of a tool fit its length, the line of the spindle, and each other? */
 #ifndef FIVECHECK_SCENE_TOOL_CHECK_H
 #define FIVECHECK_SCENE_TOOL_CHECK_H
 

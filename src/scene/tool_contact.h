@@ -1,6 +1,6 @@
 /*
- * tool_contact.h - finds at once that a tool's piece that is made of sections can meet another body, without the tree
- * of its triangles: at some axis positions a corner of the body is inside the piece.
+ * tool_contact.h - finds quickly that a tool's piece given by sections can meet another body, without the tree of its
+ * triangles: at some axis positions a corner of the body is inside the piece.
  */
 #ifndef FIVECHECK_SCENE_TOOL_CONTACT_H
 #define FIVECHECK_SCENE_TOOL_CONTACT_H
@@ -11,7 +11,7 @@
 #include "machine/body.h"
 #include "machine/chain.h"
 
-/* Where it was found the last time for a body: pieces of other tools often meet it there. All zero is empty. */
+/* The last contact of a body: pieces of other tools often meet it there. All zero is empty. */
 struct tool_contact {
 	bool known;
 	axis_values at;
@@ -19,8 +19,8 @@ struct tool_contact {
 };
 
 /*
- * True: at positions between low and high a corner of the body, which the chain begins at and whose tree is `tree`, is
- * inside the piece at the chain's end; *last is where. False: none was found, which proves nothing.
+ * True: at positions between low and high a corner of the body is inside the piece; *last is the place. The chain leads
+ * from the body, whose tree is `tree`, to the piece. False: none was found, which proves nothing.
  */
 bool tool_contact_finds(struct tool_contact *last, const struct body *body, const struct bvh *tree,
 			const struct body *piece, const struct chain *chain, const axis_values *low,

@@ -1,4 +1,4 @@
-/* tri_pair.h - triangles of two leaves over an interval: proves them apart, or finds where they are not. */
+/* tri_pair.h - the triangles of two leaves over an interval: proves them apart, or finds a contact. */
 #ifndef FIVECHECK_SCENE_TRI_PAIR_H
 #define FIVECHECK_SCENE_TRI_PAIR_H
 
@@ -22,17 +22,17 @@ enum tri_pair_answer {
 	TRI_PAIR_OPEN	/* neither; *contact is filled in if they touch at the end of a chord */
 };
 
-/* The question: do two leaves stay farther apart than the clearance plus what the path tolerance may take? */
+/* The question: do two leaves stay farther apart than the clearance plus the path displacement? */
 struct tri_pair_query {
 	double clearance;	/* mm */
-	double coherence_margin;	/* mm: what the remembered axes must prove beyond that */
+	double coherence_margin;	/* mm: the additional distance that remembered axes must prove */
 	bool final;	/* the interval is so short that it counts as one instant */
 };
 
 /*
- * Answers for all triangles of two leaves at once. In a `final` interval triangles that are not proved apart touch:
- * they are within clearance + path displacement + tolerance. contact->s is only ever made smaller. *certificates is
- * increased by one for each pair that is proved apart.
+ * Answers for all triangles of two leaves at once. In a `final` interval, triangles that are not proved apart touch:
+ * they are within clearance + path displacement + tolerance. contact->s only becomes smaller. *certificates grows by
+ * one for each pair that is proved apart.
  */
 enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a,
 				    struct leaf b, const struct tri_pair_query *question, struct contact *contact,

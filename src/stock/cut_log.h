@@ -1,4 +1,4 @@
-/* cut_log.h - what feeding cutters have done so far, in the order of time; found again by place. */
+/* cut_log.h - the cuts of feeding cutters so far, in the order of time; can be searched by place. */
 #ifndef FIVECHECK_STOCK_CUT_LOG_H
 #define FIVECHECK_STOCK_CUT_LOG_H
 
@@ -10,17 +10,17 @@
 #include "stock/cutter.h"
 
 /*
- * Times are counted in steps of the program: 7.5 is the middle of the step with the number 7. The log gets pieces of
- * steps in their order, and never forgets one.
+ * Times are counted in steps of the program: 7.5 is the middle of step number 7. The log receives pieces of steps in
+ * their order, and never forgets one.
  */
 struct cut {
 	int cutter;	/* index of the log's cutters */
 	double from, to;	/* when */
 	struct cutter_way way;
-	double error;	/* mm: no point of the true cutter is farther than this from where the way has it */
+	double error;	/* mm: the largest distance of a point of the true cutter from the path */
 };
 
-/* A cutter may have been anywhere in a box: it removes nothing for certain, but perhaps everything. */
+/* A cutter may have been anywhere in a box: it removes nothing for certain, but possibly everything. */
 struct cut_region {
 	int cutter;
 	double from, to;	/* when */
@@ -52,30 +52,30 @@ void cut_log_add(struct cut_log *log, const struct cut *cut);
 void cut_log_add_region(struct cut_log *log, const struct cut_region *region);
 
 /*
- * errno of the first write to the temporary file, or read from it, that failed; 0: none did. After a fault cuts are
- * missing, and what the log answers is of no use.
+ * errno of the first failed write to or read from the temporary file; 0: none. After an error cuts are missing, and the
+ * answers of the log are invalid.
  */
 int cut_log_fault(const struct cut_log *log);
 
-/* The place in the log behind all cuts that begin before `time`. */
+/* The place in the log after all cuts that begin before `time`. */
 uint64_t cut_log_end(const struct cut_log *log, double time);
 
 /*
- * When does the first cut at or behind *place that removes the whole cube do so? INFINITY: none before `end` does.
- * *place becomes `end` then.
+ * The time at which the first cut at or after *place that removes the whole cube does so; INFINITY: none before `end`.
+ * Then *place becomes `end`.
  */
 double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64_t *place, uint64_t end);
 
 /*
- * Does one cut remove the whole part of a cell, at an instant that is not after `time`? `end` is cut_log_end for that
- * time. *chunk is where to look first; it becomes the chunk with such a cut, and tells nothing but that.
+ * Does one cut remove the whole part of a cell, at an instant not after `time`? `end` is cut_log_end for that time.
+ * *chunk is the place to search first; it becomes the chunk with such a cut, and has no other meaning.
  */
 bool cut_log_removes_part(const struct cut_log *log, const struct cell_part *part, double time, uint64_t end,
 			  size_t *chunk);
 
 /*
- * May anything that begins before `time` have touched the ball? What is false here is certain: until then no cutter has
- * been at any point of the ball.
+ * May any cut that begins before `time` have touched the ball? False is certain: until then no cutter has been at any
+ * point of the ball.
  */
 bool cut_log_reaches(const struct cut_log *log, vec3 centre, double radius, double time);
 

@@ -14,18 +14,18 @@
 
 enum { CUT_CHUNK = 16 };
 
-/* Where and when one cut ends and the next one begins. */
+/* The place and time at which one cut ends and the next one begins. */
 struct cut_end {
 	struct cutter_place place;
 	double time;
 	double error;	/* mm: of the cut that ends here */
 };
 
-/* Cuts of one cutter, each beginning where the one before it ends. */
+/* Cuts of one cutter; each begins at the end of the one before. */
 struct cut_chunk {
 	int cutter;
 	int count;	/* cuts; they have count + 1 ends */
-	bool region;	/* one cut, of which only the box is known */
+	bool region;	/* one cut whose box alone is known */
 	struct cut_end ends[CUT_CHUNK + 1];
 };
 
@@ -35,13 +35,13 @@ struct cut_chunk {
 struct cut_store {
 	struct cut_chunk *chunks;	/* the first chunks: those in memory */
 	size_t chunk_capacity;
-	size_t limit;	/* at most so many chunks are in memory */
+	size_t limit;	/* the largest number of chunks in memory */
 	size_t count;	/* of all chunks */
 	struct cut_chunk last;	/* the last chunk, if it is beyond the limit */
 	FILE *file;	/* all other chunks beyond the limit; NULL: there are none */
 	struct cut_slot *cache;	/* chunks that were read from the file last */
 	int fault;	/* errno of the first write or read that failed; 0: none did */
-	uint64_t gets;	/* how often a chunk was asked for: what work with the log costs */
+	uint64_t gets;	/* number of chunk accesses: the cost of work with the log */
 };
 
 void cut_store_init(struct cut_store *store, size_t limit);

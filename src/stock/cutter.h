@@ -1,4 +1,4 @@
-/* cutter.h - what a turning cutter surely removes: cubes that lie inside it at one instant. */
+/* cutter.h - what a turning cutter certainly removes: cubes that are inside it at one instant. */
 #ifndef FIVECHECK_STOCK_CUTTER_H
 #define FIVECHECK_STOCK_CUTTER_H
 
@@ -10,13 +10,13 @@
 #include "stock/cube.h"
 #include "stock/revolved.h"
 
-/* Where a cutter stands in the stock's coordinates. */
+/* The pose of a cutter in the stock's coordinates. */
 struct cutter_place {
 	vec3 origin;	/* of the cutter's mesh coordinates: the gauge point, mm */
 	vec3 up;	/* unit: the mesh's Z, which points away from the tip */
 };
 
-/* A solid of revolution, and its convex pieces from the top down. The whole solid is removed where it goes. */
+/* A solid of revolution, and its convex pieces from the top down. It removes its whole volume along its path. */
 struct cutter {
 	struct revolved whole;
 	struct revolved *pieces;	/* their bands are those of `whole` */
@@ -26,34 +26,34 @@ struct cutter {
 void cutter_init(struct cutter *cutter, const struct tool_solid *solid);
 void cutter_release(struct cutter *cutter);
 
-/* A cutter that goes from one place to another: each point of its axis goes straight and evenly. */
+/* A cutter that moves from one pose to another: each point of its axis moves straight and at constant speed. */
 struct cutter_way {
 	struct cutter_place from, to;
 };
 
-/* Where the cutter is after the share s of its way. */
+/* The pose of the cutter after the share s of its path. */
 struct cutter_place cutter_place_between(const struct cutter_place *from, const struct cutter_place *to, double s);
 
-/* The box around the cutter on its way. */
+/* The box around the cutter on its path. */
 void cutter_way_bounds(const struct cutter *cutter, const struct cutter_way *way, vec3 *low, vec3 *high);
 
 /*
- * A time, 0 to 1, at which the whole cube lies at least `depth` mm inside the cutter, and before which it hardly does;
- * INFINITY if none was found. Cubes are looked for inside each convex piece by their corners, and inside the whole
- * cutter, across the seams of its pieces, by the ball around them. The answer depends on the arguments alone.
+ * A time, 0 to 1, at which the whole cube is at least `depth` mm inside the cutter, and hardly any earlier one;
+ * INFINITY if none was found. Cubes are tested inside each convex piece by their corners, and inside the whole cutter,
+ * across the seams of its pieces, by the ball around them. The answer depends only on the arguments.
  */
 double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth);
 
 /*
- * Does the whole part of a cell lie at least `depth` mm inside one convex piece of the cutter, at the time of its way,
- * up to `latest`, at which the cutter's axis comes nearest to the middle of the part? It may at another time.
+ * Is the whole part of a cell at least `depth` mm inside one convex piece of the cutter, at the time up to `latest` at
+ * which the cutter's axis is nearest to the middle of the part? It may be at another time.
  */
 bool cutter_removes_part(const struct cutter *cutter, const struct cutter_way *way, const struct cell_part *part,
 			 double depth, double latest);
 
 /*
- * May the cutter come within `distance` mm of the point? False is certain; true may be wrong where it stays only some
- * COMES_WITHIN_SLACK farther away.
+ * May the cutter come within `distance` mm of the point? False is certain; true may be wrong if the cutter stays at
+ * most COMES_WITHIN_SLACK farther away.
  */
 #define COMES_WITHIN_SLACK 1e-3
 bool cutter_comes_within(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double distance);

@@ -1,4 +1,4 @@
-/* cutting.h - logs what a feeding cutter surely removes along a step. */
+/* cutting.h - logs the material that a feeding cutter certainly removes along a step. */
 #ifndef FIVECHECK_STOCK_CUTTING_H
 #define FIVECHECK_STOCK_CUTTING_H
 
@@ -10,17 +10,17 @@ struct cutting {
 	const struct body_pair *bodies;	/* the stock is a, the cutter b */
 	int cutter;	/* index of the log's cutters */
 	struct chord chord;
-	double from, to;	/* when, as the log counts time */
-	/* mm: pieces of a curved way are so short that they leave their chords by less than this */
+	double from, to;	/* the times, as in the log */
+	/* mm: the largest distance of a curved path from the chords of its pieces */
 	double chord_error;
-	vec3 low, high;	/* the box around the blank: cuts outside of it are left out */
+	vec3 low, high;	/* the box around the blank: cuts outside it are left out */
 };
 
 void cutting_log(const struct cutting *cutting, struct cut_log *log);
 
 /*
  * The same for a step of which only the set of positions is known: everything between the chord's ends, axis by axis.
- * It surely removes nothing. Only the cutter's mesh is used.
+ * It removes nothing for certain. Only the cutter's mesh is used.
  */
 void cutting_log_region(const struct cutting *cutting, struct cut_log *log);
 

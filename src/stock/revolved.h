@@ -32,20 +32,20 @@ void revolved_release(struct revolved *revolved);
 bool revolved_widens_upward(const struct revolved *revolved);
 
 /*
- * What such a solid passes on a way of `length` mm along its axis, standing at the lower end of the way: the solid with
- * its top raised. revolved_release frees the copy.
+ * The volume that such a solid sweeps on a path of `length` mm along its axis, from the lower end of the path: the
+ * solid with its top raised. revolved_release frees the copy.
  */
 void revolved_init_stretched(struct revolved *stretched, const struct revolved *revolved, double length);
 
 /*
- * mm: the distance of the point at radius r >= 0 and height z to the surface; negative inside. Where the solid is
- * convex the function is convex, too.
+ * mm: the distance of the point at radius r >= 0 and height z from the surface; negative inside. Where the solid is
+ * convex the function is also convex.
  */
 double revolved_distance(const struct revolved *revolved, double r, double z);
 
 /*
- * The same. (*out_r, *out_z) is the way outward between the point and the nearest place of the surface, as long as
- * that.
+ * The same. (*out_r, *out_z) is the outward vector between the point and the nearest point of the surface, with that
+ * length.
  */
 double revolved_nearest(const struct revolved *revolved, double r, double z, double *out_r, double *out_z);
 

@@ -45,7 +45,7 @@ static const struct xml_case bad[] = {
     {BASE("<axis name='X' type='linear' direction='1 0 0'/>"),
      "m.xml:2: error: <axis> lacks the attribute 'rate_max'\n"},
     {BASE(AXIS_X " home='ten'/>"), "m.xml:2: error: home=\"ten\" of <axis> is not a number\n"},
-    {BASE(AXIS_X " home='1,5'/>"), "m.xml:2: error: home=\"1,5\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='1,5'/>"), "m.xml:2: error: home=\"1,5\" of <axis> is not a number: write a decimal point\n"},
     {BASE(AXIS_X " home='nan'/>"), "m.xml:2: error: home=\"nan\" of <axis> is not a number\n"},
     {BASE(AXIS_X " home='0x10'/>"), "m.xml:2: error: home=\"0x10\" of <axis> is not a number\n"},
     {BASE(AXIS_X " home='1 mm'/>"), "m.xml:2: error: home=\"1 mm\" of <axis> is not a number\n"},

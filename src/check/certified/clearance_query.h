@@ -1,5 +1,6 @@
 /*
- * clearance_query.h - the exact query: does a pair keep its distance along a step? All quick proofs replace this one.
+ * clearance_query.h - the exact query: does a pair keep its distance along a step? The quick proofs only save calls of
+ * it.
  */
 #ifndef FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
 #define FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
@@ -14,8 +15,8 @@ struct clearance_query {
 	struct sweep *sweep;
 	const struct body_pair *bodies;
 	double clearance, tolerance;	/* mm, as in sweep_chord */
-	bool any;	/* any contact is an answer; else it must be the first */
-	long box_visits;	/* node pairs to look at if the way is not known (PATH_BOX); 0: no limit */
+	bool any;	/* any contact will do; else the first one is needed */
+	long box_visits;	/* the most node pairs to examine if the path is not known (PATH_BOX); 0: no limit */
 };
 
 enum query_answer {
@@ -31,7 +32,7 @@ void clearance_query_halve(const struct chord *whole, struct chord *first, struc
 enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
 					struct contact *contact);
 
-/* The same along a step, with the path tolerance that it has. */
+/* The same along a step, with its path tolerance. */
 enum query_answer clearance_query_step(const struct clearance_query *query, const struct motion_step *step,
 				       struct contact *contact);
 

@@ -1,4 +1,4 @@
-/* plane_account.h - whether a search for travelling planes pays. It decides when to search, and proves nothing. */
+/* plane_account.h - decides whether a search for travelling planes pays. It proves nothing. */
 #ifndef FIVECHECK_CHECK_CERTIFIED_PLANE_ACCOUNT_H
 #define FIVECHECK_CHECK_CERTIFIED_PLANE_ACCOUNT_H
 
@@ -6,40 +6,38 @@
 #include <stddef.h>
 
 /*
- * Near contact, or where one body lies inside a hollow of the other, planes are found in vain or last for a step. So
- * searches may cost what the pair's sweeps and distance queries have cost, and what planes have saved.
+ * Near contact, or where one body is inside a hollow of the other, searches find no planes, or planes that last for one
+ * step. So searches may cost as much as the pair's sweeps and distance queries have cost, plus what planes have saved.
  */
 struct plane_account {
-	double credit;	/* node pairs that searches may still look at */
-	double sweep_price;	/* node pairs that the sweep of a step looks at: a running mean */
-	double search_price;	/* the same of a search */
-	/*
-	 * Chunks for which no plane is searched, and steps that are not halved: now, and after the next search in vain.
-	 */
+	double credit;	/* node pairs that searches may still examine */
+	double sweep_price;	/* node pairs per swept step: a running mean */
+	double search_price;	/* node pairs per search: a running mean */
+	/* Chunks without a search, and steps that are not halved: now, and after the next failed search. */
 	struct plane_pause {
 		int idle, backoff;
 	} chunks, halves, carried, parts;
 };
 
-/* nodes: what the first search has to look at besides. */
+/* `nodes`: the additional cost of the first search. */
 void plane_account_init(struct plane_account *account, size_t nodes);
 
 bool plane_account_allows(const struct plane_account *account);
 
-/* The same for the planes of a chunk and of halves; false also while earlier such searches were in vain. */
+/* The same for the planes of a chunk and of halves; also false while earlier such searches have failed. */
 bool plane_account_allows_chunk(struct plane_account *account);
 bool plane_account_allows_halves(struct plane_account *account);
 
-/* A step was swept, or the distance asked for. */
+/* A step was swept, or a distance queried. */
 void plane_account_add_sweep(struct plane_account *account, long visits);
 void plane_account_add_query(struct plane_account *account, long visits);
 
-/* Planes have proved so many steps. */
+/* Planes have proved this number of steps. */
 void plane_account_add_saved(struct plane_account *account, size_t steps);
 
 void plane_account_add_search(struct plane_account *account, long visits);
 
-/* The same of kept planes that are measured again and nothing else. */
+/* The same for kept planes that are only measured again. */
 bool plane_account_allows_carrying(struct plane_account *account);
 void plane_account_add_carried(struct plane_account *account, long visits, bool proved);
 

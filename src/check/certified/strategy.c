@@ -45,7 +45,7 @@
  */
 #define CHORD_ERROR_SHARE 0.1
 
-/* How often a step is halved until planes last for a part of it. */
+/* The most halvings of a step until planes last for a part of it. */
 #define HALVINGS 4
 
 /*
@@ -127,7 +127,7 @@ static bool covered(struct strategy *strategy, const struct motion_step *step, c
 	return true;
 }
 
-/* mm: roughly how far the step moves the bodies against each other. A smaller distance does not help. */
+/* mm: the approximate relative motion of the bodies in the step. A smaller distance does not help. */
 static double way_of(const struct chain *chain, const struct chain_state *state, const struct span *span)
 {
 	double way = 0;
@@ -162,7 +162,7 @@ static double ask_distance(struct strategy *strategy, struct sweep *sweep, const
 	return distance;
 }
 
-/* The same with a query as sharp as the smallest clearance is measured; the first such distance sets the target. */
+/* The same with the accuracy of the smallest clearance; the first such distance sets the target. */
 static double measure_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double enough)
 {
 	struct pair_proof *proof = &strategy->proof;
@@ -176,7 +176,7 @@ static double measure_distance(struct strategy *strategy, struct sweep *sweep, c
 	return distance;
 }
 
-/* Asks for the distance at the end of the step and starts a new budget with it. */
+/* Queries the distance at the end of the step and starts a new budget with it. */
 static void renew(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 		  const struct position_errors *errors)
 {
@@ -205,13 +205,13 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
-/* Are travelling planes of use? Not while the first target is still being measured. */
+/* Can travelling planes help? Not while the first target is still being measured. */
 static bool uses_planes(const struct strategy *strategy)
 {
 	return WITH_PLANES && !is_measuring_first(strategy);
 }
 
-/* By the kept planes, else by new ones if a search for them may pay. */
+/* Uses the kept planes, or new ones if a search for them may pay. */
 static bool covered_by_planes(struct strategy *strategy, const struct motion_step *step,
 			      const struct position_errors *errors)
 {
@@ -298,7 +298,7 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 	if (covered(strategy, step, &errors) || covered_by_planes(strategy, step, &errors))
 		return QUERY_CLEAR;
 	if (!WITH_BUDGET && !is_measuring_first(strategy)) {
-		/* This build has no budgets, so a distance is of no use. */
+		/* This build has no budgets, so a distance does not help. */
 	} else if (strategy->steps_to_next_query > 0 && !is_measuring_first(strategy)) {
 		strategy->steps_to_next_query--;
 	} else {
@@ -345,7 +345,7 @@ enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep 
 	enum query_answer answer;
 
 	while ((answer = attempt(strategy, sweep, step, contact)) != QUERY_CLEAR && proof->target > proof->clearance) {
-		/* This answer is about the target, not about the clearance: try a smaller target. */
+		/* This answer is about the target, not the clearance: try a smaller target. */
 		double closest = answer == QUERY_CONTACT ? fmin(contact->distance, proof->target) : proof->clearance;
 
 		pair_proof_aim(proof, proof->clearance + strategy->measure_share * (closest - proof->clearance));
@@ -355,7 +355,7 @@ enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep 
 	return answer;
 }
 
-/* Does every point move so nearly straight along the chord that the chord need not be halved for that? */
+/* Does every point stay so near to its chord that the chord need not be halved for this? */
 static bool is_nearly_straight(const struct strategy *strategy, const struct chord *chord)
 {
 	const struct body_pair *bodies = &strategy->proof.bodies;
@@ -431,7 +431,7 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 	return merge_count;
 }
 
-/* As covered_by_planes, for a box of steps. */
+/* Like covered_by_planes, for a box of steps. */
 static bool box_by_planes(struct strategy *strategy, const axis_values *low, const axis_values *high,
 			  const struct position_errors *errors, bool thorough)
 {

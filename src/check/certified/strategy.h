@@ -1,4 +1,4 @@
-/* strategy.h - takes a pair through a program's steps: decides what to ask of its proof, and when. */
+/* strategy.h - takes a pair through the steps of a program: decides which proofs to try, and when. */
 #ifndef FIVECHECK_CHECK_CERTIFIED_STRATEGY_H
 #define FIVECHECK_CHECK_CERTIFIED_STRATEGY_H
 
@@ -9,30 +9,30 @@
 #include "check/certified/proof.h"
 #include "motion/motion.h"
 
-/* How much of the smallest clearance is found. */
+/* How exactly the smallest clearance is measured. */
 enum strategy_measure {
-	STRATEGY_PROVES,	/* none: only what is required is proved */
+	STRATEGY_PROVES,	/* not at all: only the required distance is proved */
 	STRATEGY_MEASURES,
-	STRATEGY_MEASURES_COARSELY	/* less of it, in less time */
+	STRATEGY_MEASURES_COARSELY	/* less exactly, in less time */
 };
 
-/* The strategy changes how long the answers take, never the answers: those are the proof's (proof.h). */
+/* The strategy changes how long the answers take, never the answers: those come from the proof (proof.h). */
 struct strategy {
 	struct pair_proof proof;
-	double measure_share;	/* the share of the clearance that is to be proved, nearly; 0: do not measure */
+	double measure_share;	/* about the share of the clearance to be proved; 0: do not measure */
 	int steps_to_next_query;	/* steps to wait before the next distance query */
-	int backoff;	/* steps to wait after the next query that proves too little */
+	int backoff;	/* steps to wait after the next unsuccessful query */
 	bool distance_pays;	/* false: the last step had to be swept */
-	size_t merge_count;	/* steps that were merged last time; 0: none yet */
+	size_t merge_count;	/* number of steps merged last time; 0: none yet */
 	struct plane_account planes;
-	long sweep_visits;	/* node pairs that sweeps looked at since the last sharp query (strategy.c) */
+	long sweep_visits;	/* node pairs examined by sweeps since the last sharp query (strategy.c) */
 	long covered_steps, plane_steps;	/* proved by a budget, by travelling planes */
 	long queries;
 };
 
 /*
- * measure: prove not only the clearance, but as much as there is, to within a share. This takes more time. The strategy
- * must not be moved afterwards.
+ * `measure`: prove not only the required clearance, but the existing one, to within a share. This takes more time. The
+ * strategy must not be moved afterwards.
  */
 void strategy_init(struct strategy *strategy, const struct body_pair *bodies, double clearance, double tolerance,
 		   enum strategy_measure measure);
@@ -56,16 +56,16 @@ double strategy_proven(const struct strategy *strategy);
 void strategy_forget_position(struct strategy *strategy);
 
 /*
- * Checks many steps at once: all positions are between low and high, give or take `errors`, and the last one is `end`.
- * False: neither a budget nor planes cover them, and nothing was checked. thorough: earlier budgets are looked through,
- * and new planes are searched if that may pay.
+ * Checks many steps at once: all positions are between low and high, plus or minus `errors`, and the last one is `end`.
+ * False: neither a budget nor planes cover them, and nothing was checked. thorough: also try earlier budgets, and
+ * search new planes if that may pay.
  */
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
 			  const struct position_errors *errors, const axis_values *end, size_t steps, bool thorough);
 
 /*
- * Where distance queries do not pay, tries to prove several of the next `count` steps at once. Returns how many; 0:
- * none, and the caller must check them one by one.
+ * If distance queries do not pay, tries to prove several of the next `count` steps at once. Returns their number; 0:
+ * none, and the caller must check the steps one by one.
  */
 size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps,
 			      size_t count);

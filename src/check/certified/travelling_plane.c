@@ -63,10 +63,10 @@ double travelling_plane_gap(const struct plane_pose *pose, const struct convex *
 	       pose->rounding;
 }
 
-/* A lever may be wrong by this share of the part's radius: a hundredth of what the joint does to the gap. */
+/* The error of a lever as a share of the part's radius: a hundredth of the joint's effect on the gap. */
 #define LEVER_SHARE 0x1p-5
 
-/* What a rotary joint does to the part of the body that it carries. */
+/* The effect of a rotary joint on the part of the body that it carries. */
 static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part,
 		       size_t i, vec3 n, long *visits)
 {
@@ -133,7 +133,7 @@ double plane_motion_path(const struct plane_motion *motion, const struct body_pa
 	return box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
 }
 
-/* mm: by how much joint i makes the gap larger at least, to first order, at dq from where it was measured. */
+/* mm: a lower bound of the growth of the gap by joint i, to first order, at dq from its measurement. */
 static inline double first_order(const struct travelling_plane *plane, size_t i, double dq)
 {
 	return smaller(dq * plane->low[i], dq * plane->high[i]);
@@ -141,7 +141,7 @@ static inline double first_order(const struct travelling_plane *plane, size_t i,
 
 /* The sum of one body's joints, outward from the link. */
 struct second_order {
-	double turned;	/* how far n may have turned as the next joint sees it */
+	double turned;	/* the largest rotation of n relative to the next joint */
 	double lost;	/* mm */
 };
 
@@ -207,7 +207,7 @@ static struct outward outward_of(const struct travelling_plane *plane, const str
 struct joint_way {
 	double dq;	/* of the motion */
 	double error;	/* its chord error */
-	double off;	/* from where the plane was measured, the error included */
+	double off;	/* from the position of the plane's measurement, including the error */
 };
 
 /*
@@ -222,7 +222,7 @@ static double bulge_of(const struct travelling_plane *plane, const struct chain 
 	for (size_t k = out->count; k-- > 0;) {
 		const size_t i = out->joints[k];
 
-		/* 1: so that u is dq for linear joints, too. What has dropped out moves nothing. */
+		/* 1: so that u is dq for linear joints, too. Removed joints move nothing. */
 		lever[k] = !chain->joints[i].rotary ? 1 : plane->turn[i] > 0 ? plane->lever[i] + outer : 0;
 		outer += ways[i].off * lever[k];
 	}

@@ -12,9 +12,9 @@
 struct position_errors;
 
 /*
- * A unit vector n is fixed in the frame of link k: the first k joints of the chain lie between it and body A, the
+ * A unit vector n is fixed in the frame of link k: the first k joints of the chain are between it and body A, the
  * others between it and body B. Seen from the link, the gap is g(q) = min n.b - max n.a over the points a of A and b of
- * B; the bodies are at least g apart. At the position `at` the gap is measured. Elsewhere only motion along n can make
+ * B; the bodies are at least g apart. The gap is measured at the position `at`. Elsewhere only motion along n can make
  * it smaller, and with dq = q - at
  *
  *	g(q) >= g(at) + sum over the joints of min(dq low, dq high) - second(|dq|).
@@ -40,24 +40,24 @@ struct position_errors;
  * to (struct profile). They hold the body at every position of this joint, which drops out of the sum.
  */
 struct travelling_plane {
-	double gap;	/* mm at `at`, rounding taken off */
-	double rounding;	/* mm: what was taken off; as much again if the normal, too, was rounded there */
-	double at[SLOT_COUNT];	/* mm, radians; by joint of the chain, as all that follow */
+	double gap;	/* mm at `at`, minus rounding */
+	double rounding;	/* mm: the rounding bound; twice as much if the normal was also rounded there */
+	double at[SLOT_COUNT];	/* mm, radians; by joint of the chain, like the arrays below */
 	double low[SLOT_COUNT], high[SLOT_COUNT];	/* mm per mm or radian */
-	double rate[SLOT_COUNT];	/* the larger of both, without their signs */
-	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or dropped out */
-	double lever[SLOT_COUNT];	/* mm; 0: linear, or dropped out */
+	double rate[SLOT_COUNT];	/* the larger absolute value of both */
+	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or removed by a profile */
+	double lever[SLOT_COUNT];	/* mm; 0: linear, or removed by a profile */
 	size_t link;	/* k */
-	vec3 normal;	/* in the coordinates of link k: where to begin when the plane is measured again */
+	vec3 normal;	/* in the coordinates of link k, for the next measurement */
 };
 
-/* Where planes are measured. */
+/* The position at which planes are measured. */
 struct plane_pose {
 	const struct body_pair *bodies;
 	axis_values q;
-	double rounding;	/* mm: of a gap or a lever at q, meshes included */
+	double rounding;	/* mm: of a gap or a lever at q, including the meshes */
 	double slack;	/* of a product of unit vectors at q */
-	/* All that follows is in the coordinates of A's link. */
+	/* The following members are in the coordinates of A's link. */
 	xform places[2];	/* of both meshes */
 	mat3 turned[SLOT_COUNT + 1];	/* of each link k: from its own coordinates, directions only */
 	vec3 direction[SLOT_COUNT];	/* of each joint */
@@ -73,19 +73,19 @@ void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, co
 void travelling_plane_init(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *a,
 			   const struct convex *b, vec3 n, size_t link, double gap, long *visits);
 
-/* The unit normal of a plane that was measured elsewhere, as its link stands at the pose. */
+/* The unit normal of a plane that was measured elsewhere, turned with its link to the pose. */
 vec3 travelling_plane_normal(const struct travelling_plane *plane, const struct plane_pose *pose);
 
 /* Was the plane measured at q? */
 bool travelling_plane_is_at(const struct travelling_plane *plane, const struct chain *chain, const axis_values *q);
 
-/* mm: the gap along n at the pose, rounding taken off, or at most 2 `slack` less. */
+/* mm: the gap along n at the pose, minus rounding, or at most 2 `slack` less. */
 double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
 			    double slack, long *visits);
 
 /*
- * Motion of the chain's joints. `straight`: from q0 to q1, all joints together. Else each may be anywhere between them.
- * In either case each may be off by its chord error besides.
+ * A motion of the chain's joints. `straight`: from q0 to q1, all joints together. Otherwise each joint may be anywhere
+ * between them. In both cases each joint may also be off by its chord error.
  */
 struct plane_motion {
 	bool straight;
@@ -117,8 +117,8 @@ double travelling_plane_between(const struct travelling_plane *plane, const stru
 				const struct plane_motion *motion, double gap0, double gap1);
 
 /*
- * mm: the gap is larger than this, at every position of the motion. -INFINITY may be given in place of what is at most
- * `beyond`.
+ * mm: the gap is larger than this, at every position of the motion. -INFINITY may be returned instead of a value of at
+ * most `beyond`.
  */
 double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,
 			     const struct plane_motion *motion, double beyond);

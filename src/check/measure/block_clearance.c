@@ -7,10 +7,10 @@
 #include "check/measure/measured_step.h"
 #include "check/step.h"
 
-/* A distance query asks for this share of the distance. More costs far more than asking whether a distance holds. */
+/* The share of the distance that a distance query must prove. More would cost far more than testing one distance. */
 #define DISTANCE_SHARE 0.2
 
-/* How exactly each query decides, as a share of the distance. */
+/* The tolerance of each query, as a share of the distance. */
 #define TARGET_SHARE 0.03
 
 /*
@@ -26,10 +26,10 @@
  */
 enum { JOIN_CHUNKS = 256 };
 
-/* A budget that has given nothing for so many steps is forgotten. */
+/* A budget that has proved nothing for this number of steps is forgotten. */
 enum { UNSPENT_MOST = 64 };
 
-/* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
+/* The most node pairs for one rapid whose path is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
 void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies)
@@ -55,7 +55,7 @@ static bool kept_planes_cover(struct block_clearance *block, const struct plane_
 	return WITH_PLANES && plane_cells_cover(&block->pair.planes, motion, needed);
 }
 
-/* Do new planes keep them so far apart throughout a chunk, if a search for them may pay? */
+/* The same by new planes for a whole chunk, if a search for them may pay. */
 static bool new_planes_cover_chunk(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
 	const axis_values middle = plane_motion_middle(motion);
@@ -70,7 +70,7 @@ static bool new_planes_cover_chunk(struct block_clearance *block, const struct p
 	return held;
 }
 
-/* Were the bodies seen within `most` mm of each other at a position in the box? The last such position is asked for. */
+/* Were the bodies found within `most` mm of each other at a position in the box? Tests the last such position. */
 static bool is_seen_near(const struct block_clearance *block, const struct batch_chunk *box, double most)
 {
 	const struct seen_distance *seen = &block->pair.seen[block->pair.oldest_seen];
@@ -126,13 +126,13 @@ static void renew(struct block_clearance *block, struct sweep *sweep, const axis
 	motion_budget_set(&block->budget, q, &state, proven);
 }
 
-/* mm: as much of the distance as the search need not go beyond. */
+/* mm: the distance at which the search may end. */
 static double enough(const struct block_clearance *block, double distance)
 {
 	return clearance_accuracy_enough(block->pair.accuracy, distance, block->pair.bound);
 }
 
-/* Does the budget prove enough for the step, or nearly all that there can be? Then it gives the bound. */
+/* Does the budget prove enough for the step, or nearly the whole distance? Then it sets the bound. */
 static bool spend(struct block_clearance *block, struct measured_step *measured)
 {
 	axis_values low, high;

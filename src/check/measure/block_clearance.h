@@ -1,4 +1,4 @@
-/* block_clearance.h - a proven lower bound of a pair's distance in each block, as far as it is of interest. */
+/* block_clearance.h - a proven lower bound of a pair's distance in each block, up to a cap. */
 #ifndef FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 #define FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 
@@ -10,35 +10,35 @@
 #include "motion/motion.h"
 #include "scene/sweep.h"
 
-/* Only the block under way is remembered. */
+/* Only the current block is remembered. */
 struct block_clearance {
 	struct measured_pair pair;
 	struct motion_budget budget;
-	int chunks;	/* that block_clearance_clears was asked for */
-	double found;	/* mm: where the budget begins, two triangles were this close */
+	int chunks;	/* number of calls of block_clearance_clears */
+	double found;	/* mm: two triangles were this close at the start of the budget */
 	int unspent;	/* steps since the budget gave the last bound */
 	bool maybe_inside;	/* the surfaces have met; since then one body may be inside the other */
 };
 
-/* The block must stay where it is from here on. */
+/* *block must not be moved. */
 void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies);
 
 void block_clearance_release(struct block_clearance *block);
 
-/* A new block begins, in which a larger clearance than `most` (mm, above 0) is of no interest. */
+/* A new block begins; clearances above `most` (mm, above 0) need not be measured. */
 void block_clearance_start(struct block_clearance *block, double most);
 
 /*
- * Is the pair farther apart than `most` (mm) at all positions in the box of so many steps? thorough: new planes are
- * searched if that may pay.
+ * Is the pair farther apart than `most` (mm) at all positions in the box of this number of steps? thorough: search new
+ * planes if that may pay.
  */
 bool block_clearance_clears(struct block_clearance *block, const struct batch_chunk *box, double most, size_t steps,
 			    bool thorough);
 
-/* mm: roughly how far apart the bodies are at q: not less than they are. */
+/* mm: an upper estimate of the distance of the bodies at q. */
 double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q);
 
-/* Lowers the bound to what holds in the step, too; tolerance (mm) as in sweep_chord. */
+/* Lowers the bound to one that also holds in the step; tolerance (mm) as in sweep_chord. */
 void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
 			  double tolerance, enum clearance_accuracy accuracy);
 

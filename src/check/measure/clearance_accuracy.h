@@ -2,26 +2,26 @@
 #ifndef FIVECHECK_CHECK_MEASURE_CLEARANCE_ACCURACY_H
 #define FIVECHECK_CHECK_MEASURE_CLEARANCE_ACCURACY_H
 
-/* Where bodies slide along each other each step costs time. */
+/* Where bodies slide along each other, each step costs time. */
 enum clearance_accuracy {
 	CLEARANCE_SHARP,
-	CLEARANCE_COARSE,	/* what can be seen in the curve of a report */
+	CLEARANCE_COARSE,	/* as exact as the curve of a report can show */
 	CLEARANCE_ROUGH
 };
 
 /*
- * mm: the bound that a block has at least whose bodies are `distance` apart where they are nearest, less the tolerance;
- * or it is what was asked for. Where the way of a rapid is not known (PATH_BOX) it may be any lower bound.
+ * mm: the smallest allowed bound, minus the tolerance, for a block whose bodies are `distance` apart where they are
+ * nearest; or the cap. If the path of a rapid is not known (PATH_BOX), any lower bound is allowed.
  */
 double clearance_accuracy_promised(enum clearance_accuracy accuracy, double distance);
 
 /*
- * mm: the search is done once as much is proved and the bodies are no farther apart than `distance` mm, where `most` is
- * of interest. A little above what is promised, for what rounding and the queries take.
+ * mm: the search may end when this is proved and the bodies are no farther apart than `distance` mm; `most` is the cap.
+ * It is a little above the promised bound, to allow for rounding and the queries.
  */
 double clearance_accuracy_enough(enum clearance_accuracy accuracy, double distance, double most);
 
-/* mm: the distance of which `proved` is just enough. */
+/* mm: the distance for which `proved` is just enough. */
 double clearance_accuracy_distance(enum clearance_accuracy accuracy, double proved);
 
 #endif

@@ -64,7 +64,7 @@ static bool is_at(const struct chain *chain, const axis_values *a, const axis_va
 	return true;
 }
 
-/* The bodies' pose at q, until it is asked for elsewhere. */
+/* The bodies' pose at q; valid until the next call with another position. */
 static const xform *pose_at(struct measured_pair *pair, const axis_values *q)
 {
 	struct posed *posed = &pair->posed;
@@ -83,7 +83,7 @@ static double useful_distance(const struct measured_pair *pair, const struct mea
 	return kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
 }
 
-/* Looks for triangles that are near each other at q. If planes have proved `kept`, others than those are of no use. */
+/* Searches triangles that are near each other at q, unless `kept`, proved by planes, is already enough. */
 static void look_at(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 		    const axis_values *q, double kept)
 {
@@ -91,7 +91,7 @@ static void look_at(struct measured_pair *pair, struct sweep *sweep, struct meas
 					      &sweep->visits));
 }
 
-/* The same at a fraction of the cost: finds those that have come beside the ones that were close before. */
+/* The same at a fraction of the cost: searches only beside the triangles that were close before. */
 static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			const axis_values *q, double kept)
 {
@@ -99,7 +99,7 @@ static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct 
 						   useful_distance(pair, measured, kept), &sweep->visits));
 }
 
-/* mm: what kept planes prove of the motion; they are not asked for more than what is wanted of them. */
+/* mm: proved by kept planes for the motion; at most what is needed. */
 static double kept_for(struct measured_pair *pair, const struct measured_step *measured,
 		       const struct plane_motion *motion, enum planes_asked asked)
 {
@@ -108,7 +108,7 @@ static double kept_for(struct measured_pair *pair, const struct measured_step *m
 	return plane_cells_rest(&pair->planes, motion, needed_of(measured), asked) - measured->path;
 }
 
-/* Does a search for planes at q pay, and prove what is wanted of them in this part of the step? */
+/* Does a search for planes at q pay, and prove the needed distance in this part of the step? */
 static bool new_planes_prove(struct measured_pair *pair, const struct measured_step *measured,
 			     const struct plane_motion *part, const axis_values *q)
 {
@@ -117,13 +117,13 @@ static bool new_planes_prove(struct measured_pair *pair, const struct measured_s
 
 	if (!WITH_PLANES || !plane_account_allows(&pair->account))
 		return false;
-	/* Of kept planes what they prove is known already, and that other triangles are nearer, too. */
+	/* The result of kept planes is already known, and other triangles are nearer. */
 	held = plane_cells_search(&pair->planes, q, part, needed_of(measured));
 	plane_account_add_search(&pair->account, pair->planes.visits - before);
 	return held;
 }
 
-/* The triangles that were close before, as they were seen at q; NULL: they were not, or are others now. */
+/* The kept distance, at q, of the triangles that were close before; NULL: there is none. */
 static const struct seen_distance *seen_at(const struct measured_pair *pair, const axis_values *q)
 {
 	const struct coherence *coherence = &pair->coherence;
@@ -138,7 +138,7 @@ static const struct seen_distance *seen_at(const struct measured_pair *pair, con
 	return NULL;
 }
 
-/* mm: how far apart the triangles that were close before are at q: the bodies are no farther apart. */
+/* mm: the distance at q of the triangles that were close before: an upper bound for the bodies. */
 static double distance_at(struct measured_pair *pair, struct measured_step *measured, const axis_values *q)
 {
 	const struct coherence *coherence = &pair->coherence;
@@ -182,13 +182,15 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 	return nearest;
 }
 
-/* Does the plane that was measured last leave enough there? Then the motion is too long for it, and for others, too. */
+/*
+ * Does the last measured plane leave enough where it was measured? Then the motion is too long for it, and for others.
+ */
 static bool is_good_where_measured(const struct measured_pair *pair, const struct measured_step *measured)
 {
 	return plane_cells_gap_of_whole(&pair->planes) > needed_of(measured);
 }
 
-/* mm: what the plane of the whole bodies proves, measured again at the motion's end; `along` as for plane_cells.h. */
+/* mm: proved by the plane of the whole bodies, measured again at the motion's end; `along` as in plane_cells.h. */
 static double carried_on(struct measured_pair *pair, const struct measured_step *measured,
 			 const struct plane_motion *motion, const vec3 *along)
 {
@@ -196,7 +198,7 @@ static double carried_on(struct measured_pair *pair, const struct measured_step 
 	       measured->path;
 }
 
-/* mm: what planes prove of a half of a step: kept ones, or else the one of the whole bodies measured again. */
+/* mm: proved by planes for a half of a step: kept ones, or else the plane of the whole bodies measured again. */
 static double proved_of_half(struct measured_pair *pair, const struct measured_step *measured,
 			     const struct plane_motion *half)
 {
@@ -245,10 +247,10 @@ static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct
 	return proved;
 }
 
-/* What is proved is much less than what there seems to be: the bodies may be far nearer where the step begins. */
+/* The proved distance is much less than the present upper bound: the bodies may be far nearer at the start. */
 #define SEEN_TOO_FAR 0.5
 
-/* Looks for nearer triangles where the step ends, and where it begins if the bodies may be far nearer there. */
+/* Searches nearer triangles at the end of the step, and at its start if the bodies may be far nearer there. */
 static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			 const struct plane_motion *motion, double kept)
 {
@@ -258,7 +260,7 @@ static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct
 		look_at(pair, sweep, measured, &motion->q0, kept);
 }
 
-/* So many times what is of interest: triangles as near as that are hardly found, and would be of no use. */
+/* A multiple of the cap: nearer triangles are hardly found, and would not help. */
 #define FAR_TIMES 2
 
 static bool is_far(const struct measured_pair *pair, const struct measured_step *measured)
@@ -294,7 +296,7 @@ static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struc
 	return larger(proved, carried_on(pair, measured, motion, &along));
 }
 
-/* The same of the planes between parts. */
+/* The same for the planes between parts. */
 static double carry_parts(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			  const struct plane_motion *motion, double kept)
 {
@@ -309,7 +311,7 @@ static double carry_parts(struct measured_pair *pair, struct sweep *sweep, struc
 	return proved;
 }
 
-/* mm: what planes prove that are carried on from step to step, if that may pay; kept ones prove `kept`. */
+/* mm: proved by planes that are carried on from step to step, if that may pay; kept ones prove `kept`. */
 static double carry_planes(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			   const struct plane_motion *motion, double kept)
 {
@@ -356,7 +358,7 @@ bool measured_step_by_planes(struct measured_step *measured, struct measured_pai
 	double kept, wanted;
 
 	measured->path = plane_motion_path(&motion, &pair->bodies, &measured->errors);
-	/* Every other step has seen the triangles where it begins: then they need not be looked at where it ends. */
+	/* Every other step knows the triangles at its start; then they need not be measured at its end. */
 	if (pair->is_near)
 		distance_at(pair, measured, seen_at(pair, &motion.q0) ? &motion.q0 : &motion.q1);
 	kept = kept_for(pair, measured, &motion, pair->by_parts ? PLANES_ALL : PLANES_OF_WHOLE);

@@ -1,4 +1,4 @@
-/* path_record.h - the path of a program, kept on disk and compared with the path of a run with another setup. */
+/* path_record.h - keeps the path of a program on disk and compares it with the path of a run with another setup. */
 #ifndef FIVECHECK_CHECK_MEASURE_PATH_RECORD_H
 #define FIVECHECK_CHECK_MEASURE_PATH_RECORD_H
 
@@ -9,7 +9,7 @@
 #include "motion/events.h"
 
 struct path_record {
-	FILE *file;	/* one entry a block, of the run that was recorded */
+	FILE *file;	/* one entry for each block of the recorded run */
 	bool compares;	/* this run is compared with the record; else it is recorded */
 	/*
 	 * So far every block is the recorded one, has the same tool, and leaves the rotary axes at the recorded angles.
@@ -17,10 +17,10 @@ struct path_record {
 	bool same;
 	double farthest;	/* mm: the largest distance of the linear axes from the recorded end of a block */
 	uint64_t digests[SLOT_COUNT];	/* of all positions of each axis */
-	bool failed;	/* the file could not be written or read: nothing is known */
+	bool failed;	/* the file could not be written or read: there is no result */
 };
 
-/* False: no temporary file can be made; errno says why. */
+/* False: cannot create a temporary file; errno says why. */
 bool path_record_init(struct path_record *path);
 void path_record_release(struct path_record *path);
 

@@ -42,7 +42,7 @@ struct search {
 struct probe {
 	struct search *search;
 	enum check_result result;
-	bool orderly;	/* the path is the recorded one, as far as the run went */
+	bool orderly;	/* the path is the recorded one, as far as the run came */
 	char *why;	/* the first error; owned */
 };
 
@@ -58,7 +58,7 @@ static bool on_finding(void *context, const struct finding *finding)
 	answer->line = finding->line;
 	answer->slot = finding->slot;
 	answer->a = answer->b = NULL;
-	/* The finding is valid during this call only; names owned by the scene last. */
+	/* The finding is valid only during this call; names owned by the scene stay valid. */
 	for (size_t i = 0; i < scene->body_count && finding->kind != FINDING_LIMIT; i++) {
 		const char *body = scene->bodies[i].body->name;
 
@@ -165,14 +165,14 @@ static double room(const struct search *search)
 
 		for (size_t k = 0; k < pair->chain.count; k++)
 			affected |= search->affects[pair->chain.joints[k].slot];
-		/* A change moves the cuts, too, and so what remains of the stock. */
+		/* A change also moves the cuts, and so changes the remaining stock. */
 		if (affected || pair->stock)
 			least = fmin(least, search->proven[i] - pair->clearance);
 	}
 	return least / search->spread;
 }
 
-/* `why` is the answer's from here on; NULL: no run failed. */
+/* The answer takes over `why`; NULL: no run failed. */
 static void give_up(struct search *search, char *why, double at)
 {
 	search->answer->state = SENSITIVITY_UNKNOWN;
@@ -227,7 +227,7 @@ static void close_in(struct search *search, double low, double high, bool proved
 	turn(search, high);
 }
 
-/* Goes on from a change of `low`, which was measured, to a larger one. True: the answer is found. */
+/* Continues from a change of `low`, which was measured, with a larger one. True: the answer is found. */
 static bool advance(struct search *search, double *low, double *stride, bool *proved)
 {
 	struct sensitivity *answer = search->answer;
@@ -240,7 +240,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	if (!ask(search, next, answer->range - next, &probe))
 		return true;
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
-	/* With stock nothing is ever proved: then halving alone tells where the verdict changes. */
+	/* With stock nothing is ever proved: then only halving finds where the verdict changes. */
 	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->study->scene) >= 0))
 		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
@@ -287,7 +287,7 @@ static void search_clear(struct search *search)
 	}
 }
 
-/* Something is found without a change: looks for the first of the tried changes at which nothing is found. */
+/* There is a finding without a change: searches the first of the tried changes without one. */
 static void search_found(struct search *search)
 {
 	struct sensitivity *answer = search->answer, found;

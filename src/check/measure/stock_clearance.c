@@ -15,13 +15,13 @@
 #define ENOUGH 0.7
 #define BUDGET_ENOUGH 0.9
 
-/* A distance query stops at cells that are this small against their distance. */
+/* A distance query stops at cells that are this small compared with their distance. */
 #define CELL_SHARE 0.2
 
-/* The most cells to look at for one distance in one step; then a smaller distance is tried. */
+/* The most cells examined for one distance in one step; then a smaller distance is tried. */
 #define SWEEP_EFFORT 200000L
 
-/* A budget may prove so many times the cap: then it holds for some steps. */
+/* A budget may prove this multiple of the cap: then it holds for some steps. */
 #define BUDGET_CAPS 2
 
 void stock_clearance_init(struct stock_clearance *clearance, struct stock_pair *pair, double cap)
@@ -36,7 +36,7 @@ void stock_clearance_release(struct stock_clearance *clearance)
 	*clearance = (struct stock_clearance){.pair = NULL};
 }
 
-/* mm: what the budget proves for the whole step. */
+/* mm: proved by the budget for the whole step. */
 static double budget_rest(const struct stock_clearance *clearance, const struct motion_step *step)
 {
 	const struct position_errors errors = step_errors(clearance->pair->bodies.chain, step);
@@ -46,7 +46,7 @@ static double budget_rest(const struct stock_clearance *clearance, const struct 
 	return motion_budget_rest(&clearance->budget, &low, &high, &errors);
 }
 
-/* Begins a budget where the step ends, with the stock as it is before the step: later there is less of it. */
+/* Begins a budget at the end of the step, with the stock before the step: later there is less of it. */
 static void renew_budget(struct stock_clearance *clearance, const struct motion_step *step, long number)
 {
 	const struct stock_pair *pair = clearance->pair;
@@ -62,7 +62,7 @@ static void renew_budget(struct stock_clearance *clearance, const struct motion_
 			  distance - body_pair_rounding(&pair->bodies, q, placed.to_obstacle.translation));
 }
 
-/* Does the body keep this distance throughout the step? */
+/* Does the body keep this distance during the whole step? */
 static bool keeps(struct stock_clearance *clearance, const struct motion_step *step, long number, double distance)
 {
 	struct stock_sweep sweep = clearance->pair->sweep;
@@ -77,7 +77,7 @@ static bool keeps(struct stock_clearance *clearance, const struct motion_step *s
 	return apart;
 }
 
-/* Lowers the bound to what the body keeps in the step; it keeps `low` already. */
+/* Lowers the bound to the distance that the body keeps in the step, which is at least `low`. */
 static void search_distance(struct stock_clearance *clearance, const struct motion_step *step, long number, double low)
 {
 	const double least = clearance->pair->sweep.least_way;
@@ -88,7 +88,7 @@ static void search_distance(struct stock_clearance *clearance, const struct moti
 			low = target;
 		else
 			high = target;
-		/* Always between both, else the search would not end. A small distance that is proved says little. */
+		/* Always between both, or the search would not end. A small proved distance says little. */
 		target = larger(sqrt(low * high), low > least ? 0 : 0.5 * high);
 	}
 	clearance->bound = low > least ? smaller(clearance->bound, low) : 0;

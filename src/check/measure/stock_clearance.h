@@ -9,15 +9,15 @@
 #include "check/certified/motion_budget.h"
 #include "check/stock_pair.h"
 
-/* The distance that a body keeps in those steps of a block that are in the batch. */
+/* The distance of a body from the stock in those steps of a block that are in the batch. */
 struct stock_block_clearance {
 	long block;
-	double clearance;	/* mm: at most the distance from what can remain of the stock, or the cap */
+	double clearance;	/* mm: a lower bound of the distance from all possible remaining stock, or the cap */
 };
 
 /*
- * The distance is that from the cells that are not proved to have left the stock. They enclose the true stock, so the
- * true distance is not smaller.
+ * The distance is measured from the cells that are not proved to have left the stock. They enclose the true stock, so
+ * the true distance is not smaller.
  */
 struct stock_clearance {
 	struct stock_pair *pair;	/* borrowed */
@@ -28,13 +28,13 @@ struct stock_clearance {
 	size_t block_count, block_capacity;
 };
 
-/* The pair must stay where it is. */
+/* The pair must not be moved. */
 void stock_clearance_init(struct stock_clearance *clearance, struct stock_pair *pair, double cap);
 void stock_clearance_release(struct stock_clearance *clearance);
 
 /*
- * Measures the batch, if the pair is checked in all of its steps: where a cutter may touch the stock, a distance says
- * nothing. False: interrupted.
+ * Measures the batch, if the pair is checked in all of its steps: where a cutter may touch the stock, there is no
+ * clearance. False: interrupted.
  */
 bool stock_clearance_measure(struct stock_clearance *clearance, const struct batch *batch);
 

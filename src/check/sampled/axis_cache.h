@@ -1,4 +1,7 @@
-/* axis_cache.h - the separating axes of the paper's method: those of triangle pairs at both ends of one motion. */
+/*
+ * axis_cache.h - the separating axes of the paper's interpolated method: those of triangle pairs at both ends of one
+ * motion.
+ */
 #ifndef FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
 #define FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
 

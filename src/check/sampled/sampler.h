@@ -1,4 +1,4 @@
-/* sampler.h - the paper's two methods: they look at poses at intervals of time, and not at the motion between them. */
+/* sampler.h - the paper's two methods: they check poses at regular times, and not the motion between them. */
 #ifndef FIVECHECK_CHECK_SAMPLED_SAMPLER_H
 #define FIVECHECK_CHECK_SAMPLED_SAMPLER_H
 
@@ -13,9 +13,9 @@ struct axis_cache;
 
 /*
  * Chen, Lin and Chang, "Efficient Web-Learning Collision Detection Tool on Five-Axis Machine". At every sample the
- * triangles are tested by separating axes: those of the sample's pose (conventional), or those at the two ends of a
- * motion, interpolated linearly (interpolated). Here the boxes of the trees dismiss distant triangles first. That also
- * avoids some of the false alarms that interpolated axes raise.
+ * triangles are tested with separating axes: those of the sample's pose (conventional), or those at the two ends of a
+ * motion, interpolated linearly (interpolated). Here the boxes of the trees exclude distant triangles first. That also
+ * avoids some of the false alarms of interpolated axes.
  */
 struct sampler {
 	struct body_pair bodies;

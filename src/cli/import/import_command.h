@@ -1,4 +1,4 @@
-/* import_command.h - `fivecheck import`: turns files of other programs into a machine file, a setup and meshes. */
+/* import_command.h - `fivecheck import`: converts files of other programs to a machine file, a setup and meshes. */
 #ifndef FIVECHECK_CLI_IMPORT_IMPORT_COMMAND_H
 #define FIVECHECK_CLI_IMPORT_IMPORT_COMMAND_H
 

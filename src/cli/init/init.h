@@ -1,4 +1,4 @@
-/* init.h - `fivecheck init`: writes a commented machine file to begin with, from options or answers. */
+/* init.h - `fivecheck init`: writes a commented machine file as a start, from options or answers. */
 #ifndef FIVECHECK_CLI_INIT_INIT_H
 #define FIVECHECK_CLI_INIT_INIT_H
 
@@ -6,7 +6,7 @@
 #include "cli/init/init_options.h"
 
 /*
- * Asks for what is missing if standard input is a terminal; otherwise what is missing is an error. Never overwrites a
+ * Asks for missing values if standard input is a terminal; otherwise a missing value is an error. Never overwrites a
  * file.
  */
 enum run_status init_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui);

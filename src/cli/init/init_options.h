@@ -1,4 +1,4 @@
-/* init_options.h - the table of the options of `fivecheck init`, and what they set. */
+/* init_options.h - the table of the options of `fivecheck init`, and their values. */
 #ifndef FIVECHECK_CLI_INIT_INIT_OPTIONS_H
 #define FIVECHECK_CLI_INIT_INIT_OPTIONS_H
 
@@ -8,7 +8,7 @@
 
 enum { INIT_OPTION_COUNT = 22 };
 
-/* What the options set: the arguments of each key but PLAN_HELP and PLAN_OUTPUT, in their order. */
+/* The values of the options: the arguments of each key but PLAN_HELP and PLAN_OUTPUT, in their order. */
 struct init_request {
 	struct text_list given[PLAN_KEY_END - PLAN_FAMILY];
 	const char *output;	/* borrowed; NULL: standard output */

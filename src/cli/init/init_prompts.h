@@ -1,4 +1,4 @@
-/* init_prompts.h - asks on a terminal for what `fivecheck init` still needs, or reports it as errors. */
+/* init_prompts.h - asks on a terminal for the values that `fivecheck init` still needs, or reports them as errors. */
 #ifndef FIVECHECK_CLI_INIT_INIT_PROMPTS_H
 #define FIVECHECK_CLI_INIT_INIT_PROMPTS_H
 
@@ -15,7 +15,7 @@ bool init_prompts_are_missing(const struct machine_plan *plan);
 bool init_prompts_report(const struct machine_plan *plan, struct diag *diag);
 
 /*
- * Asks on standard error for what is missing and reads answers from `in`, one per line, until each is valid. False,
+ * Asks on standard error for missing values and reads answers from `in`, one per line, until each is valid. False,
  * reported: the input ended before.
  */
 bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag);

@@ -1,4 +1,4 @@
-/* machine_plan.h - what options and answers tell `fivecheck init` about a machine. */
+/* machine_plan.h - what `fivecheck init` knows about a machine from options and answers. */
 #ifndef FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 #define FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 
@@ -12,7 +12,7 @@
 
 /*
  * What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. A nutating table turns about an
- * axis between two coordinate axes, and carries a second one; a nutating head is carried by another one.
+ * axis between two coordinate axes, and carries a second rotary axis; a nutating head is carried by another one.
  */
 enum family {
 	FAMILY_TABLE_TABLE,
@@ -40,13 +40,13 @@ enum machine_plan_key {
 
 /* Lengths in the units of the machine file, angles in degrees, rates in these per minute. */
 struct machine_plan_axis {
-	bool has_limits, has_min, has_max;	/* has_limits alone: the user said that there is no limit */
+	bool has_limits, has_min, has_max;	/* only has_limits: the user said that there is no limit */
 	double min, max;
 	bool has_location, has_direction, has_inclination, has_rate, has_home, has_change;
 	vec3 location, direction;
 	double inclination;	/* of A and B: from Z towards X and Y, as the head turns; 90: the usual A and B */
 	double rate, home;
-	double change;	/* where M6 sends the axis */
+	double change;	/* the position to which M6 moves the axis */
 	const char *title;	/* or NULL */
 };
 
@@ -93,7 +93,7 @@ void machine_plan_add_body(struct machine_plan *plan, int slot, const char *fold
 
 bool machine_plan_chain_has(const struct machine_plan_chain *chain, int slot);
 
-/* The slot of the axis that stands at 45 degrees between two others; -1: the family has none. */
+/* The slot of the axis at 45 degrees between two others; -1: the family has none. */
 int machine_plan_tilted(const struct machine_plan *plan);
 
 /* Is the slot an axis of the machine? Valid as soon as the rotary axes are known. */

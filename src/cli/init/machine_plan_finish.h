@@ -7,7 +7,7 @@
 #include "base/diag.h"
 #include "cli/init/machine_plan.h"
 
-/* False: what the options and answers say does not fit together, reported. */
+/* False, reported: the options and answers contradict each other. */
 bool machine_plan_finish(struct machine_plan *plan, struct diag *diag);
 
 #endif

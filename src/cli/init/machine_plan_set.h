@@ -1,4 +1,4 @@
-/* machine_plan_set.h - puts the argument of an option of `fivecheck init`, or an answer, into the machine plan. */
+/* machine_plan_set.h - stores the argument of an option of `fivecheck init`, or an answer, in the machine plan. */
 #ifndef FIVECHECK_CLI_INIT_MACHINE_PLAN_SET_H
 #define FIVECHECK_CLI_INIT_MACHINE_PLAN_SET_H
 

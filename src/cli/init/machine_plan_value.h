@@ -7,7 +7,7 @@
 
 #include "cli/init/machine_plan.h"
 
-/* Each returns false and leaves *out untouched if the text (of `length` bytes) has another form. */
+/* Each returns false and leaves *out unchanged if the text (of `length` bytes) has another form. */
 
 /* A coordinate or an angle: a decimal number of at most 100,000, more than any machine needs in any unit. */
 bool machine_plan_read_number(double *out, const char *text, size_t length);
@@ -24,7 +24,7 @@ bool machine_plan_read_chain(struct machine_plan_chain *out, const char *text, b
 /* The slot of the X in "X=..."; *rest is what follows the =. -1: the text begins differently. */
 int machine_plan_read_letter(const char *text, const char **rest);
 
-/* Can the text stand in an XML file? UTF-8 without control characters, not empty, at most 200 bytes. */
+/* Is the text allowed in an XML file? UTF-8 without control characters, not empty, at most 200 bytes. */
 bool machine_plan_is_text(const char *text);
 
 #endif

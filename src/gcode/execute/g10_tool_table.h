@@ -6,11 +6,6 @@
 
 #include "gcode/state.h"
 
-static inline bool g10_tool_table_takes(int mode)
-{
-	return mode == 1 || mode == 10 || mode == 11;
-}
-
 /*
  * Writes what the block says of tool P, which the setup must define. L1: the
  * words are the offsets; L10: the offsets that give the present position the

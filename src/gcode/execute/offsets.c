@@ -239,7 +239,7 @@ bool offsets_set(struct interp *interp)
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (traits->g10_writes_registers == ANSWER_YES && g10_registers_take(mode))
 		return g10_registers_write(interp, mode);
-	if (tools && g10_tool_table_takes(mode))
+	if (tools && block_writes_tool_table(mode))
 		return g10_tool_table_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "gcode/execute/g10_tool_table.h"
-
 bool block_is_call(const struct block *block, const struct dialect *dialect)
 {
 	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
@@ -66,7 +64,7 @@ static uint32_t data_letters(const struct block *block, const struct dialect *di
 	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
 
 	if (dialect->traits.g10_writes_tools != ANSWER_NO && mode > 0 && mode < 12 &&
-	    g10_tool_table_takes((int)lround(mode)))
+	    block_writes_tool_table((int)lround(mode)))
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
 	return used;
 }

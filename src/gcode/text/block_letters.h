@@ -17,6 +17,12 @@ struct block_claim {
 
 #define BLOCK_CLAIMS_MAX 16
 
+/* Is G10 with this L the one that writes the tool table of LinuxCNC (execute/g10_tool_table.h)? */
+static inline bool block_writes_tool_table(int mode)
+{
+	return mode == 1 || mode == 10 || mode == 11;
+}
+
 /* What takes words of the block, whose motion is known. Returns how many: codes that take none are left out. */
 int block_claims(const struct block *block, const struct dialect *dialect, struct block_claim claims[BLOCK_CLAIMS_MAX]);
 

@@ -104,7 +104,8 @@ double xml_number(struct xml_reader *xml, const xmlNode *node, const char *name,
 	if (!text)
 		return fallback;
 	if (!read_words(text, 1, &value))
-		complain(xml, node, name, strchr(text, ',') ? "is not a number: write a decimal point" : "is not a number");
+		complain(xml, node, name,
+			 strchr(text, ',') ? "is not a number: write a decimal point" : "is not a number");
 	else if (!isfinite(value))
 		complain(xml, node, name, "is too large");
 	else
