@@ -8,10 +8,11 @@
  * Query: machine, program (up to 8 of them), setup, clearance, dialect, all=1, format=text or ndjson. The answer is what
  * fivecheck prints, messages included; the header Fivecheck-Status is its exit status.
  *
- * Nothing of an upload is trusted. It is a plain archive, so it cannot be larger unpacked than it was sent. Only files
- * and folders are unpacked, never links, and no name leads out of the folder of the job. fivecheck runs with limits of
- * time, memory, output and processes, sees this folder alone (--input-root), and is never more than once a processor at
- * work. The folder is removed in the end.
+ * Nothing of an upload is trusted. It is a plain archive, so its files cannot be larger unpacked than they were sent;
+ * their number, folders included, is bounded. Links are never unpacked, and no name leads out of the folder of the job.
+ * fivecheck runs with limits of time, memory, output and processes, sees this folder alone (--input-root), and is never
+ * more than once a processor at work. The folder is removed in the end. At most UPLOADS_MAX uploads lie unpacked at a
+ * time; others wait before they are read.
  *
  * Environment (SetEnv): FIVECHECK, the program; FIVECHECK_WORK, a folder that only this program can write to;
  * FIVECHECK_MB, the largest upload; FIVECHECK_SECONDS, processor time of a job.
@@ -42,7 +43,9 @@ enum {
 	DEFAULT_MB = 64,
 	DEFAULT_SECONDS = 60,	/* of the processor */
 	WAIT_SECONDS = 60,	/* for the upload; for a free processor */
-	FILES_MAX = 1000,
+	FILES_MAX = 1000,	/* and folders */
+	UPLOADS_MAX = 32,	/* that lie unpacked at a time */
+	NUMBER_LENGTH = 20,
 	PROGRAMS_MAX = 8,
 	PATH_LENGTH = 200,
 	OUTPUT_MB = 32,
@@ -94,12 +97,14 @@ static void refuse(const char *status, const char *format, ...)
 
 /*
  * Time is up, or the server has lost whoever waited: while the upload is read, or while a job runs. What waits is
- * interrupted, and the job ends in its own way, which leaves nothing behind.
+ * interrupted, and the job ends in its own way, which leaves nothing behind. The signal comes again a second later, for
+ * a wait that began just after it.
  */
 static void on_end(int number)
 {
 	(void)number;
 	ended = 1;
+	alarm(1);
 	if (child > 0)
 		kill(-child, SIGKILL);
 }
@@ -171,24 +176,38 @@ static bool is_safe_path(const char *path)
 	}
 }
 
+static void take_once(char **word, char *value)
+{
+	if (*word)
+		refuse("400 Bad Request", "the query has a word twice");
+	*word = value;
+}
+
 static void take_word(struct query *query, const char *name, char *value)
 {
 	if (!strcmp(name, "machine"))
-		query->machine = value;
+		take_once(&query->machine, value);
 	else if (!strcmp(name, "setup"))
-		query->setup = value;
+		take_once(&query->setup, value);
 	else if (!strcmp(name, "clearance"))
-		query->clearance = value;
+		take_once(&query->clearance, value);
 	else if (!strcmp(name, "dialect"))
-		query->dialect = value;
-	else if (!strcmp(name, "all"))
-		query->all = !strcmp(value, "1");
+		take_once(&query->dialect, value);
+	else if (!strcmp(name, "all") && !strcmp(value, "1"))
+		query->all = true;
 	else if (!strcmp(name, "format") && (!strcmp(value, "text") || !strcmp(value, "ndjson")))
 		query->ndjson = !strcmp(value, "ndjson");
 	else if (!strcmp(name, "program") && query->program_count < PROGRAMS_MAX)
 		query->programs[query->program_count++] = value;
 	else
-		refuse("400 Bad Request", "the query has a word that is not known, or too many programs");
+		refuse("400 Bad Request", "the query has a word or value that is not known, or too many programs");
+}
+
+static bool is_word_of(const char *word, const char *letters)
+{
+	const size_t length = strlen(word);
+
+	return length <= NUMBER_LENGTH && strspn(word, letters) == length;
 }
 
 static void read_query(struct query *query, char *text)
@@ -218,9 +237,9 @@ static void read_query(struct query *query, char *text)
 	}
 	if (!is_safe_path(query->machine) || (query->setup && !is_safe_path(query->setup)))
 		refuse("400 Bad Request", "this is no name of a file");
-	if (query->clearance && strspn(query->clearance, "0123456789.") != strlen(query->clearance))
-		refuse("400 Bad Request", "the clearance is no number");
-	if (query->dialect && strspn(query->dialect, "abcdefghijklmnopqrstuvwxyz") != strlen(query->dialect))
+	if (query->clearance && !is_word_of(query->clearance, "0123456789."))
+		refuse("400 Bad Request", "the clearance is no number, or has more than %d characters", NUMBER_LENGTH);
+	if (query->dialect && !is_word_of(query->dialect, "abcdefghijklmnopqrstuvwxyz"))
 		refuse("400 Bad Request", "this is no name of a control");
 }
 
@@ -258,12 +277,26 @@ static bool read_body(char *to, size_t count)
 	return true;
 }
 
-static void make_folders(char *path)
+static void count_one(int *files)
+{
+	if (++*files > FILES_MAX)
+		refuse("413 Content Too Large", "the archive has more than %d files and folders", FILES_MAX);
+}
+
+/* Each folder counts: the name of one empty file can hold a hundred of them. */
+static void make_folder(const char *path, int *files)
+{
+	if (mkdir(path, 0700) == 0)
+		count_one(files);
+	else if (errno != EEXIST)
+		refuse("400 Bad Request", "a name in the archive is used twice");
+}
+
+static void make_folders(char *path, int *files)
 {
 	for (char *slash = strchr(path, '/'); slash; slash = strchr(slash + 1, '/')) {
 		*slash = '\0';
-		if (mkdir(path, 0700) && errno != EEXIST)
-			refuse("400 Bad Request", "a name in the archive is used twice");
+		make_folder(path, files);
 		*slash = '/';
 	}
 }
@@ -327,31 +360,31 @@ static void unpack(void)
 			refuse("400 Bad Request",
 			       "the archive has a name that is not allowed: it leads elsewhere, or begins "
 			       "with a dot or a dash");
-		if (++files > FILES_MAX)
-			refuse("413 Content Too Large", "the archive has more than %d files", FILES_MAX);
-		make_folders(path);
-		if (kind == '5')
-			mkdir(path, 0700);
-		else
+		make_folders(path, &files);
+		if (kind == '5') {
+			make_folder(path, &files);
+		} else {
+			count_one(&files);
 			unpack_file(path, size);
+		}
 	}
 	/* What follows is of no interest, but the server wants to be rid of it. */
 	while (!ended && unread > 0 && getchar() != EOF)
 		unread--;
 }
 
-/* Takes one of the locks, one for each processor; waits for one if all are taken. Who closes it gives it back. */
-static int take_slot(const char *work)
+/*
+ * Takes one of the locks of a name; waits for one if all are taken, and refuses the request when time is up. Closing the
+ * descriptor gives the lock back.
+ */
+static int take_lock(const char *work, const char *name, long count, const char *none)
 {
-	long count = sysconf(_SC_NPROCESSORS_ONLN);
 	int last = -1;
 
-	if (count < 1 || count > SLOTS_MAX)
-		count = count < 1 ? 1 : SLOTS_MAX;
 	for (long i = 0; i < count; i++) {
 		char path[600];
 
-		snprintf(path, sizeof(path), "%s/slot-%ld", work, (getpid() + i) % count);
+		snprintf(path, sizeof(path), "%s/%s-%ld", work, name, (getpid() + i) % count);
 		if (last >= 0)
 			close(last);
 		last = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
@@ -361,8 +394,15 @@ static int take_slot(const char *work)
 			return last;
 	}
 	if (ended || flock(last, LOCK_EX))
-		refuse("503 Service Unavailable", "all processors are at work; try again");
+		refuse("503 Service Unavailable", "%s; try again", none);
 	return last;
+}
+
+static int take_processor(const char *work)
+{
+	long count = sysconf(_SC_NPROCESSORS_ONLN);
+
+	return take_lock(work, "slot", count < 1 ? 1 : count > SLOTS_MAX ? SLOTS_MAX : count, "all processors are at work");
 }
 
 static void limit(int what, long most)
@@ -402,9 +442,9 @@ static void run_child(const struct query *query, long seconds, int output)
 		argv[count++] = "--all";
 	if (query->setup && snprintf(setup, sizeof(setup), "--setup=%s", query->setup) > 0)
 		argv[count++] = setup;
-	if (query->clearance && snprintf(clearance, sizeof(clearance), "--clearance=%.20s", query->clearance) > 0)
+	if (query->clearance && snprintf(clearance, sizeof(clearance), "--clearance=%s", query->clearance) > 0)
 		argv[count++] = clearance;
-	if (query->dialect && snprintf(dialect, sizeof(dialect), "--dialect=%.20s", query->dialect) > 0)
+	if (query->dialect && snprintf(dialect, sizeof(dialect), "--dialect=%s", query->dialect) > 0)
 		argv[count++] = dialect;
 	argv[count++] = "--";
 	argv[count++] = query->machine;
@@ -482,7 +522,7 @@ int main(void)
 	long seconds = number_of("FIVECHECK_SECONDS", DEFAULT_SECONDS, 86400);
 	char words[4096];
 	struct query query = {0};
-	int slot, output, status;
+	int room, slot, output, status;
 
 	sigaction(SIGALRM, &end, NULL);
 	sigaction(SIGTERM, &end, NULL);
@@ -503,6 +543,7 @@ int main(void)
 		refuse("400 Bad Request", "the query is missing or too long");
 	strcpy(words, text);
 	read_query(&query, words);
+	room = take_lock(work, "room", UPLOADS_MAX, "there are too many uploads");
 	snprintf(folder, sizeof(folder), "%.400s/job-XXXXXX", work);
 	if (!mkdtemp(folder)) {
 		*folder = '\0';
@@ -512,7 +553,7 @@ int main(void)
 		refuse("500 Internal Server Error", "the folder of the job was lost");
 	unpack();
 	alarm(WAIT_SECONDS);
-	slot = take_slot(work);
+	slot = take_processor(work);
 	alarm(0);
 	output = open(".output", O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_APPEND, 0600);
 	if (output < 0)
@@ -521,6 +562,7 @@ int main(void)
 	/* Who reads the answer slowly, or not at all, keeps no processor and no room. */
 	close(slot);
 	clean_up();
+	close(room);
 	answer(&query, status, output);
 	return EXIT_SUCCESS;
 }

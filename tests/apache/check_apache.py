@@ -10,6 +10,7 @@ import http.client
 import io
 import os
 import pwd
+import re
 import shutil
 import socket
 import subprocess
@@ -119,6 +120,8 @@ def archive(files, extra=()):
     return out.getvalue()
 
 
+# Files that stay in the folder of the jobs.
+LOCK = re.compile("slot-|room-")
 MACHINE = b"""<machine version="1"><base><body name="wall" mesh="stl/wall.stl"/>
 <axis name="X" type="linear" direction="1 0 0" limit_min="0" limit_max="400" rate_max="30000"><body name="plate" mesh="stl/plate.stl"/></axis>
 </base><pairs><pair a="plate" b="wall" check="always"/></pairs></machine>
@@ -142,7 +145,7 @@ def job(program=b"G21 G90\nG0 X100\nM2\n", **more):
 
 
 def nothing_left(server):
-    same("what is left of jobs", [name for name in os.listdir(f"{server.root}/work") if not name.startswith("slot-")], [])
+    same("what is left of jobs", [name for name in os.listdir(f"{server.root}/work") if not LOCK.match(name)], [])
 
 
 @test
@@ -210,7 +213,10 @@ def hostile(server):
     same("another type", server.check(archive(job()), headers={"Content-Type": "multipart/form-data"})[0], 415)
     same("no machine", server.check(archive(job()), "program=p.nc")[0], 400)
     for query in ("machine=../../etc/passwd&program=p.nc", "machine=/etc/passwd&program=p.nc", "machine=m.xml&program=--help",
-                  "machine=m.xml&program=p.nc&output=x", "machine=m.xml&program=p%0a.nc", "machine=m.xml&program=p.nc&clearance=1;x"):
+                  "machine=m.xml&program=p.nc&output=x", "machine=m.xml&program=p%0a.nc", "machine=m.xml&program=p.nc&clearance=1;x",
+                  "machine=m.xml&program=p.nc&all=true", "machine=m.xml&program=p.nc&machine=n.xml",
+                  # The option that fivecheck gets has no room for more: cut off, it would be another number.
+                  "machine=m.xml&program=p.nc&clearance=" + 25 * "0" + "2"):
         same(query, server.check(archive(job()), query)[0], 400)
     outside = job(**{"m.xml": MACHINE.replace(b"stl/wall.stl", b"/etc/passwd")})
     status, code, text = server.check(archive(outside))
@@ -218,6 +224,9 @@ def hostile(server):
     laughs = b'<!DOCTYPE machine [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;">]>'
     same("a bomb of entities", server.check(archive(job(**{"m.xml": laughs + MACHINE.replace(b'version="1"', b'version="1" name="&c;"')})))[:2], (200, "2"))
     same("too many files", server.check(archive(job(**{f"f{i}": b"" for i in range(1001)})))[0], 413)
+    deep = lambda first: "/".join([first] + ["d"] * 90)  # noqa: E731
+    same("files in folders without number", server.check(archive({deep(f"f{i}"): b"" for i in range(20)}))[0], 413)
+    same("folders alone without number", server.check(archive({}, [member(deep(f"f{i}")) for i in range(20)]))[0], 413)
     same("no length", server.ask("POST", "/fivecheck/check?machine=m.xml&program=p.nc", iter([archive(job())]),
                                  {"Content-Type": "application/x-tar", "Transfer-Encoding": "chunked"})[0] in (411, 413, 400), True)
     same("GET", server.ask("GET", "/fivecheck/check")[0], 403)
@@ -252,7 +261,7 @@ def half_a_request(server, text, length=None):
 def is_tidied(server):
     """Nothing is left of jobs, as soon as the server has ended them: until then it has other jobs to do."""
     for _ in range(300):
-        if all(name.startswith("slot-") for name in os.listdir(f"{server.root}/work")):
+        if all(map(LOCK.match, os.listdir(f"{server.root}/work"))):
             return
         server.check(archive(job()))
     nothing_left(server)
@@ -279,6 +288,23 @@ def impolite(server):
     is_tidied(server)
     for reader in readers:
         reader.close()
+    is_tidied(server)
+
+
+@test
+def many_uploads(server):
+    """So many halves of jobs lie on the server and no more; whoever comes then waits, and is answered when one has gone."""
+    body, most = archive(job()), 32
+    clients = [half_a_request(server, body[:1500], len(body)) for _ in range(most + 10)]
+    lying = set()
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        answer = pool.submit(clients[0].recv, 12)
+        while not answer.done():
+            lying.add(sum(name.startswith("job-") for name in os.listdir(f"{server.root}/work")))
+    same("the most that lie on the server", max(lying), most)
+    same("one more", server.check(body)[:2], (200, "0"))
+    for client in clients:
+        client.close()
     is_tidied(server)
 
 
