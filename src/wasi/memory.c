@@ -86,6 +86,21 @@ void *memmove(void *to, const void *from, size_t size)
 	return to;
 }
 
+int memcmp(const void *left, const void *right, size_t size)
+{
+	const unsigned char *a = left, *b = right;
+
+	for (; size >= WORD && ((const struct word *)a)->bits == ((const struct word *)b)->bits; size -= WORD) {
+		a += WORD;
+		b += WORD;
+	}
+	for (; size > 0 && *a == *b; size--) {
+		a++;
+		b++;
+	}
+	return size ? *a - *b : 0;
+}
+
 void *memchr(const void *from, int value, size_t size)
 {
 	const uint64_t wanted = EACH_BYTE * (unsigned char)value;

@@ -53,6 +53,22 @@ def no_module(bench):
 
 
 @test
+def no_form_module(bench):
+    """The form for a machine needs a part of the checker: that it cannot be loaded stands in the form."""
+    page = bench.open()
+    bench.site.missing = {"/fivecheck-more.wasm"}
+    page.run("document.querySelector('#fill-example').click()")
+    page.run("document.querySelector('#write-machine').click()")
+    page.run("await until('machine-written', 1)")
+    same("the reason", page.run("document.querySelector('#form-fault').textContent").strip(), "fivecheck-more.wasm cannot be loaded: the server answers 404")
+    bench.site.missing = set()
+    page.run("document.querySelector('#write-machine').click()")
+    page.run("await until('machine-written', 2)")
+    true("a machine file", page.run("document.querySelector('#machine-xml').value").startswith("<?xml"))
+    page.close()
+
+
+@test
 def no_examples(bench):
     """Examples that cannot be loaded are told; own files are checked all the same."""
     bench.site.missing = {"/examples/index.json"}

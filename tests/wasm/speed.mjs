@@ -2,8 +2,8 @@
 //
 // speed.mjs FIVECHECK MODULE MACHINE SETUP PROGRAM [ROUNDS]: the least time of some rounds, on the clock and of the processor,
 // each for itself. In each round the native program, a new node (cold: the module is compiled, too) and the same node once
-// more (warm) take turns. The processor's time has that of node's threads in it, which compile beside the run. The machine's
-// meshes have to be in its folder.
+// more (warm) take turns. All read the program in slices. The processor's time has that of node's threads in it, which compile
+// beside the run. The machine's meshes have to be in its folder.
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -27,9 +27,10 @@ async function runs(module, machine, setup, program) {
 		fivecheck ??= await Fivecheck.load(fs.readFileSync(module));
 		addFromDisk(files, path.dirname(machine), '.');
 		files.add('s.xml', fs.readFileSync(setup));
-		files.add('p.nc', fs.readFileSync(program));
+		const opened = addFromDisk(files, program, 'p.nc');
 		const {status} = fivecheck.run(['-fndjson', '--setup=s.xml', path.basename(machine), 'p.nc'], files);
 		const end = now();
+		opened.forEach((file) => file.close());
 		times.push({status, wall: end.wall - start.wall, cpu: end.cpu - start.cpu});
 	}
 	return times;

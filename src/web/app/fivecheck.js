@@ -38,7 +38,7 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, LACKING};
  */
 
 /** The modules of the checker: the first for every job, the others by what they bring (README.md). */
-export const FIRST = 'fivecheck.wasm', PARTS = ['fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', 'fivecheck-more.wasm'];
+export const FIRST = 'fivecheck.wasm', MORE = 'fivecheck-more.wasm', PARTS = ['fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', MORE];
 
 const RESULTS = '/tmp/fivecheck';
 /** Where the checker looks for the script of reports (src/wasi/viewer.c). */
@@ -147,7 +147,7 @@ export class Fivecheck {
 	}
 
 	/**
-	 * Writes a machine file: `fivecheck init` with these arguments.
+	 * Writes a machine file: `fivecheck init` with these arguments; needs MORE.
 	 * @param {string[]} args
 	 * @param {Files} [files]
 	 */

@@ -5,6 +5,7 @@
  */
 import {attributeIn, offerControl} from './control_fields.js';
 import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
+import {MORE, STATUS} from './fivecheck.js';
 import {chainsOf, initArguments, LINEAR, orders} from './machine_arguments.js';
 import {EXAMPLES, FAMILIES, ROTARY} from './machine_families.js';
 import {element} from './page.js';
@@ -153,7 +154,8 @@ export class MachineForm {
 
 	/** The machine file, or '' where `fivecheck init` says what is wrong. */
 	async written() {
-		const {status, out, err} = await this.client.run(['init', ...initArguments(new FormData(this.form))]);
+		const {status, out, err} = await this.client.run(['init', ...initArguments(new FormData(this.form))], [], [MORE])
+			.catch(({message}) => ({status: STATUS.INTERNAL, out: '', err: `error: ${message}`}));
 		for (const line of err.split('\n').filter((text) => text.includes('error: '))) {
 			const field = fieldOf(line), mesh = line.match(/give the file (.*) another name/)?.[1];
 			const named = [...this.form.querySelectorAll('.mesh input:not([type])')].find((input) => namesIn(/** @type {HTMLInputElement} */ (input).value).includes(mesh ?? ''));
