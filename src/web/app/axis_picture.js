@@ -8,8 +8,8 @@ import {element} from './page.js';
 const ONE = [[-92, -34], [-38, -52], [-12, -8], [-46, 44], [-88, 26]];
 /** @type {Point[]} */
 const OTHER = [[22, -6], [66, -44], [96, 2], [70, 46], [28, 40]];
-/** The shadows lie on a line so far below the middle. */
-const BELOW = 84;
+/** The shadows lie on a line so far from the middle, clear of the polygons. */
+const BELOW = 118;
 
 /**
  * The range that the polygon covers along a direction.
@@ -38,7 +38,7 @@ function svg(tag, attributes) {
 
 /** @returns {HTMLElement} */
 export function axisPicture() {
-	const drawing = svg('svg', {viewBox: '-130 -70 260 210', role: 'img', 'aria-label': 'Two polygons and their shadows on a turned axis'});
+	const drawing = svg('svg', {viewBox: '-215 -140 430 280', role: 'img', 'aria-label': 'Two polygons and their shadows on a turned axis'});
 	const moved = svg('g', {}), told = element('p', {className: 'verdict', role: 'status'});
 	const slider = /** @type {HTMLInputElement} */ (element('input', {type: 'range', id: 'axis-angle', min: -90, max: 90, step: 1, value: 55}));
 	for (const [polygon, name] of /** @type {[Point[], string][]} */ ([[ONE, 'one'], [OTHER, 'other']]))
@@ -50,11 +50,18 @@ export function axisPicture() {
 		/** A place on the axis, which lies below the polygons as seen along it. @param {number} t @param {number} off @returns {Point} */
 		const at = (t, off) => [t * c - off * s, t * s + off * c];
 		const line = (/** @type {Point} */ p, /** @type {Point} */ q, /** @type {string} */ name) => svg('line', {x1: p[0], y1: p[1], x2: q[0], y2: q[1], class: name});
-		const parts = [line(at(-130, BELOW), at(130, BELOW), 'axis'), line(at(a[0], BELOW - 3), at(a[1], BELOW - 3), 'shadow one'),
+		const parts = [line(at(-140, BELOW), at(140, BELOW), 'axis'), line(at(a[0], BELOW - 3), at(a[1], BELOW - 3), 'shadow one'),
 			line(at(b[0], BELOW + 3), at(b[1], BELOW + 3), 'shadow other')];
+		// Where a shadow ends, a ray of the light that throws it touches the polygon.
+		for (const [polygon, ends, name] of /** @type {[Point[], Point, string][]} */ ([[ONE, a, 'one'], [OTHER, b, 'other']])) {
+			for (const end of ends) {
+				const [x, y] = polygon.reduce((best, point) => Math.abs(point[0] * c + point[1] * s - end) < Math.abs(best[0] * c + best[1] * s - end) ? point : best);
+				parts.push(line(at(end, -x * s + y * c), at(end, BELOW), `ray ${name}`));
+			}
+		}
 		if (gap > 0) {
 			const middle = a[1] < b[0] ? (a[1] + b[0]) / 2 : (b[1] + a[0]) / 2;
-			parts.push(line(at(middle, -120), at(middle, BELOW + 12), 'wall'));
+			parts.push(line(at(middle, -BELOW), at(middle, BELOW + 12), 'wall'));
 		}
 		moved.replaceChildren(...parts);
 		told.dataset.verdict = gap > 0 ? 'clear' : 'incomplete';

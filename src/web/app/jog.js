@@ -1,7 +1,7 @@
 // @ts-check
 /** jog.js - a slider for each axis; the bodies move along, and the nearest pair is told as they move. */
 import {JogStage} from './jog_stage.js';
-import {element} from './page.js';
+import {element, reveal} from './page.js';
 import {Newest} from './session_client.js';
 import {State} from './viewer/state.js';
 
@@ -51,20 +51,13 @@ export class Jog {
 		this.tool.selectedIndex = tools.length ? 1 : 0;
 		this.tool.addEventListener('change', () => this.moved());
 		this.sliders = model.axes.map((axis, i) => this.slider(axis, model.path.pose(0).values[i]));
-		const plane = element('button', {type: 'button', ariaPressed: 'false'}, 'Plane between the nearest');
-		plane.addEventListener('click', () => {
-			this.stage.proof = !this.stage.proof;
-			plane.ariaPressed = String(this.stage.proof);
-			if (this.stage.proof)
-				this.stage.lookAtFocus();
-			else
-				this.stage.fit();
-		});
+		this.plane = element('button', {type: 'button', ariaPressed: 'false'}, 'Plane between the nearest');
+		this.plane.addEventListener('click', () => this.showPlane(!this.stage.proof));
 		const home = element('button', {type: 'button'}, 'Home');
 		home.addEventListener('click', () => this.moveTo({}));
 		this.element = element('div', {className: 'jog'}, this.stage.element, this.verdict,
 			element('div', {className: 'axes'}, ...this.sliders.map(({row}) => row)),
-			element('p', {className: 'row'}, element('label', {}, 'tool', this.tool), home, plane));
+			element('p', {className: 'row'}, element('label', {}, 'tool', this.tool), home, this.plane));
 	}
 
 	/** @param {import('./viewer/model.js').Axis} axis @param {number} home */
@@ -106,6 +99,30 @@ export class Jog {
 		this.moveTo(axes, tool);
 	}
 
+	/** The plane between the nearest bodies, or none. @param {boolean} shown */
+	showPlane(shown) {
+		this.setShown([], shown);
+		if (shown)
+			this.stage.lookAtFocus();
+		else
+			this.stage.fit();
+	}
+
+	/** Two links in colours, the rest faint; or none. @param {number[]} links */
+	showLinks(links) {
+		this.setShown(links, false);
+		this.stage.fit();
+	}
+
+	/** @param {number[]} links @param {boolean} plane */
+	setShown(links, plane) {
+		this.stage.links = links;
+		this.stage.proof = plane;
+		this.plane.ariaPressed = String(plane);
+		document.dispatchEvent(new CustomEvent('links-shown', {detail: links}));
+		reveal(this.stage.element);
+	}
+
 	moved() {
 		const pose = this.state.pose = {...this.state.pose, values: this.sliders.map(({number}) => Number(number.value)), tool: Number(this.tool.value)};
 		this.stage.placed.moveTo(pose.values, pose.tool);
@@ -128,12 +145,12 @@ export class Jog {
 		document.dispatchEvent(new Event('posed'));
 	}
 
-	/** @param {HTMLElement} parent */
-	show(parent) {
+	/** @param {HTMLElement} parent @param {Record<string, number>} [start] axes that do not stand at home */
+	show(parent, start = {}) {
 		parent.replaceChildren(this.element);
 		this.stage.placed.moveTo(this.state.pose.values, Number(this.tool.value));
 		this.stage.fit();
 		this.stage.standard('corner');
-		this.moved();
+		this.moveTo(start);
 	}
 }

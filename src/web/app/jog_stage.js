@@ -14,6 +14,8 @@ export class JogStage extends Stage {
 		this.proof = false;
 		/** @type {Pose | null} */
 		this.known = null;
+		/** Two links that are shown apart from all others, or none. @type {number[]} */
+		this.links = [];
 	}
 
 	/** @param {Pose | null} pose */
@@ -44,6 +46,13 @@ export class JogStage extends Stage {
 			size: Math.max(20, 1.2 * Math.min(...sizes))};
 	}
 
+	/** The plane is seen from the side by those who look along it; a little turned, it is a wall. @param {boolean} [atOnce] */
+	lookAtFocus(atOnce) {
+		super.lookAtFocus(atOnce || this.proof);
+		if (this.proof)
+			this.by(() => this.camera.orbit(0.5, 0.2));
+	}
+
 	/** All bodies that meet, or else the nearest ones: nothing makes these faint. */
 	involved() {
 		const pairs = [...this.known?.meets ?? [], ...this.known?.near ?? []], nearest = this.known?.nearest;
@@ -56,18 +65,35 @@ export class JogStage extends Stage {
 		this.xray = !!finding || this.proof;
 		const smallest = bodies.map((body) => this.placed.sphere(body)).sort((p, q) => p.radius - q.radius)[0];
 		const {centre, radius} = smallest ?? this.placed.around(this.placed.all()), nearest = this.known?.nearest;
-		return {bodies, point: !finding && nearest ? /** @type {Vec3} */ (nearest.on_a) : centre, radius};
+		if (finding || !nearest)
+			return {bodies, point: centre, radius};
+		const on_a = /** @type {Vec3} */ (nearest.on_a), on_b = /** @type {Vec3} */ (nearest.on_b);
+		return {bodies, point: scale(add(on_a, on_b), 0.5), radius: Math.max(radius, norm(sub(on_b, on_a)))};
+	}
+
+	/** Which of the two links that are shown a body of the machine is fixed to. @param {number} body */
+	linkOf(body) {
+		const {role, link} = this.model.bodies[body];
+		return role === 'machine' ? this.links.indexOf(link) : -1;
 	}
 
 	/** All that meets is red, not one pair alone. @param {number} body @param {any} finding @param {[number, number] | undefined} apart */
 	item(body, finding, apart) {
+		if (this.links.length) {
+			const side = this.linkOf(body);
+			return super.item(body, null, side === 0 ? [body, -1] : side === 1 ? [-1, body] : [-1, -1]);
+		}
 		const meets = finding && this.involved().includes(body);
 		return super.item(body, meets ? {...finding, bodies: [body, -1]} : finding, apart);
 	}
 
 	/** The shortest way between the nearest bodies, with its length. @param {any} finding @param {number} width @param {number} height */
 	annotate(finding, width, height) {
-		super.annotate(finding, width, height);
+		super.annotate(this.links.length ? null : finding, width, height);
+		if (this.links.length) {
+			this.nameLinks(width, height);
+			return;
+		}
 		const nearest = this.known?.nearest;
 		if (!nearest || finding)
 			return;
@@ -77,5 +103,12 @@ export class JogStage extends Stage {
 		this.overlay.dot('measure-end', from[0], from[1]);
 		this.overlay.dot('measure-end', to[0], to[1]);
 		this.overlay.label('measure-label', `${norm(sub(b, a)).toFixed(3)} mm`, (from[0] + to[0]) / 2, (from[1] + to[1]) / 2 - 18);
+	}
+
+	/** The name of the largest body of each link that is shown. @param {number} width @param {number} height */
+	nameLinks(width, height) {
+		const largest = this.links.map((_, side) => this.placed.all().filter((body) => this.linkOf(body) === side)
+			.sort((p, q) => this.placed.sphere(q).radius - this.placed.sphere(p).radius)[0]);
+		largest.forEach((body, side) => body !== undefined && this.name(body, `proof-${'ab'[side]}`, width / 2, height / 2));
 	}
 }

@@ -2,6 +2,7 @@
 /** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
 import {Client} from './client.js';
 import {Editor} from './editor.js';
+import {FIRST_PROGRAMS} from './first_programs.js';
 import {exampleFile, examplesOf, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {keepOffline} from './offline.js';
@@ -12,11 +13,6 @@ import {readReport} from './viewer/report.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 /** @typedef {import('./viewer/model.js').Model} Model */
-
-/** A few blocks for each example; the last move is worth a change. */
-const BLOCKS = /** @type {Record<string, string>} */ ({
-	'ac-trunnion': 'G21 G90 G94 G54 G61\nT1 M6\nS12000 M3\nG53 G0 Z0\nG53 G0 X200 Y0\nG0 A-30 C90\nG53 G0 Z-150\nG53 G1 X150 F5000\nG53 G1 Z-180\nG53 G0 Z0\nM2\n',
-});
 
 /** Bytes of a program that can be checked at every key. */
 const LONGEST = 100000;
@@ -62,7 +58,7 @@ class LearnPage {
 		this.editor = undefined;
 		/** @type {Model | undefined} */
 		this.model = undefined;
-		startTour(this.client);
+		startTour(this.client, () => this.jog?.showPlane(true));
 		this.offerExamples();
 		keepOffline(() => this.loading > 0);
 		const choose = /** @type {HTMLInputElement} */ (byId('choose'));
@@ -76,7 +72,7 @@ class LearnPage {
 	async offerExamples() {
 		const examples = await examplesOf(byId('examples'));
 		for (const [name, paths] of Object.entries(examples)) {
-			const button = element('button', {type: 'button'}, name);
+			const button = element('button', {type: 'button', dataset: {example: name}, ariaPressed: 'false'}, name);
 			button.addEventListener('click', () => this.told(this.openExample(name, paths)));
 			byId('examples').append(button);
 		}
@@ -123,21 +119,24 @@ class LearnPage {
 		this.scout?.close();
 		this.session = session;
 		this.scout = new SessionClient(modules, all, job);
-		const model = await modelOf(report), text = program && program.blob.size <= LONGEST ? await program.blob.text() : BLOCKS[name] ?? firstBlocks(machine.text, model, tools);
-		await this.show(model, session, this.scout, tools, text);
+		const model = await modelOf(report), text = program && program.blob.size <= LONGEST ? await program.blob.text() : FIRST_PROGRAMS[name]?.blocks ?? firstBlocks(machine.text, model, tools);
+		byId('examples').querySelectorAll('button').forEach((button) => button.ariaPressed = String(button.dataset.example === name));
+		byId('try').textContent = text === FIRST_PROGRAMS[name]?.blocks ? FIRST_PROGRAMS[name].change : '';
+		await this.show(model, session, this.scout, tools, text, FIRST_PROGRAMS[name]?.start);
 		if (program && program.blob.size > LONGEST)
 			say.textContent = `${model.machine}. ${program.path} is too long for the editor: check it on the other page.`;
 	}
 
-	/** @param {Model} model @param {SessionClient} session @param {SessionClient} scout @param {{number: number, name: string}[]} tools @param {string} blocks */
-	async show(model, session, scout, tools, blocks) {
+	/** @param {Model} model @param {SessionClient} session @param {SessionClient} scout @param {{number: number, name: string}[]} tools @param {string} blocks @param {Record<string, number>} [start] where the axes stand first */
+	async show(model, session, scout, tools, blocks, start) {
 		this.model = model;
 		byId('machine-name').textContent = model.machine;
-		showPairs(model);
+		showPairs(model, (links) => this.jog?.showLinks(links));
 		try {
 			this.jog = new Jog(model, session, tools);
-			this.jog.show(byId('jog'));
+			this.jog.show(byId('jog'), start);
 		} catch (error) {
+			this.jog = undefined;
 			byId('jog').textContent = `There is no picture here: ${error}`;
 		}
 		this.editor = new Editor(session, scout, blocks, (event) => this.jog?.showFinding(event));

@@ -31,10 +31,10 @@ export function boxStl(low, high) {
  * The pairs of links, as the paper's table has them: an axis stands for what it carries. A pair of links is checked if any two of
  * their own bodies are.
  * @param {Model} model
- * @returns {{a: string, b: string, checked: boolean, why: string}[]}
+ * @returns {{a: string, b: string, links: number[], checked: boolean, why: string}[]}
  */
 export function linkPairs(model) {
-	/** @type {Map<string, {a: string, b: string, checked: boolean, reasons: Set<string>}>} */
+	/** @type {Map<string, {a: string, b: string, links: number[], checked: boolean, reasons: Set<string>}>} */
 	const found = new Map();
 	const own = model.pairs.filter(({a, b}) => [a, b].every((i) => model.bodies[i]?.role === 'machine'));
 	for (const {a, b, status, reason} of own) {
@@ -42,7 +42,7 @@ export function linkPairs(model) {
 		if (links[0] === links[1] || !links[0] || !links[1])
 			continue;
 		const [one, other] = links.map((link) => model.axes[link - 1].letter), key = `${one}${other}`;
-		const entry = found.get(key) ?? {a: one, b: other, checked: false, reasons: new Set()};
+		const entry = found.get(key) ?? {a: one, b: other, links, checked: false, reasons: new Set()};
 		const checked = status === 'checked';
 		if (checked && !entry.checked)
 			entry.reasons.clear();
@@ -51,17 +51,30 @@ export function linkPairs(model) {
 		entry.checked ||= checked;
 		found.set(key, entry);
 	}
-	return [...found.values()].map(({a, b, checked, reasons}) => ({a, b, checked, why: [...reasons].join('; ')}));
+	return [...found.values()].map(({a, b, links, checked, reasons}) => ({a, b, links, checked, why: [...reasons].join('; ')}));
 }
 
-/** @param {Model} model */
-export function showPairs(model) {
+/** The button that shows a pair is pressed as long as it is shown. @param {number[]} links */
+function pressPair(links) {
+	byId('pair-table').querySelectorAll('button').forEach((button) => button.ariaPressed = String(button.dataset.links === links.join()));
+}
+
+/** @param {string} pair @param {number[]} links @param {(links: number[]) => void} look */
+function pairButton(pair, links, look) {
+	const button = element('button', {type: 'button', dataset: {links: links.join()}, ariaPressed: 'false', ariaLabel: `Show ${pair} on the machine`}, 'Show');
+	button.addEventListener('click', () => look(button.ariaPressed === 'true' ? [] : links));
+	return button;
+}
+
+/** @param {Model} model @param {(links: number[]) => void} look the user wants to see two links, or none any more */
+export function showPairs(model, look) {
 	const rows = linkPairs(model), checked = rows.filter((row) => row.checked);
 	byId('pair-table').replaceChildren(
 		element('p', {className: 'verdict'}, `${checked.length} of ${rows.length} pairs of axes are checked: ${checked.map(({a, b}) => `${a}–${b}`).join(', ') || 'none'}.`),
-		element('table', {}, element('thead', {}, element('tr', {}, ...['axes', 'check', 'why'].map((text) => element('th', {scope: 'col'}, text)))),
-			element('tbody', {}, ...rows.map(({a, b, checked: is, why}) => element('tr', {className: is ? 'checked' : ''},
-				element('th', {scope: 'row'}, `${a}–${b}`), element('td', {}, is ? 'yes' : 'no'), element('td', {}, why))))));
+		element('table', {}, element('thead', {}, element('tr', {}, ...['axes', 'checked', 'why', 'picture'].map((text) => element('th', {scope: 'col'}, text)))),
+			element('tbody', {}, ...rows.map(({a, b, links, checked: is, why}) => element('tr', {className: is ? 'checked' : ''},
+				element('th', {scope: 'row'}, `${a}–${b}`), element('td', {}, is ? 'yes' : 'no'), element('td', {}, why),
+				element('td', {}, pairButton(`${a}–${b}`, links, look)))))));
 }
 
 /**
@@ -84,9 +97,11 @@ async function showWall(client) {
 	document.dispatchEvent(new Event('wall-checked'));
 }
 
-/** @param {import('./client.js').Client} client */
-export function startTour(client) {
+/** @param {import('./client.js').Client} client @param {() => void} showPlane between the nearest bodies of the machine */
+export function startTour(client, showPlane) {
 	byId('axis-picture').append(axisPicture());
 	byId('wall-program').textContent = WALL_PROGRAM;
+	byId('show-plane').addEventListener('click', showPlane);
+	document.addEventListener('links-shown', (event) => pressPair(/** @type {CustomEvent} */ (event).detail));
 	byId('check-wall').addEventListener('click', () => showWall(client));
 }
