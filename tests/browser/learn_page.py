@@ -220,6 +220,37 @@ def first_programs(bench):
 
 
 @test
+def endless(bench):
+    """A loop without an end, as it stands there while it is written, is told, and the machine can be moved all the same."""
+    page = learn(bench)
+    edit(page, "G21 G90\no1 while [1]\nG53 G0 X1\nG53 G0 X0\no1 endwhile\nM2\n")
+    true("it is told", "is this loop endless?" in page.run("document.querySelector('.remarks').textContent"))
+    jog(page, {"Z": -380, "A": -40}, 1)
+    true("the machine is moved", page.run(JOGGED).startswith("Collision:"))
+    edit(page, "G21 G90\nG53 G0 X1\nM2\n")
+    true("the next text is checked", page.run(EDITED).startswith("Clear"))
+    bench.done(page)
+
+
+@test
+def learn_dropped(bench):
+    """A folder that is dropped is opened; the page does not give way to a file. What is wrong with an archive is told."""
+    page = learn(bench)
+    with tempfile.TemporaryDirectory() as work:
+        machine, _, _ = fixtures.boxes(work)
+        page.drop(640, 400, [os.path.dirname(machine)])
+        page.run("await until('machine-open', 2)")
+        true("found", page.run(EDITED).startswith("Found"))
+        broken = os.path.join(work, "job.zip")
+        with open(broken, "wb") as file:
+            file.write(b"PK")
+        page.drop(640, 400, [broken])
+        page.wait_for("/job.zip cannot be read: it has no end: is it whole?/.test(document.querySelector('#machine-name').textContent)")
+        true("the machine before stands", "What stands below is" in page.run("document.querySelector('#machine-name').textContent"))
+    bench.done(page)
+
+
+@test
 def learn_on_a_phone(bench):
     page = learn(bench, **PHONE)
     page.run("[...document.querySelectorAll('#examples button')][2].click()")

@@ -13,6 +13,8 @@ import {Newest} from './session_client.js';
 /** @typedef {{line: number, column: number, kind: 'error' | 'finding' | 'warning', text: string, event?: Record<string, any>}} Remark */
 
 const NAME = 'program.nc';
+/** A loop that has no end, as it may stand there while it is written, does not keep the machine busy. */
+const BOUND = '--max-blocks=100000';
 const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
 const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
 const SAMPLED = 'Found by samples; the proof follows.';
@@ -89,7 +91,7 @@ export class Editor {
 
 	/** @param {Typed} typed */
 	async sample(typed) {
-		const result = await this.scout.check({name: NAME, text: typed.text, options: ['--method=conventional', '--step=0.05']}).catch(() => undefined);
+		const result = await this.scout.check({name: NAME, text: typed.text, options: ['--method=conventional', '--step=0.05', BOUND]}).catch(() => undefined);
 		if (result?.status === STATUS.FOUND && typed.number === this.keys && typed.number > this.shown) {
 			this.show(result, typed, SAMPLED);
 			document.dispatchEvent(new Event('sampled'));
@@ -99,7 +101,7 @@ export class Editor {
 	/** @param {Typed} typed */
 	async check(typed) {
 		try {
-			const result = await this.session.check({name: NAME, text: typed.text});
+			const result = await this.session.check({name: NAME, text: typed.text, options: [BOUND]});
 			/* What is shown is about the text that stands there: that of a later key follows. */
 			if (typed.number === this.keys) {
 				this.show(result, typed);

@@ -1,9 +1,10 @@
 // @ts-check
 /** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
 import {Client} from './client.js';
+import {takeDrops, unpacked} from './dropped.js';
 import {Editor} from './editor.js';
 import {FIRST_PROGRAMS} from './first_programs.js';
-import {exampleFile, examplesOf, jobFile, missingFiles, withMeshes} from './job_files.js';
+import {exampleFile, examplesOf, isClutter, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {keepOffline} from './offline.js';
 import {byId, element} from './page.js';
@@ -62,11 +63,19 @@ class LearnPage {
 		this.offerExamples();
 		keepOffline(() => this.loading > 0);
 		const choose = /** @type {HTMLInputElement} */ (byId('choose'));
-		choose.addEventListener('change', async () => {
-			const files = await Promise.all([...(choose.files ?? [])].map((file) => jobFile(file.webkitRelativePath || file.name, file)));
+		choose.addEventListener('change', () => {
+			this.told(this.take([...(choose.files ?? [])].map((file) => [file.name, file])));
 			choose.value = '';
-			this.told(this.open('', files));
 		});
+		takeDrops(byId('machines'), (found) => this.told(this.take(found)));
+	}
+
+	/** A machine of the user's. @param {[string, Blob][]} found */
+	async take(found) {
+		const {files, faults} = await unpacked(found);
+		if (faults.length)
+			throw new Error(faults.join(' '));
+		await this.open('', await Promise.all(files.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))));
 	}
 
 	async offerExamples() {

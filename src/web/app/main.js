@@ -4,13 +4,13 @@ import {adviceOn} from './advice.js';
 import {moreOptions, optionsIn} from './check_options.js';
 import {Checks} from './checks.js';
 import {Client} from './client.js';
+import {takeDrops, unpacked} from './dropped.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, examplesOf, inOrder, isClutter, isZip, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
+import {atHome, exampleFile, examplesOf, inOrder, isClutter, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {keepOffline} from './offline.js';
 import {byId, element, reveal} from './page.js';
 import {SetupForm} from './setup_form.js';
-import {filesInZip} from './zip_files.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
@@ -52,7 +52,7 @@ class Page {
 				input.value = '';
 			});
 		}
-		this.takeDrops();
+		takeDrops(byId('drop'), (found) => this.take(found));
 		this.showButtons();
 		this.offerExamples();
 		keepOffline(() => this.opening || this.running);
@@ -64,21 +64,6 @@ class Page {
 			const id = target instanceof HTMLAnchorElement ? target.hash.slice(1) : '', form = id && byId(id).closest('section')?.querySelector('details');
 			if (form)
 				form.open = true;
-		});
-	}
-
-	takeDrops() {
-		const drop = byId('drop');
-		addEventListener('dragover', (event) => {
-			event.preventDefault();
-			drop.classList.add('over');
-		});
-		addEventListener('dragleave', () => drop.classList.remove('over'));
-		addEventListener('drop', async (event) => {
-			event.preventDefault();
-			drop.classList.remove('over');
-			const entries = [...(event.dataTransfer?.items ?? [])].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-			this.take((await Promise.all(entries.map((entry) => filesBelow(entry)))).flat());
 		});
 	}
 
@@ -121,8 +106,8 @@ class Page {
 	 */
 	async add(found) {
 		this.client.prepare();
-		const {unpacked, faults} = await this.unpack(found);
-		const all = atHome(await Promise.all(unpacked.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files);
+		const {files: dropped, faults} = await unpacked(found);
+		const all = atHome(await Promise.all(dropped.filter(([path]) => !isClutter(path)).map(([path, blob]) => jobFile(path, blob))), this.files);
 		const second = twins(all), files = all.filter((file) => !second.includes(file)), paths = new Set(files.map(({path}) => path));
 		faults.push(...second.map(({path}) => `${path} came twice, from two places: the first is here. If it is the wrong one, drop the other alone.`));
 		const lists = [...this.files, ...files].some(({role}) => role === 'jobs'), single = lists ? ['jobs'] : ['machine', 'setup', 'waivers'];
@@ -132,24 +117,7 @@ class Page {
 			return old && !await sameBytes(old.blob, blob) ? [path] : [];
 		}));
 		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && !once.has(file.role)), ...files], replaced.flat());
-		byId('job').prepend(...[...faults, ...(unpacked.length ? [] : ['There is no file in what was dropped.'])].map((text) => element('span', {className: 'lack'}, text)));
-	}
-
-	/**
-	 * With the files of ZIP archives in place of these; those that cannot be read stay, with the reason. Each of several has a
-	 * folder of its own.
-	 * @param {[string, Blob][]} found
-	 */
-	async unpack(found) {
-		const several = found.filter(([path]) => isZip(path)).length > 1, faults = /** @type {string[]} */ ([]), unpacked = await Promise.all(found.map(async ([path, blob]) => {
-			try {
-				return isZip(path) ? await filesInZip(several ? path.replace(/\.zip$/i, '/') : path, blob) : [/** @type {[string, Blob]} */ ([path, blob])];
-			} catch (error) {
-				faults.push(`${path} cannot be read: ${/** @type {Error} */ (error).message}.`);
-				return [/** @type {[string, Blob]} */ ([path, blob])];
-			}
-		}));
-		return {unpacked: unpacked.flat(), faults};
+		byId('job').prepend(...[...faults, ...(dropped.length ? [] : ['There is no file in what was dropped.'])].map((text) => element('span', {className: 'lack'}, text)));
 	}
 
 	/** A file that a form wrote. @param {string} name @param {string} xml */
@@ -271,28 +239,6 @@ class Page {
 		this.showButtons();
 		document.dispatchEvent(new Event('checked'));
 	}
-}
-
-/**
- * All files below a dropped entry.
- * @param {FileSystemEntry} entry
- * @returns {Promise<[string, Blob][]>}
- */
-async function filesBelow(entry) {
-	if (entry.isFile) {
-		/** @type {File} */
-		const file = await new Promise((done, failed) => /** @type {FileSystemFileEntry} */ (entry).file(done, failed));
-		return [[entry.fullPath.replace(/^\//, ''), file]];
-	}
-	const reader = /** @type {FileSystemDirectoryEntry} */ (entry).createReader(), all = [];
-	for (;;) {
-		/** @type {FileSystemEntry[]} */
-		const some = await new Promise((done, failed) => reader.readEntries(done, failed));
-		if (some.length === 0)
-			break;
-		all.push(...some);
-	}
-	return (await Promise.all(all.map(filesBelow))).flat();
 }
 
 Object.assign(window, {fivecheckPage: new Page()});
