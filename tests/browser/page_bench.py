@@ -24,6 +24,9 @@ class Site:
         site = self
 
         class Handler(http.server.SimpleHTTPRequestHandler):
+            # One connection for many files, as other servers have it.
+            protocol_version = "HTTP/1.1"
+            disable_nagle_algorithm = True
             extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
                               ".js": "text/javascript"}
 
