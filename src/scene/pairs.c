@@ -160,6 +160,11 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
 }
 
+static bool are_of_two_tools(const struct body *a, const struct body *b)
+{
+	return a->tool && b->tool && a->tool != b->tool;
+}
+
 /* Decides what bodies, joints and rules say of the pair. False: its geometry is to be looked at. */
 static bool derive(struct scene *scene, struct scene_pair *pair, double clearance)
 {
@@ -171,7 +176,9 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	pair->steps = STEP_ANY;
 	pair->stock = is_with(a, b, ROLE_STOCK);
 	/* check="always" applies to rigid pairs and to cutting pairs, too. */
-	if (ruling.check == PAIR_ALWAYS)
+	if (ruling.check == PAIR_ALWAYS && are_of_two_tools(a, b))
+		decide(pair, PAIR_RIGID, "two tools are never in the spindle at once");
+	else if (ruling.check == PAIR_ALWAYS)
 		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
 	else if (chain_is_rigid(&pair->chain))
 		decide(pair, PAIR_RIGID, "no joint between them");
