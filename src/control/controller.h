@@ -215,6 +215,7 @@ struct controller {
 	enum comp_d comp_d;
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
+	int comp_idle_blocks;	/* blocks without a move that cutter compensation looks past; 0: not known */
 	enum rotation_order rotation_order;
 	enum cycle_19_angles cycle_19_angles;
 	enum cycle_11_axes cycle_11_axes;

@@ -151,6 +151,8 @@ struct dialect_traits {
 	enum answer arc_idle_zero;
 	enum answer arc_spirals;	/* a parameter says up to which difference of their radii arcs are spirals */
 	enum corner_words corner_words;
+	/* the parameter that says past how many blocks without a move cutter compensation looks; NULL: none asked */
+	const char *idle_blocks_parameter;
 	const char *corner_names;	/* of the words in messages; NULL: ",C or ,R" */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */

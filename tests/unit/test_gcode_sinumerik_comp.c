@@ -250,6 +250,30 @@ START_TEST(tangents_in_frames)
 }
 END_TEST
 
+/* MD20250: a contour of straight lines and an inside corner goes on behind the blocks that move nothing in the plane. */
+START_TEST(idle_blocks)
+{
+	static const char program[] = TOOL "G450 NORM G41 G1 X0 Y20\nF5\nZ-101\nM8\nY40\nZ-102\nF6\nZ-103\nX-20\nG40 X-40\n";
+	static const char wanted[] = "tool 1\nrapid 0 0 0 0 0\nfeed -5 20 0 0 0\n"
+				     "feed -5 20 -1 0 0\nfeed -5 35 -1 0 0\nfeed -5 35 -2 0 0\n"
+				     "feed -5 35 -3 0 0\nfeed -20 35 -3 0 0\nfeed -40 40 -3 0 0\n";
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	case_refuses(&c, "p.nc:7:1: error: 3 blocks without a move in the plane of cutter compensation before this one: a "
+			 "parameter of the control (MD20250) decides past how many it looks ahead: "
+			 "cutter_comp_idle_blocks=\"\" of the machine's <controller> says it\n", "%s", program);
+	sinumerik_case_init(&c);
+	c.config.controller.comp_idle_blocks = 2;
+	case_refuses(&c, "let at most 2 stand there", "%s", program);
+	sinumerik_case_init(&c);
+	c.config.controller.comp_idle_blocks = 3;
+	ck_assert_msg(case_run(&c, program), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), wanted);
+	case_release(&c);
+}
+END_TEST
+
 START_TEST(refused)
 {
 	sinumerik_refuses_words(&bad[_i]);
@@ -264,6 +288,7 @@ int main(void)
 	tcase_add_test(tcase, corners_of_the_machine);
 	tcase_add_test(tcase, start_of_the_machine);
 	tcase_add_test(tcase, tangents_in_frames);
+	tcase_add_test(tcase, idle_blocks);
 	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
 	return run_suite("gcode_sinumerik_comp", tcase);
 }

@@ -180,6 +180,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: unidirectional_overrun of <controller> must be more than 0\n"},
     {MACHINE("<controller cutter_comp_corner='linear'/><base/>"),
      "m.xml:2: error: cutter_comp_corner of <controller>: LinuxCNC always rounds outside corners\n"},
+    {MACHINE("<controller cutter_comp_idle_blocks='3'/><base/>"),
+     "m.xml:2: error: cutter_comp_idle_blocks of <controller>: LinuxCNC has no such parameter\n"},
     {MACHINE("<controller m6_with_move='after'/><base/>"),
      "m.xml:2: error: m6_with_move of <controller>: LinuxCNC changes the tool before a block moves\n"},
     {MACHINE("<controller m6_with_t='own'/><base/>"),

@@ -131,6 +131,8 @@ static void read_parameters(struct xml_reader *xml, const xmlNode *node, struct 
 /* The answers of a control whose programs have frames, edges of tools and planes that a cycle swivels. */
 static void read_frames(struct xml_reader *xml, const xmlNode *node, struct controller *told)
 {
+	/* The place of each word is its number. */
+	told->comp_idle_blocks = ANSWER("cutter_comp_idle_blocks", "1", "2", "3", "4", "5", "6", "7", "8", "9");
 	told->rotation_order = ANSWER("rotation_order", "rpy", "euler");
 	told->cycle_19_angles = ANSWER("cycle_19_angles", "spatial", "axes");
 	told->cycle_11_axes = ANSWER("cycle_11_axes", "plane", "all");

@@ -289,6 +289,7 @@ const struct dialect dialect_sinumerik = {
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
 		.t_word = T_WORD_SELECTS,
 		.corner_words = CORNER_WORDS_WITH_ARCS,
+		.idle_blocks_parameter = "MD20250",
 		.corner_names = "CHF, CHR or RND",
 		.tool_change_stays = ANSWER_NO,
 	},

@@ -10,7 +10,7 @@
 #include "gcode/execute/rotated_frame.h"
 #include "geom/tolerance.h"
 
-/* A block without a move in the plane may stand between two others. What more of them do is a parameter's business. */
+/* A block without a move in the plane may stand between two others. How many more is a parameter's business. */
 #define IDLE_BLOCKS_MAX 1
 
 static struct plane_point direction_of(struct plane_point from, struct plane_point to)
@@ -66,6 +66,25 @@ static void cover_frame(const struct interp *interp, struct canon_move *move)
 		move->spread[slot] = sqrt(2) * most * (interp->state.frame.distorts ? interp->state.frame.growth : 1);
 }
 
+static bool check_idle_blocks(struct interp *interp)
+{
+	const int told = interp->config->controller.comp_idle_blocks, most = told > 0 ? told : IDLE_BLOCKS_MAX;
+	const char *parameter = interp->config->dialect->traits.idle_blocks_parameter;
+
+	if (interp->comp.idle_blocks <= most)
+		return true;
+	if (told == 0 && parameter)
+		return fault(&interp->at, column_of(interp),
+			     "%d blocks without a move in the plane of cutter compensation before this one: a "
+			     "parameter of the control (%s) decides past how many it looks ahead: "
+			     "cutter_comp_idle_blocks=\"\" of the machine's <controller> says it",
+			     interp->comp.idle_blocks, parameter);
+	return fault(&interp->at, column_of(interp),
+		     "%d blocks without a move in the plane of cutter compensation before this one: how far the "
+		     "control looks ahead over them decides where the tool goes; let at most %d stand there",
+		     interp->comp.idle_blocks, most);
+}
+
 static bool check_axes(struct interp *interp, const slot_values *target)
 {
 	const struct state *state = &interp->state;
@@ -75,13 +94,7 @@ static bool check_axes(struct interp *interp, const slot_values *target)
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
 				     "%c under cutter compensation is not supported; G40 first", AXIS_LETTERS[slot]);
 	}
-	if (interp->comp.idle_blocks > IDLE_BLOCKS_MAX)
-		return fault(
-		    &interp->at, column_of(interp),
-		    "%d blocks without a move in the plane of cutter compensation before this one: how far the "
-		    "control looks ahead over them decides where the tool goes; let at most %d stand there",
-		    interp->comp.idle_blocks, IDLE_BLOCKS_MAX);
-	return true;
+	return check_idle_blocks(interp);
 }
 
 /* ---------------------------------------------------------------- corners */
