@@ -4,6 +4,10 @@ static const struct code *find_in_set(const struct code_set *set, int number)
 {
 	size_t low = 0, high = set->count;
 
+	if (set->last)
+		return number >= set->rows->number && number <= set->last && (number - set->rows->number) % 10 == 0
+			   ? set->rows
+			   : NULL;
 	while (low < high) {
 		size_t middle = (low + high) / 2;
 

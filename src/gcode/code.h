@@ -177,9 +177,11 @@ struct code {
 struct code_set {
 	const struct code *rows;
 	size_t count;
+	short last;	/* not 0: there is one row, for its G code and the whole ones up to this, in tenths */
 };
 
-#define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0])}
+#define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0]), 0}
+#define CODE_RUN(row, last) {&(row), 1, (last)}
 
 /* A word or a statement of a language beside its numbered codes, as programs write it: "TRAORI", "CYCL DEF 200". */
 struct code_word {

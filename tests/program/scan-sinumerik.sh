@@ -36,3 +36,18 @@ N130 M77
 N140 M30
 NC
 status fivecheck scan five.mpf 2>&1 | sed -n '/error/p; /^needed in the machine/,$p'
+# What the setup must have stands behind: tools by name and by number, and work offsets.
+program job.mpf <<'NC'
+G17 G90 G71 G94 G505
+T="MILL 10" D1
+M6
+G0 X1
+T7
+M6
+D1 X3
+G54 X4
+G505 X5
+T0 M6
+M30
+NC
+status fivecheck scan --dialect=sinumerik job.mpf 2>&1 | sed -n '/^G505/p; /^needed/,$p'

@@ -56,6 +56,7 @@ export const ATTRIBUTES = [
 	row('swivel_pole', ['sinumerik', 'klartext'], 'what CYCLE800 or PLANE does with an axis that the tool points along', ['zero', 'stays']),
 	row('cycle_19_angles', ['klartext'], 'what the angles of CYCL DEF 19 are', ['spatial', 'axes']),
 	row('cycle_11_axes', ['klartext'], 'axes that CYCL DEF 11 scales', ['plane', 'all']),
+	row('rotary_way', ['sinumerik'], 'way of a modulo axis to an absolute position without DC', ['plain', 'shorter']),
 	row('rotary_way', ['klartext'], 'way of a rotary axis with a reduced display without M126', ['plain', 'shorter']),
 	row('rotary_angle', ['klartext'], 'what an angle outside of 0 to 360 of such an axis means without M126', ['as-written', 'reduced']),
 	row('m6', ['klartext'], 'M6 does nothing, because TOOL CALL changes the tool', ['ignored']),

@@ -274,7 +274,7 @@ static void free_state(void *state)
 const struct dialect dialect_sinumerik = {
 	.name = "sinumerik",
 	.manual = "Siemens SINUMERIK 840D sl, programming manuals \"Fundamentals\", \"Job planning\", \"Cycles\"",
-	.g_codes = {&sinumerik_g_codes},
+	.g_codes = {&sinumerik_g_codes, &sinumerik_offset_codes},
 	.m_codes = {&sinumerik_m_codes},
 	.words = {&sinumerik_word_set, &sinumerik_cycle_set},
 	.traits = {

@@ -160,5 +160,9 @@ static const struct code m_rows[] = {
 	{70, M_SPINDLE, CODE_READ, "spindle as an axis"},
 };
 
+static const struct code offset_row = {SINUMERIK_G(505), SINUMERIK_SYSTEM, CODE_READ,
+				       "work offset 5, and so on to G599"};
+
 const struct code_set sinumerik_g_codes = CODE_SET(g_rows);
+const struct code_set sinumerik_offset_codes = CODE_RUN(offset_row, SINUMERIK_G(599));
 const struct code_set sinumerik_m_codes = CODE_SET(m_rows);

@@ -98,7 +98,7 @@ struct sinumerik_word {
 bool sinumerik_codes_word(const char *name, struct sinumerik_word *word);
 
 /* Rows for the dialect's table: G-codes with an enum sinumerik_group as group, M-codes, and words. */
-extern const struct code_set sinumerik_g_codes, sinumerik_m_codes;
+extern const struct code_set sinumerik_g_codes, sinumerik_offset_codes, sinumerik_m_codes;
 extern const struct word_set sinumerik_word_set, sinumerik_cycle_set;
 
 #endif

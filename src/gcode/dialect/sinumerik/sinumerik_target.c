@@ -227,11 +227,53 @@ static bool find_turned(struct interp *interp, int slot, enum sinumerik_way way,
 	return true;
 }
 
-/* An absolute coordinate of a rotary axis that counts modulo 360. */
-static bool find_wrapped(struct interp *interp, int slot, double value, int column, double *coordinate)
+/* An angle from 0 on and below 360; what rounding leaves below a whole turn is 0. */
+static double reduced(double angle)
 {
-	const double offset = interp->state.offset.v[slot];
-	double target;
+	const double rest = angle - 360 * floor(angle / 360);
+
+	return rest >= 360 - SAME_DEGREES ? 0 : rest;
+}
+
+/*
+ * Function manual R2, "Modulo rotary axes", AC and G90: the axis turns forward to a larger position of its display and
+ * back to a smaller one, and so never passes 0. False: an offset, or a position that is no reading of the display,
+ * leaves it open what is compared.
+ */
+static bool find_plain_way(const struct interp *interp, int slot, double value, double offset, double *way)
+{
+	const double here = interp->state.position.v[slot];
+	const double of_program = reduced(value) - reduced(here - offset);
+
+	*way = reduced(value + offset) - reduced(here);
+	return fabs(*way - of_program) < SAME_DEGREES && value >= 0 && value < 360;
+}
+
+/* MD30455, bit 2: DC or AC, whichever way is meant where the program says neither. They often are one way. */
+static bool check_rotary_way(struct interp *interp, int slot, double shortest, double plain, bool sure, int column)
+{
+	if (sure && fabs(remainder(shortest, 360)) < 180 - SAME_DEGREES && fabs(plain - shortest) < SAME_DEGREES)
+		return true;
+	if (interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN)
+		return fault(&interp->at, column,
+			     "%c counts modulo 360 degrees, and a parameter of the control (MD30455) decides whether "
+			     "it turns to an absolute position by the shorter way, as with DC, or without passing 0: "
+			     "rotary_way=\"plain\" (bit 2 is 0) or \"shorter\" of the machine's <controller> says it, "
+			     "or write DC, ACP or ACN",
+			     AXIS_LETTERS[slot]);
+	return interp->config->controller.rotary_way == ROTARY_WAY_SHORTER || sure ||
+	       fault(&interp->at, column,
+		     "which way %c turns to this absolute position is not certain: it lies outside of 0 to 360 "
+		     "degrees, or an offset shifts it; write DC, ACP or ACN",
+		     AXIS_LETTERS[slot]);
+}
+
+/* An absolute position of a rotary axis that counts modulo 360; `offset` is between it and the axis' own. */
+static bool find_wrapped(struct interp *interp, int slot, double value, double offset, int column, double *target)
+{
+	const double here = interp->state.position.v[slot], shortest = remainder(value + offset - here, 360);
+	double plain;
+	bool sure;
 
 	if (interp->config->wrap[slot] == WRAP_SIGN)
 		return fault(
@@ -239,7 +281,21 @@ static bool find_wrapped(struct interp *interp, int slot, double value, int colu
 		    "a parameter of the control (MD30455) decides which way %c turns to an absolute position: "
 		    "write DC, ACP or ACN, or say wrap=\"shortest\" or \"none\" of this axis in the machine file",
 		    AXIS_LETTERS[slot]);
-	if (!endpoint_absolute(interp, slot, value, offset, column, &target))
+	sure = find_plain_way(interp, slot, value, offset, &plain);
+	if (!check_rotary_way(interp, slot, shortest, plain, sure, column))
+		return false;
+	if (interp->config->controller.rotary_way != ROTARY_WAY_PLAIN)
+		return endpoint_absolute(interp, slot, value, offset, column, target);
+	*target = value + offset + 360 * round((here + plain - value - offset) / 360);
+	return true;
+}
+
+static bool find_wrapped_coordinate(struct interp *interp, int slot, double value, int column, double *coordinate)
+{
+	const double offset = interp->state.offset.v[slot];
+	double target;
+
+	if (!find_wrapped(interp, slot, value, offset, column, &target))
 		return false;
 	*coordinate = target - offset;
 	return true;
@@ -266,7 +322,7 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 	}
 	sinumerik->shifted[slot] = false;
 	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
-		return find_wrapped(interp, slot, value, column, coordinate);
+		return find_wrapped_coordinate(interp, slot, value, column, coordinate);
 	*coordinate = value;
 	return true;
 }
@@ -315,12 +371,9 @@ bool sinumerik_target_find_machine(struct interp *interp, const struct sinumerik
 				return false;
 			continue;
 		}
-		if (slot_is_rotary(slot) && interp->config->wrap[slot] == WRAP_SIGN)
-			return fault(&interp->at, column,
-				     "a parameter of the control (MD30455) decides which way %c turns to an absolute "
-				     "position: write DC",
-				     AXIS_LETTERS[slot]);
-		if (!endpoint_absolute(interp, slot, value, length, column, &target->v[slot]))
+		if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE
+			? !find_wrapped(interp, slot, value, 0, column, &target->v[slot])
+			: !endpoint_absolute(interp, slot, value, length, column, &target->v[slot]))
 			return false;
 	}
 	return true;

@@ -49,6 +49,8 @@ static bool select_by_name(struct interp *interp, const char *name, int column)
 	}
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
+	/* M6 is no second fault. */
+	interp->state.selected = 0;
 	return fault(
 	    &interp->at, column,
 	    "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what "
