@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/strbuf.h"
 #include "control/dialects.h"
 #include "gcode/dialect/family.h"
 
@@ -17,10 +18,26 @@ bool dialect_choice_is_auto(int choice)
 	return choice >= 0 && !dialect_names[choice];
 }
 
+/* "--dialect=fanuc or --dialect=haas": what the signs leave open. */
+static void list_open(const struct family_guess *guess, struct strbuf *out)
+{
+	int last = -1;
+
+	for (int row = 0; dialect_names[row]; row++)
+		last = guess->rows & (1U << row) ? row : last;
+	for (int row = 0, count = 0; row <= last; row++) {
+		if (guess->rows & (1U << row))
+			strbuf_addf(out, "%s--dialect=%s", count++ == 0 ? "" : row < last ? ", " : " or ",
+				    dialect_names[row]);
+	}
+}
+
 static bool refuse(const char *program, const struct family_guess *guess, struct diag *diag)
 {
 	struct srcloc loc = {program, guess->sign.line, 0};
+	struct strbuf open = {0};
 
+	list_open(guess, &open);
 	if (guess->advice)
 		diag_error(diag, loc, "%s", guess->advice);
 	else if (guess->against.line)
@@ -28,12 +45,17 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 			   "--dialect=auto: this line looks like %s (%s), but line %ld looks like %s (%s); " NAME_IT,
 			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,
 			   guess->sign.sign);
+	else if (guess->sign.line && guess->rows == 0)
+		diag_error(diag, loc, "--dialect=auto: this looks like %s (%s); if it is not, " NAME_IT,
+			   guess->sign.title, guess->sign.sign);
 	else if (guess->sign.line)
 		diag_error(diag, loc,
-			   "--dialect=auto: this looks like %s (%s), but more than one dialect has that; " NAME_IT,
-			   guess->sign.title, guess->sign.sign);
+			   "--dialect=auto: this looks like %s (%s), but more than one dialect has that; write %s",
+			   guess->sign.title, guess->sign.sign, strbuf_text(&open));
 	else
-		diag_error(diag, loc, "--dialect=auto: the first lines do not show the dialect; " NAME_IT);
+		diag_error(diag, loc, "--dialect=auto: the first lines do not show the dialect; write %s",
+			   strbuf_text(&open));
+	strbuf_release(&open);
 	return false;
 }
 

@@ -7,7 +7,7 @@
 /* Lengths in mm, angles in radians. Strings are borrowed from whoever fills a row in. */
 
 struct work_offset {
-	const char *name;	/* "G54" ... "G59.3", "G54.1 P7", "G154 P7" */
+	const char *name;	/* "G54" ... "G59.3", "G54.1 P7", "G54.4 P1" */
 	axis_values value;
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	long line;	/* in the setup file */

@@ -32,6 +32,7 @@ enum {
 	G19 = 190,
 	G20 = 200,
 	G21 = 210,
+	G22 = 220,	/* stored stroke check of Fanuc */
 	G28 = 280,
 	G28_1 = 281,
 	G30 = 300,

@@ -177,6 +177,7 @@ struct dialect_traits {
 	enum answer tool_change_stays;	/* M6 moves no axis if the machine file names no place; no: it must */
 	/* Work offsets. */
 	int additional_offsets;	/* of G54.1 or G154 */
+	int shared_p;	/* P up to this may be both that of G54 and of another code of the block */
 	enum answer g54_has_number;	/* G54 with P is G54.1 */
 	int g10_first, g10_last;	/* the P of G10 L2; g10_last 0: not known */
 	enum g10_l20 g10_l20;

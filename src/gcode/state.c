@@ -32,6 +32,11 @@ static slot_values from_canonical(const axis_values *values)
 	"G54.1 P" tens "0", "G54.1 P" tens "1", "G54.1 P" tens "2", "G54.1 P" tens "3", "G54.1 P" tens "4", \
 	    "G54.1 P" tens "5", "G54.1 P" tens "6", "G54.1 P" tens "7", "G54.1 P" tens "8", "G54.1 P" tens "9"
 
+#define EXTENDED_TENS(hundreds) \
+	EXTENDED_TEN(hundreds "1"), EXTENDED_TEN(hundreds "2"), EXTENDED_TEN(hundreds "3"), \
+	    EXTENDED_TEN(hundreds "4"), EXTENDED_TEN(hundreds "5"), EXTENDED_TEN(hundreds "6"), \
+	    EXTENDED_TEN(hundreds "7"), EXTENDED_TEN(hundreds "8"), EXTENDED_TEN(hundreds "9")
+
 #define SETTABLE_TEN(tens) \
 	"G5" tens "0", "G5" tens "1", "G5" tens "2", "G5" tens "3", "G5" tens "4", "G5" tens "5", "G5" tens "6", \
 	    "G5" tens "7", "G5" tens "8", "G5" tens "9"
@@ -55,25 +60,20 @@ const char *state_system_name(int system)
 					       "G500"};
 	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
 							"G59", "G59.1", "G59.2", "G59.3"};
-	static const char *const extended[EXTENDED_COUNT + 1] = {
-	    EXTENDED_TEN(""),  EXTENDED_TEN("1"), EXTENDED_TEN("2"), EXTENDED_TEN("3"), EXTENDED_TEN("4"),
-	    EXTENDED_TEN("5"), EXTENDED_TEN("6"), EXTENDED_TEN("7"), EXTENDED_TEN("8"), EXTENDED_TEN("9")};
+	static const char *const extended[EXTENDED_COUNT + 1] = {EXTENDED_TEN(""), EXTENDED_TENS(""),
+								 EXTENDED_TEN("10"), EXTENDED_TENS("1"),
+								 EXTENDED_TEN("20"), EXTENDED_TENS("2"), "G54.1 P300"};
 
 	if (system >= SYSTEM_SETTABLE)
 		return settable[system - SYSTEM_SETTABLE];
 	return system < SYSTEM_COUNT ? names[system] : extended[system - SYSTEM_COUNT + 1];
 }
 
-/* The system of a name, "G154 P1" for "G54.1 P1" included, or -1. */
+/* The system of a name, or -1. */
 static int system_of_name(const char *name)
 {
 	for (int i = 0; i < SYSTEM_NONE; i++) {
-		const char *known = state_system_name(i);
-
-		if (!strcmp(name, known))
-			return i;
-		if (i >= SYSTEM_COUNT && i < SYSTEM_SETTABLE && !strncmp(name, "G154", 4) &&
-		    !strcmp(name + 4, known + 5))
+		if (!strcmp(name, state_system_name(i)))
 			return i;
 	}
 	return -1;

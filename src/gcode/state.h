@@ -19,8 +19,8 @@
 
 /* G54 to G59.3 */
 #define SYSTEM_COUNT 9
-/* G54.1 P1 and on (Fanuc), G154 P1 to P99, of which G110 to G129 are the first (Haas); they follow G59.3 */
-#define EXTENDED_COUNT 99
+/* G54.1 P1 to P300 (Fanuc), G154 P1 to P99, of which G110 to G129 are the first (Haas); they follow G59.3 */
+#define EXTENDED_COUNT 300
 
 /* G505 to G599 (Sinumerik) follow those, and then comes the work offset that is none (G500). */
 #define SETTABLE_COUNT 95

@@ -6,61 +6,26 @@
 #include "base/mem.h"
 #include "geom/tolerance.h"
 #include "machine/body_build.h"
+#include "machine/offset_name.h"
 #include "machine/stock_build.h"
 #include "machine/tool_build.h"
 #include "machine/variable_build.h"
 
-/* "G505" to "G599". */
-static bool is_settable_name(const char *name)
-{
-	return name[0] == 'G' && name[1] == '5' && strlen(name) == 4 && name[2] >= '0' && name[2] <= '9' &&
-	       name[3] >= '0' && name[3] <= '9' && (name[2] > '0' || name[3] >= '5');
-}
-
-/* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
-static bool is_extended_name(const char *name)
-{
-	const char *number = NULL;
-
-	if (!strncmp(name, "G54.1 P", 7))
-		number = name + 7;
-	else if (!strncmp(name, "G154 P", 6))
-		number = name + 6;
-	return number && strlen(number) <= 2 && number[0] >= '1' && number[0] <= '9' &&
-	       (!number[1] || (number[1] >= '0' && number[1] <= '9'));
-}
-
-/* "#0" to "#9999": a row of a datum table. */
-static bool is_row_name(const char *name)
-{
-	const size_t digits = strspn(name + (name[0] == '#'), "0123456789");
-
-	return name[0] == '#' && digits >= 1 && digits <= 4 && !name[1 + digits] && (name[1] != '0' || digits == 1);
-}
-
-static bool is_work_offset_name(const char *name)
-{
-	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-
-	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
-		if (!strcmp(name, names[i]))
-			return true;
-	return is_extended_name(name) || is_settable_name(name) || is_row_name(name);
-}
-
 static void build_work_offset(struct description_file *file, const struct work_offset_description *described,
 			      const struct machine *machine, struct setup *setup)
 {
-	struct work_offset offset = {.name = described->name, .checked = described->checked,
+	struct work_offset offset = {.checked = described->checked,
 				     .line = description_place(file, described->at).line};
+	char name[OFFSET_NAME_SIZE];
 
-	if (!is_work_offset_name(offset.name)) {
+	if (!offset_name_read(described->name, name)) {
 		description_fault(file, described->at, "name",
-				  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, "
-				  "G59.3, G54.1 P1 to P99, G505 to G599 or #0 to #9999",
+				  "name=\"%s\" of <work_offset> must be G54 to G59, G59.1, G59.2, G59.3, G54.1 P1 to "
+				  "P300 (or G154 P1 to P99, G110 to G129), G54.4 P1 to P7, G505 to G599 or #0 to #9999",
 				  description_quote(file, described->at, "name").text);
 		return;
 	}
+	offset.name = arena_strdup(&setup->arena, name);
 	for (size_t i = 0; i < setup->offset_count; i++) {
 		if (strcmp(setup->offsets[i].name, offset.name) == 0) {
 			description_fault(file, described->at, "name",

@@ -359,9 +359,7 @@ static const struct {
 	 "here\np.nc:4:1: note: O7 is called from here\np.nc:1:1: note: O7 is called from here\n"},
 	{F, "G5.1\n", "p.nc:1:1: error: G5.1 needs Q\n    G5.1\n    ^\n"},
 	{F, "G5.1 Q2 X1.\n",
-	 "p.nc:1:9: error: axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of "
-	 "the machine's <controller> says which one the control starts with\n    G5.1 Q2 X1.\n     "
-	 "       ^\n"},
+	 "p.nc:1:9: error: X of G5.1 names an axis that is smoothed; its value must be 0\n    G5.1 Q2 X1.\n            ^\n"},
 	{F, "G5 P3\n", "p.nc:1:1: error: G5: high-speed cycle machining is not supported yet\n    G5 P3\n    ^\n"},
 	{F, "G8 P2\n", "p.nc:1:4: error: P2: a whole number from 0 to 1 is needed\n    G8 P2\n       ^\n"},
 	{F, "G5.1 Q1\nG61\n",
@@ -381,9 +379,6 @@ static const struct {
 	{F, "G54.2 P1\n",
 	 "p.nc:1:1: error: G54.2: rotary table dynamic fixture offset (post with a work offset for each angle) is not supported "
 	 "yet, and P0, which ends it, is read\n    G54.2 P1\n    ^\n"},
-	{F, "G54.4 P1\n",
-	 "p.nc:1:1: error: G54.4: work setting error compensation is not supported yet, and P0, which ends it, is "
-	 "read\n    G54.4 P1\n    ^\n"},
 	{F, "G71 U2. R1.\n",
 	 "p.nc:1:1: error: G71: turning cycle of lathes (other controls mean millimetres: write G21) is not supported yet\n"
 	 "    G71 U2. R1.\n    ^\n"},

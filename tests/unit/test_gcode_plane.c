@@ -154,7 +154,7 @@ END_TEST
 /* The same manual, additional workpiece coordinate systems; Haas, G110-G129, G154, G10 L20. */
 START_TEST(additional_offsets)
 {
-	static const struct work_offset offsets[] = {{.name = "G54.1 P2", .value = {{7}}}, {.name = "G154 P48", .value = {{9}}}};
+	static const struct work_offset offsets[] = {{.name = "G54.1 P2", .value = {{7}}}, {.name = "G54.1 P48", .value = {{9}}}};
 	struct gcode_case c;
 
 	plane_case(&c, &dialect_fanuc);
@@ -403,7 +403,7 @@ static const struct bad bads[] = {
     {&dialect_haas, "", "G154 P2 G4", 6, "P belongs to G154 and to G4: which of them has it is not known; write two blocks"},
     {&dialect_haas, "", "G187 P2 G82 X1. Y1. Z-1. R1.", 6,
      "P belongs to G82 and to G187: which of them has it is not known; write two blocks"},
-    {&dialect_fanuc, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
+    {&dialect_fanuc, "", "G54.1 P301", 7, "P301: a whole number from 1 to 300 is needed"},
     {&dialect_haas, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
     {&dialect_fanuc, "", "G110", 1,
      "G110 is no G-code that is known in the fanuc dialect; <macro code=\"\"/> of the machine's <controller> "

@@ -21,8 +21,12 @@ static const struct xml_case bad[] = {
      "s.xml:2: error: unknown element <fixtur> in <setup>; did you mean <fixture>?\n"},
     {SETUP("<section length='1' diameter='1'/>"), "s.xml:2: error: element <section> does not belong in <setup>\n"},
     {SETUP("<work_offset name='G60'/>"),
-     "s.xml:2: error: name=\"G60\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3, "
-     "G54.1 P1 to P99, G505 to G599 or #0 to #9999\n"},
+     "s.xml:2: error: name=\"G60\" of <work_offset> must be G54 to G59, G59.1, G59.2, G59.3, G54.1 P1 to P300 (or "
+     "G154 P1 to P99, G110 to G129), G54.4 P1 to P7, G505 to G599 or #0 to #9999\n"},
+    {SETUP("<work_offset name='G154 P7'/>\n<work_offset name='G116'/>"),
+     "s.xml:3: error: work offset G54.1 P7 is given twice (the other in line 2)\n"},
+    {SETUP("<work_offset name='G54.1P9'/>\n<work_offset name='G54 P9'/>"),
+     "s.xml:3: error: work offset G54.1 P9 is given twice (the other in line 2)\n"},
     {SETUP("<work_offset name='G54' D='1'/>"), "s.xml:2: error: unknown attribute 'D' of <work_offset>\n"},
     {SETUP("<work_offset name='G54' X='1' B='0'/>"),
      "s.xml:2: error: work offset G54 has a value for B, but the machine has no axis B\n"},

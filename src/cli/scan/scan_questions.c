@@ -13,7 +13,8 @@
 /* An answer that is not the real one may make a loop endless: this takes seconds. */
 #define BLOCKS_MAX 3000000
 #define TOOLS 999
-#define OFFSETS 108
+/* G54 to G59.3, G54.1 P1 to P300, G54.4 P1 to P7. */
+#define OFFSETS 316
 #define OFFSET_NAME 16
 /* What a question names: a number, the name of a program, or the attributes of a variable. */
 #define ASKED_NAME 200
@@ -60,7 +61,8 @@ static void fill_tables(struct scan_questions *questions)
 	for (int i = 0; i < OFFSETS; i++) {
 		snprintf(questions->names[i], OFFSET_NAME, "%s", i < 9 ? first[i] : "");
 		if (i >= 9)
-			snprintf(questions->names[i], OFFSET_NAME, "G54.1 P%d", i - 8);
+			snprintf(questions->names[i], OFFSET_NAME, i < 309 ? "G54.1 P%d" : "G54.4 P%d",
+				 i < 309 ? i - 8 : i - 308);
 		questions->offsets[i] = (struct work_offset){.name = questions->names[i]};
 	}
 	config->has_setup = true;
@@ -233,6 +235,7 @@ static const struct question {
      CHOICE(length_under_g68, LENGTH_UNDER_G68_TURNED)},
     {"polar_axes=\"", "polar_axes=\"XA\", \"XB\" or \"XC\"", CHOICE(polar_axis, SLOT_C)},
     {"g53_with_g91=\"", "g53_with_g91=\"absolute\" or \"incremental\"", CHOICE(g53_with_g91, G53_WITH_G91_ABSOLUTE)},
+    {"path_tolerance=\"", "path_tolerance=\"\"", NUMBER(path_tolerance, 0.1)},
     {"unidirectional_overrun=\"", "unidirectional_overrun=\"\"", NUMBER(overrun, 1)},
     {"arc_radius_tolerance=\"", "arc_radius_tolerance=\"\" (parameter 3410)",
      NUMBER(arc_radius_tolerance, 1e6)},

@@ -340,6 +340,7 @@ struct family_guess family_guess(struct reader *reader)
 	if (reader->line > 0)
 		reader_seek(reader, start, 1);
 	reader->furthest = 0;
+	guess.rows = dialects;
 	for (int row = 0; agreed && dialect_names[row]; row++) {
 		if (dialects == 1U << row)
 			guess.row = row;

@@ -23,6 +23,7 @@ struct family_sign family_find(struct reader *reader, const char *dialect);
 /* Which dialect reads a program, as far as its first lines show it. */
 struct family_guess {
 	int row;	/* of control/dialects.h; -1: it is not certain */
+	unsigned rows;	/* a bit for each row that the signs leave open; 0 where no dialect reads the program */
 	struct family_sign sign;	/* what shows it; line 0: no sign of any control was found */
 	struct family_sign against;	/* a sign of another control; line 0: there is none */
 	const char *advice;	/* what to do with a file that is no text (base/file_signature.h), or NULL */

@@ -327,6 +327,7 @@ static bool execute_nonmodal(struct interp *interp)
 	case CODE_NONE:
 	case G4:	/* has been carried out */
 	case G53:	/* belongs to the motion */
+	case G22:	/* moves nothing */
 		return true;
 	default:
 		return fault(&interp->at, interp->block.g_column[G_NONMODAL], "G%g is not supported yet",

@@ -1,5 +1,7 @@
 #include "gcode/execute/path_control.h"
 
+#include "base/same_double.h"
+
 /*
  * AI contour control and its forerunners keep to the path within the control's
  * tolerances only, as G64 does.
@@ -21,7 +23,30 @@ static bool fault_other(struct interp *interp, const char *what)
 	return fault(&interp->at, interp->block.g_column[G_CONTOUR], "%s is not supported yet", what);
 }
 
-/* B-63944EN, AI contour control: Q1 on, Q0 off, R is the level of smoothness; Q2 and Q3 interpolate splines. */
+/*
+ * B-64484EN-2, "Smooth Interpolation" (Q2) and "Nano Smoothing" (Q3): a smooth curve near the programmed points, which
+ * leaves the programmed path as far as parameters of the control let it.
+ */
+static bool select_smoothing(struct interp *interp, int q)
+{
+	const struct block *block = &interp->block;
+
+	if (block->motion != CODE_NONE)
+		return fault(&interp->at, block->g_column[G_CONTOUR], "G5.1 Q%d needs a block without motion", q);
+	for (const char *letter = AXIS_LETTERS; *letter; letter++)
+		if (block_has(block, *letter) && !same_double(block_value(block, *letter), 0))
+			return fault(&interp->at, block_column(block, *letter),
+				     "%c of G5.1 names an axis that is smoothed; its value must be 0", *letter);
+	if (!(interp->config->controller.path_tolerance > 0))
+		return fault(&interp->at, block->g_column[G_CONTOUR],
+			     "G5.1 Q%d lets the control smooth the path: path_tolerance=\"\" of the machine's "
+			     "<controller> says how far from the programmed path it may go",
+			     q);
+	switch_contour(&interp->state, true);
+	return true;
+}
+
+/* B-63944EN, AI contour control: Q1 on, Q0 off, R is the level of smoothness. */
 static bool select_ai(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -34,8 +59,7 @@ static bool select_ai(struct interp *interp)
 	if (block_has(block, 'R') && !block_integer(block, &interp->at, 'R', 1, 10, &r))
 		return false;
 	if (q > 1)
-		return fault_other(interp, "G5.1 with Q2 or Q3: interpolation of splines through the programmed "
-					   "points");
+		return select_smoothing(interp, q);
 	if (block->letters & AXIS_BITS)
 		return fault_other(interp, "G5.1 with axis words");
 	switch_contour(&interp->state, q == 1);

@@ -1,5 +1,8 @@
 #include "gcode/execute/work_offset_use.h"
 
+#include <stdio.h>
+#include <string.h>
+
 #include "base/same_double.h"
 
 void work_offset_use_note(struct interp *interp, int system, int column)
@@ -46,14 +49,56 @@ bool work_offset_use_check(struct interp *interp)
 	return true;
 }
 
+/* A work offset of the setup by its name, or NULL. */
+static const struct work_offset *find_named(const struct gcode_config *config, const char *name)
+{
+	for (size_t i = 0; i < config->work_offset_count; i++) {
+		if (!strcmp(config->work_offsets[i].name, name))
+			return &config->work_offsets[i];
+	}
+	return NULL;
+}
+
+/*
+ * B-64484EN-2, "Workpiece Setting Error Compensation": the control holds how far the workpiece lies beside its place,
+ * and turned, under the number P. Where all of these values are 0, the code moves nothing.
+ */
+static bool use_setting_error(struct interp *interp)
+{
+	const int column = interp->block.g_column[G_NONMODAL];
+	const struct work_offset *error;
+	char name[16];
+	int number;
+
+	if (!block_integer(&interp->block, &interp->at, 'P', 1, 7, &number))
+		return false;
+	snprintf(name, sizeof(name), "G54.4 P%d", number);
+	error = find_named(interp->config, name);
+	if (!error)
+		return fault(&interp->at, column,
+			     "%s: the setup has no such work setting error; if the work offset already says where the "
+			     "workpiece lies, add <work_offset name=\"%s\"/>, whose values are 0",
+			     name, name);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(error->value.v[slot], 0))
+			return fault(&interp->at, column,
+				     "%s: compensation of a work setting error other than 0 is not supported; put the "
+				     "error into the work offset, and 0 into <work_offset name=\"%s\"/>",
+				     name, name);
+	}
+	return true;
+}
+
 bool work_offset_use_check_end(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	const bool by_table = block->g[G_NONMODAL] == G54_2;
 
-	return (block_has(block, 'P') && same_double(block_value(block, 'P'), 0)) ||
-	       fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is "
-							       "read",
-		     by_table ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
-			      : "G54.4: work setting error compensation");
+	if (block_has(block, 'P') && same_double(block_value(block, 'P'), 0))
+		return true;
+	if (block->g[G_NONMODAL] == G54_4 && block_has(block, 'P'))
+		return use_setting_error(interp);
+	return fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is read",
+		     block->g[G_NONMODAL] == G54_2
+			 ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
+			 : "G54.4 without P");
 }

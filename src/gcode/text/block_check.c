@@ -9,7 +9,7 @@
 static bool takes_axis_words(int code)
 {
 	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92 ||
-	       code == G7_1 || code == G150;
+	       code == G7_1 || code == G22 || code == G150;
 }
 
 static bool is_arc(int code)
@@ -54,6 +54,8 @@ static bool belong_to_mode(struct block *block, const struct line_place *at, boo
 
 	if ((block->g[G_LENGTH] == G43_1 || block->g[G_LENGTH] == G43_2) && axes) {
 		*good = stands_apart(block, at, G_LENGTH, " with axis words needs a block without motion or offsets");
+	} else if (block->g[G_CONTOUR] == G5_1 && axes && given == CODE_NONE) {
+		*good = stands_apart(block, at, G_CONTOUR, " with axis words needs a block without motion or offsets");
 	} else if (block->g[G_MIRROR] != CODE_NONE && axes) {
 		*good = stands_apart(block, at, G_MIRROR, " with axis words needs a block without motion or offsets");
 	} else if (block->g[G_SCALING] == G51) {

@@ -125,6 +125,8 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 	case G12:
 	case G13:
 		return letter_bits("DIKLQ");
+	case G22:
+		return letter_bits("IJK");
 	case G30:
 		return traits->g30_has_number != ANSWER_NO ? letter_bit('P') : 0;
 	/* Which solution it takes: execute/coordinate_rotation.c. */
@@ -144,10 +146,10 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 	}
 }
 
-/* Does the P of a block with G54 lie beyond the additional offsets, and another code take it? */
+/* Does the P of a block with G54 lie beyond the usual additional offsets, and another code take it? */
 static bool leaves_number(const struct block *block, const struct dialect *dialect)
 {
-	return block_has(block, 'P') && block_value(block, 'P') > dialect->traits.additional_offsets &&
+	return block_has(block, 'P') && block_value(block, 'P') > dialect->traits.shared_p &&
 	       (block_is_call(block, dialect) ||
 		((motion_letters(block, dialect) | nonmodal_letters(block, dialect)) & letter_bit('P')));
 }

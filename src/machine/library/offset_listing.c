@@ -12,7 +12,7 @@
 #include "machine/tool_build.h"
 
 /* A program that only writes offsets begins to do so soon. */
-enum { FIRST_LINES = 50, WORK_OFFSETS = 6, EXTENDED_WORK_OFFSETS = 99 };
+enum { FIRST_LINES = 50, WORK_OFFSETS = 6, EXTENDED_WORK_OFFSETS = 300 };
 
 /* What the registers of a number hold, in mm. */
 struct registers {
@@ -153,7 +153,7 @@ static bool name_offset(const struct reading *r, const struct line *line, bool e
 	long number = whole(line, 'P', extended ? 1 : 0, extended ? EXTENDED_WORK_OFFSETS : WORK_OFFSETS);
 
 	if (number < 0)
-		return fault(r, extended ? "G10 L20 needs P1 to P99" : "G10 L2 needs P0 to P6");
+		return fault(r, extended ? "G10 L20 needs P1 to P300" : "G10 L2 needs P0 to P6");
 	if (extended)
 		strbuf_addf(name, "G54.1 P%ld", number);
 	else if (number)

@@ -16,7 +16,7 @@ static const struct code g_codes[] = {
 	{33, GROUP_NONE, CODE_REFUSED, "exponential function interpolation, counter-clockwise"},
 	{34, GROUP_NONE, CODE_REFUSED, "circular interpolation in space, counter-clockwise"},
 	{G5, G_CONTOUR, CODE_READ, "high-speed machining (P10000) and smoothing"},
-	{G5_1, G_CONTOUR, CODE_READ, "AI contour control"},
+	{G5_1, G_CONTOUR, CODE_READ, "AI contour control, smooth interpolation, nano smoothing"},
 	{54, GROUP_NONE, CODE_REFUSED, "high-speed high-precision contouring"},
 	{61, GROUP_NONE, CODE_REFUSED, "spline interpolation"},
 	{G6_2, G_MOTION, CODE_BOUNDED, "NURBS interpolation"},
@@ -28,7 +28,8 @@ static const struct code g_codes[] = {
 	{G13_1, G_NONMODAL, CODE_READ, "end of polar coordinate interpolation"},
 	{G15, G_POLAR, CODE_READ, "end of polar coordinates"},
 	{G16, G_POLAR, CODE_READ, "polar coordinate command"},
-	{220, GROUP_NONE, CODE_REFUSED, "stored stroke check with a zone of the program"},
+	/* B-64484EN-2, "Stored Stroke Check": the zone stops the machine with an alarm, and moves nothing. */
+	{G22, G_NONMODAL, CODE_IGNORED, "stored stroke check"},
 	{230, GROUP_NONE, CODE_IGNORED, "end of the stored stroke check"},
 	{250, GROUP_NONE, CODE_IGNORED, "end of spindle speed fluctuation detection"},
 	{260, GROUP_NONE, CODE_IGNORED, "spindle speed fluctuation detection"},
@@ -55,7 +56,7 @@ static const struct code g_codes[] = {
 	{G53_1, G_NONMODAL, CODE_READ, "tool axis direction control"},
 	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
 	{G54_2, G_NONMODAL, CODE_READ, "end of the rotary table dynamic fixture offset (P0); another P is refused"},
-	{G54_4, G_NONMODAL, CODE_READ, "end of the work setting error compensation (P0); another P is refused"},
+	{G54_4, G_NONMODAL, CODE_READ, "work setting error compensation, of values that are 0"},
 	/* Of controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
 	{G61_1, G_PATH, CODE_READ, "high-accuracy control"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
@@ -185,8 +186,9 @@ const struct dialect dialect_fanuc = {
 		/* B-64484EN, "Tool Function": T and M reach the builder's ladder at once. */
 		.m6_loads_own_t = ANSWER_NO,
 		.tool_change_stays = ANSWER_NO,
-		/* G54.1 P1 to P48; G54 with P is the same. */
-		.additional_offsets = 48,
+		/* G54.1 P1 to P48, or to P300 as an option; G54 with P is the same. */
+		.additional_offsets = EXTENDED_COUNT,
+		.shared_p = 48,
 		.g54_has_number = ANSWER_YES,
 		.g10_first = 1,
 		.g10_last = 6,

@@ -321,6 +321,29 @@ static bool take_local(struct interp *interp, int *number)
 }
 
 /*
+ * A P of five to eight digits, without L: repetitions and program. Where programs have numbers of eight digits
+ * (parameter 11304#3), it is a program: then there is one of this number.
+ */
+static bool split_p(struct interp *interp, int *number, int *repeats)
+{
+	const int column = block_column(&interp->block, 'P'), program = *number % 10000, count = *number / 10000;
+	bool whole, part;
+
+	if (program == 0)
+		return fault(&interp->at, column, "the program's number, the last four digits of P, is 0");
+	if (!macro_b_seek_has_program(interp, *number, column, &whole) ||
+	    (whole && !macro_b_seek_has_program(interp, program, column, &part)))
+		return false;
+	if (whole && (part || builder_macro_of_program(interp, program)))
+		return fault(&interp->at, column,
+			     "P%d may call O%d once or O%d %d times, and both are there: write L1, or P%d and L%d",
+			     *number, *number, program, count, program, count);
+	*repeats = whole ? 1 : count;
+	*number = whole ? *number : program;
+	return true;
+}
+
+/*
  * B-63944EN, subprogram call: P is the number of the program. Without L, the last
  * four digits of a longer P are the program, and those before them the
  * repetitions. Haas, M98: P and L.
@@ -343,15 +366,7 @@ static bool read_m98(struct interp *interp, int *number, int *repeats)
 		return false;
 	if (block_has(block, 'L'))
 		return block_integer(block, &interp->at, 'L', 1, 9999, repeats);
-	if (rules->m98_repeats_in_p && *number > 9999) {
-		*repeats = *number / 10000;
-		*number %= 10000;
-		if (*number == 0)
-			return fault(&interp->at, block_column(block, 'P'),
-				     "the program's number, the last four digits "
-									    "of P, is 0");
-	}
-	return true;
+	return !rules->m98_repeats_in_p || *number <= 9999 || split_p(interp, number, repeats);
 }
 
 static bool do_m98(struct interp *interp, int column)

@@ -389,6 +389,29 @@ bool macro_b_seek_program(struct interp *interp, int number, int column, struct 
 	return true;
 }
 
+bool macro_b_seek_has_program(struct interp *interp, int number, int column, bool *has)
+{
+	const struct position in_hand = {interp->program.source, 0, 1};
+	struct search search = {.aim = AIM_PROGRAM, .number = number};
+	struct position found = in_hand;
+	struct source *file = NULL;
+	bool unfinished;
+	char key[96];
+
+	*has = remembered(interp, &in_hand, "O", number, key) != NULL;
+	/* Of a program that is not there it is remembered, too, for calls in a loop. */
+	if (*has || remembered(interp, &in_hand, "no O", number, key))
+		return true;
+	*has = look_in_main(interp, number, column, &found, &unfinished) ||
+	       look(interp, &search, &in_hand, 0, column, &found);
+	if (!*has && !program_files_find(interp, number, column, &file))
+		return false;
+	*has = *has || file;
+	if (!*has)
+		remember(interp, key, &found);
+	return true;
+}
+
 bool macro_b_seek_jump(struct interp *interp, const struct position *to, int column)
 {
 	struct macro_b_call *call = macro_b_call_in_hand(interp);

@@ -27,4 +27,7 @@ bool macro_b_seek_end(struct interp *interp, int number, int column, struct posi
 /* The program O<number>: in the program's own file, in the one in hand, or in a file of its name. */
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found);
 
+/* *has: macro_b_seek_program would find a program O<number>. False: reported at the column. */
+bool macro_b_seek_has_program(struct interp *interp, int number, int column, bool *has);
+
 #endif

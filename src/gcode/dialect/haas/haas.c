@@ -212,7 +212,7 @@ const struct dialect dialect_haas = {
 		.m6_loads_own_t = ANSWER_YES,
 		.tool_change_stays = ANSWER_NO,
 		/* G154 P1 to P99; G110 to G129 are the first of them. */
-		.additional_offsets = EXTENDED_COUNT,
+		.additional_offsets = 99,
 		.g54_has_number = ANSWER_NO,
 		.g10_first = 1,
 		.g10_last = 6,
