@@ -12,6 +12,7 @@
 #include "gcode/execute/execute.h"
 #include "gcode/execute/spline_move.h"
 #include "gcode/fault_list.h"
+#include "gcode/read_on.h"
 #include "gcode/state.h"
 #include "gcode/text/leader.h"
 #include "gcode/text/line_shape.h"
@@ -82,30 +83,6 @@ static bool take_percent(struct interp *interp, const char *text)
 	return true;
 }
 
-static bool hear_nothing(void *context, const struct canon_event *event)
-{
-	(void)context;
-	(void)event;
-	return true;
-}
-
-/*
- * After a fault, the next word or block is where the program can be understood again. Where the axes are is not known
- * from there on, so that nobody hears of moves any more. False: no fault was reported since.
- */
-static bool read_on(struct interp *interp, size_t errors_before)
-{
-	static const struct canon_sink deaf = {NULL, hear_nothing};
-
-	if (!interp->config->read.all_faults || interp->diag->errors == errors_before)
-		return false;
-	if (!interp->faulty)
-		interp->program.faulty_from = interp->program.blocks;
-	interp->program.faulty = interp->faulty = true;
-	interp->sink = &deaf;
-	return true;
-}
-
 /* The words of a block that is no plain move, and the motion that they ask for. */
 static APART bool take_words(struct interp *interp)
 {
@@ -127,6 +104,7 @@ static APART bool take_words(struct interp *interp)
 		return false;
 	/* A word less: what the rest lacks for it is no fault of its own. */
 	if (read_on(interp, errors)) {
+		interp->lost = AXIS_BITS;
 		unheard = (struct diag){0};
 		again = interp->at;
 		again.diag = &unheard;
@@ -362,6 +340,8 @@ static bool run_lines(struct interp *interp)
 		if (!interp->program.start.source)
 			interp->program.start = source_here(interp->program.source);
 		good = run_line_called(interp);
+		if (!good)
+			read_on_lose(interp);
 		good = read_on(interp, errors) || good;
 	}
 	return good;

@@ -32,9 +32,9 @@ static slot_values from_canonical(const axis_values *values)
 	"G54.1 P" tens "0", "G54.1 P" tens "1", "G54.1 P" tens "2", "G54.1 P" tens "3", "G54.1 P" tens "4", \
 	    "G54.1 P" tens "5", "G54.1 P" tens "6", "G54.1 P" tens "7", "G54.1 P" tens "8", "G54.1 P" tens "9"
 
-#define EXTENDED_TENS(hundreds) \
-	EXTENDED_TEN(hundreds "1"), EXTENDED_TEN(hundreds "2"), EXTENDED_TEN(hundreds "3"), \
-	    EXTENDED_TEN(hundreds "4"), EXTENDED_TEN(hundreds "5"), EXTENDED_TEN(hundreds "6"), \
+#define EXTENDED_TENS(hundreds)                                                                                        \
+	EXTENDED_TEN(hundreds "1"), EXTENDED_TEN(hundreds "2"), EXTENDED_TEN(hundreds "3"),                            \
+	    EXTENDED_TEN(hundreds "4"), EXTENDED_TEN(hundreds "5"), EXTENDED_TEN(hundreds "6"),                        \
 	    EXTENDED_TEN(hundreds "7"), EXTENDED_TEN(hundreds "8"), EXTENDED_TEN(hundreds "9")
 
 #define SETTABLE_TEN(tens) \
@@ -60,9 +60,9 @@ const char *state_system_name(int system)
 					       "G500"};
 	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
 							"G59", "G59.1", "G59.2", "G59.3"};
-	static const char *const extended[EXTENDED_COUNT + 1] = {EXTENDED_TEN(""), EXTENDED_TENS(""),
-								 EXTENDED_TEN("10"), EXTENDED_TENS("1"),
-								 EXTENDED_TEN("20"), EXTENDED_TENS("2"), "G54.1 P300"};
+	static const char *const extended[EXTENDED_COUNT + 1] = {
+	    EXTENDED_TEN(""),	EXTENDED_TENS(""),  EXTENDED_TEN("10"), EXTENDED_TENS("1"),
+	    EXTENDED_TEN("20"), EXTENDED_TENS("2"), "G54.1 P300"};
 
 	if (system >= SYSTEM_SETTABLE)
 		return settable[system - SYSTEM_SETTABLE];

@@ -273,6 +273,7 @@ struct interp {
 	bool ended;
 	long furthest;	/* line of the main program that was carried out */
 	bool faulty;	/* a fault was reported, and the program is read on to report the others */
+	uint32_t lost;	/* bits of the axes whose position is not known since then (read_on.h) */
 	int moves;	/* of the block so far */
 };
 

@@ -19,3 +19,24 @@ printf 'G21 G90\nN10 #1=SQRT[-1]\nGOTO 10\nM30\n' >endless.nc
 status fivecheck --parse-only -a m.xml endless.nc 2>&1
 printf 'G21 G90\nG0 X5.\nM30\n' >good.nc
 status fivecheck -q --parse-only -a m.xml good.nc 2>&1
+
+# What the setup lacks is one fault each: the block is carried out, and arcs behind it have their radius.
+cat >lacks.nc <<'END'
+G21 G90 G17 G0 X0 Y0
+T3 M6
+G55 G0 X10. Y5.
+G43 H4 Z1.
+G1 G41 D6 Y10. F100
+G3 X5. Y15. I-5.
+G1 G40 X0
+G59 X1. M77
+G2 X3. I1.
+G0 G56 X#500 Y1.
+G2 X5. Y2. R1.
+G2 X3. Y4. I-1. J1.
+M30
+END
+echo '<setup version="1"><work_offset name="G54"/></setup>' >empty.xml
+stock_mill
+sed 's|<base>|<controller dialect="fanuc" least_input="0.001"/><base>|; s|least_input|length_offset_moves="no" least_input|; s|"0.001"/>|"0.001"><tool_change/></controller>|' m.xml >more.xml
+status fivecheck -q --parse-only -a -s empty.xml more.xml lacks.nc 2>&1

@@ -259,6 +259,15 @@ static bool send_arc(struct interp *interp, const struct arc_plane *plane, const
 	return motion_commands_go(interp, target, move);
 }
 
+/* Where the arc starts is not known since a fault: its end is reached all the same, and nothing hears of the way. */
+static bool go_from_lost(struct interp *interp, const slot_values *target)
+{
+	struct canon_move move = {.kind = CANON_FEED};
+
+	return cutter_comp_is_on(interp) ? cutter_comp_line(interp, target, &move)
+					 : motion_commands_go(interp, target, &move);
+}
+
 bool arc_move_run(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -266,6 +275,7 @@ bool arc_move_run(struct interp *interp)
 	const slot_values here = rotated_frame_straight(&interp->state);
 	struct canon_move move = {.kind = CANON_ARC};
 	struct plane_point start = in_plane(plane, &here), end, centre;
+	const uint32_t lost = interp->lost;
 	slot_values target;
 	int turns = 1;
 
@@ -277,6 +287,8 @@ bool arc_move_run(struct interp *interp)
 	if (!check_words(interp, plane) || !motion_commands_feed(interp, &move.feed) ||
 	    !endpoint_find(interp, false, &target))
 		return false;
+	if (lost & (letter_bit(AXIS_LETTERS[plane->a]) | letter_bit(AXIS_LETTERS[plane->b])))
+		return go_from_lost(interp, &target);
 	/* LinuxCNC gives P to the arc and to a G64 of the block. */
 	if ((block_has(block, 'P') && !find_turns(interp, &turns)) || !check_start(interp, plane))
 		return false;

@@ -172,5 +172,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		if (probed)
 			settle(interp, slot);
 	}
+	if (interp->lost && !incremental)
+		interp->lost &= ~block->letters;
 	return machine || !state->polar.on || polar_coordinates_find(interp, target);
 }

@@ -7,6 +7,7 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/tool_table.h"
+#include "gcode/read_on.h"
 
 /*
  * M6 and T in one block: where the builder has them carried out at once, M6 may load the tool that waits from an
@@ -82,9 +83,10 @@ static bool check_tool(struct interp *interp, int number, int column)
 {
 	if (!interp->config->has_setup || number == 0 || tool_table_find(&interp->tools, number))
 		return true;
-	return fault(&interp->at, column,
-		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
-		     number, number);
+	return read_on_without(
+	    interp, column,
+	    "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of", number,
+	    number);
 }
 
 /* LinuxCNC's manual, "M61": another tool is in the spindle, and nothing has moved. */

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "gcode/execute/coordinate_conversion.h"
 #include "gcode/execute/length_change.h"
+#include "gcode/read_on.h"
 
 axis_values tool_length_rotary_zero(const struct interp *interp)
 {
@@ -195,11 +196,12 @@ static bool find_length(struct interp *interp, double *length)
 	}
 	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
-	return fault(&interp->at, column,
-		     "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, "
-		     "or a <tool> of "
-		     "this number",
-		     number, number);
+	return read_on_without(
+	    interp, column,
+	    "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, "
+	    "or a <tool> of "
+	    "this number",
+	    number, number);
 }
 
 /*

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/same_double.h"
+#include "gcode/read_on.h"
 
 void work_offset_use_note(struct interp *interp, int system, int column)
 {
@@ -19,8 +20,9 @@ bool work_offset_use_require(struct interp *interp, int system, int column)
 
 	if (!interp->config->has_setup || interp->state.work_known[system])
 		return true;
-	return fault(
-	    &interp->at, column,
+	interp->state.work_known[system] = interp->config->read.all_faults;
+	return read_on_without(
+	    interp, column,
 	    "the setup defines no work offset %s: add <work_offset name=\"%s\" X=\"\" Y=\"\" Z=\"\"/> with its values",
 	    name, name);
 }
@@ -75,10 +77,11 @@ static bool use_setting_error(struct interp *interp)
 	snprintf(name, sizeof(name), "G54.4 P%d", number);
 	error = find_named(interp->config, name);
 	if (!error)
-		return fault(&interp->at, column,
-			     "%s: the setup has no such work setting error; if the work offset already says where the "
-			     "workpiece lies, add <work_offset name=\"%s\"/>, whose values are 0",
-			     name, name);
+		return read_on_without(
+		    interp, column,
+		    "%s: the setup has no such work setting error; if the work offset already says where the "
+		    "workpiece lies, add <work_offset name=\"%s\"/>, whose values are 0",
+		    name, name);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!same_double(error->value.v[slot], 0))
 			return fault(&interp->at, column,
@@ -97,7 +100,8 @@ bool work_offset_use_check_end(struct interp *interp)
 		return true;
 	if (block->g[G_NONMODAL] == G54_4 && block_has(block, 'P'))
 		return use_setting_error(interp);
-	return fault(&interp->at, block->g_column[G_NONMODAL], "%s is not supported yet, and P0, which ends it, is read",
+	return fault(&interp->at, block->g_column[G_NONMODAL],
+		     "%s is not supported yet, and P0, which ends it, is read",
 		     block->g[G_NONMODAL] == G54_2
 			 ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
 			 : "G54.4 without P");

@@ -320,10 +320,7 @@ static bool take_local(struct interp *interp, int *number)
 	return block_integer(block, &interp->at, 'Q', 1, 99999999, number);
 }
 
-/*
- * A P of five to eight digits, without L: repetitions and program. Where programs have numbers of eight digits
- * (parameter 11304#3), it is a program: then there is one of this number.
- */
+/* A P of five to eight digits, without L: repetitions and program, or (parameter 11304#3) one program. */
 static bool split_p(struct interp *interp, int *number, int *repeats)
 {
 	const int column = block_column(&interp->block, 'P'), program = *number % 10000, count = *number / 10000;
@@ -344,9 +341,8 @@ static bool split_p(struct interp *interp, int *number, int *repeats)
 }
 
 /*
- * B-63944EN, subprogram call: P is the number of the program. Without L, the last
- * four digits of a longer P are the program, and those before them the
- * repetitions. Haas, M98: P and L.
+ * B-63944EN, subprogram call: P is the number of the program. Without L, the last four digits of a longer P are the
+ * program, and those before them the repetitions. Haas, M98: P and L.
  */
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {

@@ -4,6 +4,7 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
+#include "gcode/read_on.h"
 
 static bool find_radius(struct interp *interp, double *radius)
 {
@@ -47,8 +48,8 @@ static bool find_radius_in_table(struct interp *interp, double *radius)
 		return true;
 	offset = tool_table_radius(&interp->tools, number);
 	if (!offset)
-		return fault(
-		    &interp->at, column,
+		return read_on_without(
+		    interp, column,
 		    "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the tool's whole "
 		    "radius if the program has the part's contour, its wear (or 0) if it has the path of the tool's "
 		    "centre",
