@@ -13,8 +13,8 @@
  */
 #define DIALECTS(ROW)                                                                                                  \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
-	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true,                                          \
-		.presets = presets_of_parameters)                                                                      \
+	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true, .has_length_axis = true,                 \
+	    .presets = presets_of_parameters)                                                                          \
 	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
 	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                              \
@@ -41,6 +41,8 @@ struct dialect_row {
 	 * orientation_pole, power_on_work_offset, increments_after_shift.
 	 */
 	bool has_frames;
+	/* A parameter says along which axis G43 acts: tool_length_axis. */
+	bool has_length_axis;
 	/* Blocks may give the direction of the tool (G43.5): orientation_interpolation. */
 	bool has_tool_vectors;
 	/*

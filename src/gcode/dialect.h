@@ -194,6 +194,7 @@ struct dialect_traits {
 	enum answer d_alone;	/* D may stand in any block: it moves nothing */
 	enum d_word d_word;
 	enum answer comp_waits;	/* G41 without a move waits for one; no: the machine file says it */
+	enum answer length_axis_asked;	/* a parameter decides along which axis the length acts */
 	enum answer length_never_moves;	/* its change moves no axis; no: the machine file says it */
 	enum answer g49_finds_length_gone;	/* after G28, G30, G53 that may have taken it back */
 	const char *call_letters;	/* of M97 to M99; NULL: none */

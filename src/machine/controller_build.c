@@ -198,7 +198,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->t_changes_tool && !frames, "t_changes_tool", NO_PARAMETER},
 		{told->frames_outlive_traori && !frames, "frames_outlive_traori", NO_PARAMETER},
 		{told->frames_outlive_cycle800 && !frames, "frames_outlive_cycle800", NO_PARAMETER},
-		{told->length_along_z && !frames, "tool_length_axis", NO_PARAMETER},
+		{told->length_along_z && !frames && !row->has_length_axis, "tool_length_axis", NO_PARAMETER},
 		{told->swivel_axis && !frames, "swivel_axis", NO_PARAMETER},
 		{told->orientation_pole && !frames, "orientation_pole", NO_PARAMETER},
 		{told->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},

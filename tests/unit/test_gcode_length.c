@@ -200,12 +200,44 @@ START_TEST(open)
 }
 END_TEST
 
+/* B-64484EN-2, "Tool Length Offset": types B and C, of which type A differs in these blocks only. */
+START_TEST(axis_of_the_length)
+{
+	static const char *const open[] = {"G17 G43 X5. H2", "G17 G43 Y5. H2", "G18 G43 Z5. H2", "G19 G43 H2"};
+	static const char *const same[] = {"G17 G43 X5. Y5. H2", "G17 G43 X5. Z5. H2", "G17 G43 H2", "G18 G43 X5. H0"};
+	static const struct length_offset lengths[] = {{2, 7}};
+
+	for (size_t i = 0; i < COUNT(open) + COUNT(same); i++) {
+		const bool is_open = i < COUNT(open);
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		strbuf_addf(&program, "G0\n%s\nM30\n", is_open ? open[i] : same[i - COUNT(open)]);
+		for (int told = 0; told < 2; told++) {
+			case_init(&c);
+			c.config.dialect = &dialect_fanuc;
+			c.config.has_setup = true;
+			c.config.lengths = lengths;
+			c.config.length_count = COUNT(lengths);
+			c.config.controller.length_moves = ANSWER_NO;
+			c.config.controller.length_along_z = told ? ANSWER_YES : ANSWER_UNKNOWN;
+			ck_assert_msg(case_run(&c, strbuf_text(&program)) == (told || !is_open), "%s%s",
+				      strbuf_text(&program), strbuf_text(&c.messages));
+			ck_assert(told || !is_open || strstr(strbuf_text(&c.messages), "tool_length_axis=\"z\""));
+			case_release(&c);
+		}
+		strbuf_release(&program);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("gcode_length");
 
 	tcase_add_test(tcase, either_way);
 	tcase_add_test(tcase, axes_stand);
+	tcase_add_test(tcase, axis_of_the_length);
 	tcase_add_test(tcase, number_stays);
 	tcase_add_test(tcase, axes_move);
 	tcase_add_test(tcase, tool_change_leaves_doubt);

@@ -304,6 +304,29 @@ static bool take_h_alone(struct interp *interp)
 	return true;
 }
 
+/*
+ * Fanuc B-64484EN-2, "Tool Length Offset": by type A the length acts along Z, by type B across the plane, by type C along
+ * the axis that the block names; Mitsubishi's controls do as by type C. They differ in G18 and G19, and where the block
+ * names another linear axis alone, as programs for angle heads do.
+ */
+static bool check_length_axis(const struct interp *interp, int column, double length)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+	const uint32_t others = block->letters & letter_bits("XYUVW");
+	const bool alone = others && !(others & (others - 1)) && !block_has(block, 'Z');
+
+	if (traits_of(interp)->length_axis_asked != ANSWER_YES ||
+	    interp->config->controller.length_along_z == ANSWER_YES || (state->plane == G17 && !alone) ||
+	    (same_double(length, 0) && same_double(state->length, 0)))
+		return true;
+	return fault(&interp->at, column,
+		     "%s: a parameter of the control (5001#0 and #1) decides along which axis the tool's length acts: "
+		     "tool_length_axis=\"z\" of the machine's <controller> says that it is always Z; another axis is not "
+		     "supported",
+		     alone ? "G43 beside one axis other than Z" : "G43 in G18 or G19");
+}
+
 bool tool_length_select(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -327,6 +350,8 @@ bool tool_length_select(struct interp *interp)
 	    (!(code == G43_1 || code == G43_2 ? find_length_in_words(interp, code, &length)
 					      : find_length(interp, &length)) ||
 	     !coordinate_conversion_knows_length(interp, column, length)))
+		return false;
+	if (code == G43 && !check_length_axis(interp, column, length))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");

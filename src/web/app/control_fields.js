@@ -51,7 +51,7 @@ export const ATTRIBUTES = [
 	row('frames_outlive_cycle800', ['sinumerik'], 'are frames in force after CYCLE800 takes the plane back?', ['yes', 'no']),
 	row('increments_after_shift', ['sinumerik'], 'what an increment does after a change of frames or lengths', ['traverse', 'stay']),
 	row('increments_after_shift', ['klartext'], 'what an increment does after a change of datum or lengths', ['stay']),
-	row('tool_length_axis', ['sinumerik'], 'the length acts along Z in G18 and G19, too', ['z']),
+	row('tool_length_axis', ['fanuc', 'sinumerik'], 'the length always acts along Z', ['z']),
 	row('swivel_axis', ['sinumerik'], 'rotary axis whose value DIR of CYCLE800 looks at', ['A', 'B', 'C']),
 	row('swivel_pole', ['sinumerik', 'klartext'], 'what CYCLE800 or PLANE does with an axis that the tool points along', ['zero', 'stays']),
 	row('cycle_19_angles', ['klartext'], 'what the angles of CYCL DEF 19 are', ['spatial', 'axes']),

@@ -209,6 +209,8 @@ const struct dialect dialect_fanuc = {
 		.d_word = D_WORD_RADIUS,
 		/* "Start-up", type C (parameter 5003#1, SUV): the tool goes aside at once. */
 		.comp_waits = ANSWER_NO,
+		/* "Tool Length Offset": types A, B and C, parameter 5001#0 (TLC) and #1 (TLB). */
+		.length_axis_asked = ANSWER_YES,
 		.length_never_moves = ANSWER_NO,
 		/* B-63844EN, see after_machine_move. */
 		.g49_finds_length_gone = ANSWER_YES,
