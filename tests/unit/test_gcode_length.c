@@ -32,7 +32,7 @@ START_TEST(either_way)
 			const struct dialect *dialect = dialects[k];
 
 			/* Safe starts; the usual first approach; the same length again. */
-			run(dialect, answer, "G40 G49 G80\nG43 H1 G0 X1. Z5.\nG43 H1\nG49 G53 Z0.\nG49\nM30\n",
+			run(dialect, answer, "G40 G49 G80\nG43 H1 G0 X1. Y0 Z5.\nG43 H1\nG49 G53 Z0.\nG49\nM30\n",
 			    "rapid 1 0 105 0 0\nrapid 1 0 0 0 0\n");
 			/* A motion in force, helices. */
 			run(dialect, answer, "G1 F9. X1.\nG43 H2 Z1.\nG17 G49 G2 I5. Z7.\nM30\n",
@@ -66,7 +66,7 @@ END_TEST
 /* Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift Types": parameter TOS at 1. */
 START_TEST(axes_stand)
 {
-	run(&dialect_fanuc, ANSWER_NO, "G43 H1 G0 X1.\nX2.\nZ3.\nG49\nG91 G43 H2 Z1.\nX1.\nM30\n",
+	run(&dialect_fanuc, ANSWER_NO, "G43 H1 G0 X1. Y0\nX2.\nZ3.\nG49\nG91 G43 H2 Z1.\nX1.\nM30\n",
 	    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 103 0 0\nrapid 2 0 104 0 0\nrapid 3 0 104 0 0\n");
 }
 END_TEST
@@ -77,7 +77,7 @@ END_TEST
  */
 START_TEST(axes_move)
 {
-	run(&dialect_fanuc, ANSWER_YES, "G0 Z1.\nG43 H1\nX1.\nG43 H2 X2.\nG91 G43 H1 Z1.\nG49\nX1.\nG90 Z5.\nM30\n",
+	run(&dialect_fanuc, ANSWER_YES, "G0 Z1.\nG43 H1\nX1.\nG43 H2 X2. Y0\nG91 G43 H1 Z1.\nG49\nX1.\nG90 Z5.\nM30\n",
 	    "rapid 0 0 1 0 0\nrapid 0 0 101 0 0\nrapid 1 0 101 0 0\nrapid 2 0 41 0 0\nrapid 2 0 102 0 0\n"
 	    "rapid 2 0 2 0 0\nrapid 3 0 2 0 0\nrapid 3 0 5 0 0\n");
 	run(&dialect_fanuc, ANSWER_YES, "G1 F9. G43 H1\nX1.\nG80 G49\nM30\n",
@@ -203,22 +203,22 @@ END_TEST
 /* B-64484EN-2, "Tool Length Offset": types B and C, of which type A differs in these blocks only. */
 START_TEST(axis_of_the_length)
 {
-	static const char *const open[] = {"G17 G43 X5. H2", "G17 G43 Y5. H2", "G18 G43 Z5. H2", "G19 G43 H2"};
+	static const char *const asked[] = {"G17 G43 X5. H2", "G17 G43 Y5. H2", "G18 G43 Z5. H2", "G19 G43 H2"};
 	static const char *const same[] = {"G17 G43 X5. Y5. H2", "G17 G43 X5. Z5. H2", "G17 G43 H2", "G18 G43 X5. H0"};
-	static const struct length_offset lengths[] = {{2, 7}};
+	static const struct length_offset table[] = {{2, 7}};
 
-	for (size_t i = 0; i < COUNT(open) + COUNT(same); i++) {
-		const bool is_open = i < COUNT(open);
+	for (size_t i = 0; i < COUNT(asked) + COUNT(same); i++) {
+		const bool is_open = i < COUNT(asked);
 		struct strbuf program = {0};
 		struct gcode_case c;
 
-		strbuf_addf(&program, "G0\n%s\nM30\n", is_open ? open[i] : same[i - COUNT(open)]);
+		strbuf_addf(&program, "G0\n%s\nM30\n", is_open ? asked[i] : same[i - COUNT(asked)]);
 		for (int told = 0; told < 2; told++) {
 			case_init(&c);
 			c.config.dialect = &dialect_fanuc;
 			c.config.has_setup = true;
-			c.config.lengths = lengths;
-			c.config.length_count = COUNT(lengths);
+			c.config.lengths = table;
+			c.config.length_count = COUNT(table);
 			c.config.controller.length_moves = ANSWER_NO;
 			c.config.controller.length_along_z = told ? ANSWER_YES : ANSWER_UNKNOWN;
 			ck_assert_msg(case_run(&c, strbuf_text(&program)) == (told || !is_open), "%s%s",

@@ -305,9 +305,9 @@ static bool take_h_alone(struct interp *interp)
 }
 
 /*
- * Fanuc B-64484EN-2, "Tool Length Offset": by type A the length acts along Z, by type B across the plane, by type C along
- * the axis that the block names; Mitsubishi's controls do as by type C. They differ in G18 and G19, and where the block
- * names another linear axis alone, as programs for angle heads do.
+ * Fanuc B-64484EN-2, "Tool Length Offset": by type A the length acts along Z, by type B across the plane, by type C
+ * along the axis that the block names; Mitsubishi's controls do as by type C. They differ in G18 and G19, and where the
+ * block names another linear axis alone, as programs for angle heads do.
  */
 static bool check_length_axis(const struct interp *interp, int column, double length)
 {
@@ -322,8 +322,8 @@ static bool check_length_axis(const struct interp *interp, int column, double le
 		return true;
 	return fault(&interp->at, column,
 		     "%s: a parameter of the control (5001#0 and #1) decides along which axis the tool's length acts: "
-		     "tool_length_axis=\"z\" of the machine's <controller> says that it is always Z; another axis is not "
-		     "supported",
+		     "tool_length_axis=\"z\" of the machine's <controller> says that it is always Z; another axis is "
+		     "not supported",
 		     alone ? "G43 beside one axis other than Z" : "G43 in G18 or G19");
 }
 
