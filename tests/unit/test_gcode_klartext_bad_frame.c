@@ -94,8 +94,8 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 247 Q339=5\n",
 	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 "
 	 "P5\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
-	{"CYCL DEF 247 Q339=100\n",
-	 "p.nc:2:14: error: presets from 0 to 99 are supported, as G54 and G54.1 P1 to P99 of the setup"},
+	{"CYCL DEF 247 Q339=301\n",
+	 "p.nc:2:14: error: presets from 0 to 300 are supported, as G54 and G54.1 P1 to P300 of the setup"},
 	{"CYCL DEF 247 Q339=0\n",
 	 "p.nc:2:14: error: the setup defines no work offset G54: add <work_offset name=\"G54\" X=\"\" Y=\"\" Z=\"\"/> with "
 	 "its values"},
