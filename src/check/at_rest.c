@@ -18,7 +18,7 @@ static bool is_past_a_limit(const struct checker *c)
 	return false;
 }
 
-/* Checks a pair at the current position; step_class: 0, or the class for which this standstill counts. */
+/* Checks a pair at the current position. step_class: the class of steps that this position counts as; 0: none. */
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
@@ -75,7 +75,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	stock_pair_found(check, c->block);
 }
 
-/* What to look for at the current position. */
+/* The pairs to check at the current position. */
 struct rest_query {
 	int move;
 	bool tool_only;	/* only the pairs of the tool */
@@ -83,11 +83,14 @@ struct rest_query {
 	bool past_a_limit;
 };
 
-/* Is this pair examined? It is checked in these classes of steps, and its last finding was in this block. */
+/*
+ * Must this pair be checked? `steps`: the classes of steps in which it is checked; found_block: the block of its last
+ * finding.
+ */
 static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
 			 bool past_limits_only, long found_block)
 {
-	/* Pairs that must stay apart while the spindle turns have just been examined. */
+	/* Pairs that must stay apart while the spindle turns have just been checked. */
 	if (query->spindle_stops)
 		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && found_block != c->block;
 	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
@@ -107,7 +110,7 @@ static void look_at_stock(struct checker *c, const struct rest_query *query, str
 		check_stock_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 
-/* Looks at all pairs in the order in which their findings are reported: a check may end with the first. */
+/* Checks all pairs in the order in which their findings are reported: a check may end with the first. */
 static void look(struct checker *c, const struct rest_query *query)
 {
 	const double start = checker_clock();

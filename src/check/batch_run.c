@@ -35,7 +35,7 @@ static void take_clearances(struct checker *c)
 	}
 }
 
-/* False: broken off. */
+/* False: interrupted. */
 static bool measure_stock(struct checker *c)
 {
 	const double start = checker_clock();
@@ -45,7 +45,7 @@ static bool measure_stock(struct checker *c)
 	return complete;
 }
 
-/* With missing cuts, clear motion would cause findings. */
+/* If cuts are missing, a motion that is clear would cause findings. */
 static void stop_at_log_fault(struct checker *c)
 {
 	if (!stock_check_fault(&c->stock) || c->stopped)
@@ -59,13 +59,16 @@ static void stop_at_log_fault(struct checker *c)
 
 static struct pending_batch *pending_of(struct checker *c, size_t number)
 {
-	/* A batch that is settled at once stays in the processor's cache for the next one. */
+	/*
+	 * A batch that is settled at once uses the same memory as the one before, which is still in the processor's
+	 * cache.
+	 */
 	return &c->pending[c->background ? number % PENDING : 0];
 }
 
 /*
- * Are clearances measured before the batch is checked? What is proved for them need not be checked again. Where only
- * the least ones are measured, the check tells what is worth it.
+ * Are clearances measured before the batch is checked? Then what the measurement proves need not be checked again. If
+ * only the least clearances are measured, the check comes first: its results show which blocks to measure.
  */
 static bool measures_first(const struct check_options *options)
 {
@@ -166,7 +169,7 @@ static void swap_batches(struct batch *a, struct batch *b)
 	*b = batch;
 }
 
-/* Takes the results of the next batch, which is done, and reports everything about its blocks. */
+/* Takes the results of the next batch, whose check is complete, and reports everything about its blocks. */
 static void settle_next(struct checker *c, struct block_record *timed)
 {
 	struct pending_batch *pending = c->settling = pending_of(c, c->settled++);
@@ -244,9 +247,9 @@ static void begin(struct checker *c)
 }
 
 /*
- * Can batches be checked in the background? Not if this thread needs the results of one before it goes on: the time to
- * read a block can be measured only alone, the stock's cuts are logged for the batch that is being checked, and the
- * record of the path may have nothing behind the batch that ends the check.
+ * Can batches be checked in the background? Not if this thread needs the results of a batch before it goes on: the time
+ * of reading a block can be measured only without other work, the cuts of the stock are logged for the batch that is
+ * being checked, and the record of the path must end with the batch that ends the check.
  */
 static bool can_check_in_background(const struct checker *c)
 {
@@ -275,7 +278,7 @@ static bool can_use_thread(const struct checker *c)
 	       scheduler_is_heavy(&c->scheduler);
 }
 
-/* The thread of a program that is done helps from now on. */
+/* From now on the thread of a program that is complete helps. */
 static void take_spare_thread(struct checker *c)
 {
 	if (!can_use_thread(c) || !spare_threads_take(c->options->spare))

@@ -158,7 +158,7 @@ void block_log_add_clearance(struct block_log *log, long block, const struct pai
 	block_log_add_expected(log, block, *least);
 }
 
-/* Divides the clearances into runs, in the order of their arrival. */
+/* Divides the clearances into runs, in order of arrival. */
 static void find_runs(struct block_log *log)
 {
 	log->run_count = 0;
@@ -171,7 +171,9 @@ static void find_runs(struct block_log *log)
 	}
 }
 
-/* Puts a clearance among `count` ones in log->out, which are in the order of the pairs. Returns how many there are. */
+/*
+ * Inserts a clearance among the `count` ones in log->out, which are in the order of the pairs. Returns the new count.
+ */
 static size_t put_in(struct block_log *log, size_t count, const struct pair_clearance *least)
 {
 	size_t at = count;
@@ -191,7 +193,7 @@ static size_t put_in(struct block_log *log, size_t count, const struct pair_clea
 	return count + 1;
 }
 
-/* The same; as a rule the pair comes behind the others. */
+/* The same, faster: usually the pair comes after the others. */
 static inline size_t add_to_out(struct block_log *log, size_t count, const struct pair_clearance *least)
 {
 	if (count == log->out_capacity || (count && log->out[count - 1].pair >= least->pair))

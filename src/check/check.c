@@ -8,13 +8,15 @@
 #include "check/checker.h"
 #include "check/measure/path_record.h"
 
-/* Steps in a batch. It is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts. */
+/*
+ * Steps in a batch. A batch is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts.
+ */
 #define BATCH_STEPS 1024
 #define MID_BLOCK (8 * BATCH_STEPS)
 
 /*
- * Chords of curved moves begin this many times coarser than the tolerance. Near contact they are refined; elsewhere
- * fewer chords cost less.
+ * Chords of curved moves begin with this multiple of the tolerance. They are refined near contact; elsewhere fewer
+ * chords cost less.
  */
 #define FLATNESS 16
 
@@ -141,7 +143,7 @@ static void start_block(struct checker *c)
 	}
 }
 
-/* If steps are only counted, the summary shows at the end of a block whether there were any. */
+/* If steps are only counted, the summary at the end of a block shows whether there were any. */
 static void count_steps(struct checker *c, const struct motion_block *block)
 {
 	if (c->number == c->summary.spans)
@@ -150,7 +152,7 @@ static void count_steps(struct checker *c, const struct motion_block *block)
 	c->last = (struct place){block->file, block->line};
 }
 
-/* A block that passes no limit has nothing to report then, and need not be kept. */
+/* A block that passes no limit then has nothing to report and is not kept. */
 static void pass_block(struct checker *c, const struct motion_block *block)
 {
 	c->stats->blocks_checked += checker_owns(c);
@@ -231,7 +233,7 @@ static void on_opened(void *context, const char *path)
 		c->options->read.opened->call(c->options->read.opened->context, path);
 }
 
-/* For lines that cause no event. */
+/* Called for lines that cause no event. */
 static bool stops_reading(void *context)
 {
 	struct checker *c = context;
@@ -250,7 +252,7 @@ static bool stops_waiting(void *context)
 
 /* -------------------------------------------------------------------- run */
 
-/* Checks the remaining steps when the program has ended, or has stopped at a fault within a block. */
+/* Checks the remaining steps when the program has ended or has stopped at a fault within a block. */
 static void finish(struct checker *c, bool complete)
 {
 	/* A block with a fault is checked up to the fault, and measured if it moves anything. */

@@ -13,7 +13,7 @@ double checker_clock(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Call it with the lock on `telling`. */
+/* The caller holds the lock `telling`. */
 static void ask_progress(struct checker *c)
 {
 	if (!c->sink->progress(c->sink->context, c->checked_line) && !(c->refused > 0))
@@ -75,7 +75,7 @@ void checker_end_block(struct checker *c, double seconds)
 /* --------------------------------------------------------------- findings */
 
 /*
- * The contact with its distance measured, if a clearance is required or if the control may leave the path by
+ * The contact with its measured distance, if a clearance is required or if the control may leave the path by
  * `tolerance` (NULL: it may not).
  */
 static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found,

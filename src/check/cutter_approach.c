@@ -9,9 +9,9 @@
 #include "scene/convex.h"
 
 /*
- * mm: a cutter that comes this near to the hull of a part, or nearer than its own radius, may be cutting material that
- * is not described, such as the first layers of a blank; because of the hull, this also includes a pocket that is
- * roughed from its middle. If the stock is described, every tool reaches it.
+ * mm: a cutter within this distance of the hull of a part, or within its own radius, may be cutting material that is
+ * not described, such as the first layers of a blank. The hull includes a pocket that is roughed from its middle. If
+ * the stock is described, every tool reaches it.
  */
 static const double NEAR_PART = 5, NEAR_STOCK = 1;
 /* A new nearest distance matters if it is smaller than this share of the last one. */
@@ -39,7 +39,7 @@ static void add_targets(struct cutter_approach *approach, const struct scene *sc
 
 		if (!is_target(scene, i))
 			continue;
-		/* For tools given by sections, another thread may be building the tree. */
+		/* Another thread may be building the tree of a tool given by sections. */
 		bvh = scene->bodies[i].bvh;
 		all_checked &= body->checked != NULL;
 		approach->with_stock |= body->role == ROLE_STOCK;
@@ -204,7 +204,7 @@ static double distance_at(const struct cutter_approach *approach, struct approac
 	return least;
 }
 
-/* mm: no point of the cutter moves farther relative to the work between two positions of the axes. */
+/* mm: an upper bound of the way of any point of the cutter relative to the work between two positions of the axes. */
 static double way_between(const struct cutter_approach *approach, const struct approach_tool *tool,
 			  const axis_values *q0, const axis_values *q1)
 {
@@ -263,7 +263,7 @@ static struct approach_tool *tool_of(const struct cutter_approach *approach, int
 	return NULL;
 }
 
-/* Does the whole path stay so near to the last measured position that no distance can matter? */
+/* Does the whole path stay so close to the last measured position that no distance on it can matter? */
 static bool stays_far(const struct cutter_approach *approach, const struct approach_tool *tool, const axis_values *q0,
 		      const axis_values *q1)
 {

@@ -31,7 +31,7 @@ struct finding finding_of_pair(const struct scene *scene, const struct scene_pai
 		.required = pair->clearance,
 		.with_stock = pair->stock,
 		.b_is_cutter = b->role == ROLE_CUTTER,
-		/* Exactly one of the two is a core; with the stock none is. */
+		/* Exactly one of the two is a core; in a pair with the stock none is. */
 		.depth = scene->bodies[pair->a].depth + scene->bodies[pair->b].depth + pair->inset,
 	};
 }

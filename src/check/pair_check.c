@@ -92,7 +92,7 @@ void pair_check_found(struct pair_check *check, long block)
 {
 	check->found_block = block;
 	check->maybe_inside = check->methods->block.maybe_inside = true;
-	/* The rest of the block is not checked. After a finding at rest the strategy does not know that. */
+	/* The rest of the block is not checked. The strategy does not know of a finding at rest. */
 	strategy_cap(&check->methods->strategy, check->scene->pairs[check->pair].clearance);
 	strategy_forget_position(&check->methods->strategy);
 }
@@ -107,7 +107,10 @@ void pair_check_change_tool(struct pair_check *check)
 void pair_check_jump(struct pair_check *check)
 {
 	check->maybe_inside = true;
-	/* Only the first step of a program samples its start, so that the samples do not depend on shards. */
+	/*
+	 * Only the first step of a program samples its start, so that the samples do not depend on the division into
+	 * shards.
+	 */
 	check->has_started = true;
 	if (!check->methods)
 		return;
@@ -133,8 +136,8 @@ static enum query_answer pass(struct pair_check *check, struct sweep *sweep, con
 }
 
 /*
- * Checks a step after a contact. It may start with one body wholly inside the other, which the sweep cannot see, as it
- * sees only surfaces.
+ * Checks a step after a contact. At its start one body may be wholly inside the other. The sweep cannot detect this,
+ * because it uses only surfaces.
  */
 static enum query_answer check_maybe_inside(struct pair_check *check, struct sweep *sweep,
 					    const struct motion_step *step, long block,
@@ -200,7 +203,10 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 	return end - i;
 }
 
-/* The number of steps from i on that were measured as clear. *next: the first of check->open that may come after i. */
+/*
+ * The number of steps from i on that the measurement has proved clear. *next: the first of check->open that may come
+ * after i.
+ */
 static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_t *next)
 {
 	size_t end;
@@ -215,7 +221,7 @@ static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_
 	return end - i;
 }
 
-/* The number of steps from i on that need no check one by one. */
+/* The number of steps from i on that need no check of their own. */
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
 {
@@ -279,14 +285,14 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 	struct contact contact;
 
 	span_init(&still.span, &path);
-	/* The answer does not matter: the pose was checked before, more exactly. */
+	/* The answer does not matter: the pose was already checked more exactly. */
 	strategy_advance_step(&check->methods->strategy, sweep, &still, &contact);
 	strategy_forget_position(&check->methods->strategy);
 }
 
 /*
- * Begins the least clearance of the step's block, if it is a new block. More than `most` is of no interest. least_only:
- * blocks with nothing less are left out.
+ * Starts the clearance of the step's block, if the block is new. Distances above `most` do not matter. least_only:
+ * blocks without a smaller distance are left out.
  */
 static void start_room(struct pair_check *check, long block, double most, bool least_only)
 {
@@ -303,7 +309,7 @@ static void start_room(struct pair_check *check, long block, double most, bool l
 	block_clearance_start(&check->methods->block, most);
 }
 
-/* block_clearance knows only surfaces: while one body may be inside the other, test this. */
+/* block_clearance uses only surfaces. While one body may be inside the other, test this. */
 static void measure_inside(struct pair_check *check, const struct motion_step *step)
 {
 	struct block_clearance *block = &check->methods->block;
@@ -322,7 +328,7 @@ bool pair_check_has_clearance(const struct pair_check *check)
 	return check->steps == STEP_ANY;
 }
 
-/* mm: the largest cap in this number of steps from `from` on. */
+/* mm: the largest cap of this number of steps from `from` on. */
 static double most_of(const struct measure_plan *plan, const struct batch *batch, size_t from, size_t steps)
 {
 	const size_t to = from + steps < batch->step_count ? from + steps : batch->step_count;
@@ -334,8 +340,8 @@ static double most_of(const struct measure_plan *plan, const struct batch *batch
 }
 
 /*
- * Does a box of the size begin with step i, all of whose steps have what is of interest? `proved` mm of all steps so
- * far.
+ * Does a box of this size begin with step i, and do all of its steps have at least their cap? `proved`: mm, proved for
+ * all steps so far.
  */
 static bool box_clears(struct block_clearance *block, const struct batch *batch, enum batch_box size, size_t i,
 		       const struct measure_plan *plan, double proved)
@@ -347,7 +353,7 @@ static bool box_clears(struct block_clearance *block, const struct batch *batch,
 	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
 
-/* Stores the cap for all blocks of a chunk, which begins with step i. */
+/* Stores the cap for all blocks of the chunk that begins with step i. */
 static void add_clear_chunk(struct pair_check *check, const struct batch *batch, const struct measure_plan *plan,
 			    size_t i)
 {
@@ -368,7 +374,7 @@ static void add_clear_chunk(struct pair_check *check, const struct batch *batch,
 	}
 }
 
-/* Must the steps of a chunk be examined one by one, although each has its cap? */
+/* Must the steps of a chunk be examined one by one, although each of them has at least its cap? */
 static bool needs_each_step(const struct pair_check *check, const struct check_options *options)
 {
 	const struct block_clearance *block = &check->methods->block;
@@ -391,8 +397,8 @@ static long looked_at(const struct pair_check *check, const struct sweep *sweep)
 }
 
 /*
- * mm: what the check has proved of all steps so far, where only least clearances are measured; 0: nothing beyond what
- * is required. A pair that was found too close once has proved no more.
+ * mm: if only least clearances are measured, the distance that the check has proved for all steps so far; 0: no more
+ * than the required one. A pair that was once found too close has no more than that.
  */
 static double proved_so_far(const struct pair_check *check, const struct check_options *options)
 {
@@ -404,8 +410,8 @@ static double proved_so_far(const struct pair_check *check, const struct check_o
 }
 
 /*
- * Lowers the clearance of the step's block to what is measured or was proved of all steps (0: nothing was). `measured`:
- * what was proved is not enough.
+ * Lowers the clearance of the step's block to the measured distance, or to the one proved for all steps (0: none).
+ * `measured`: the proved distance is not enough.
  */
 static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, bool measured,
 			 double proved, enum clearance_accuracy accuracy, const struct check_options *options)
@@ -425,8 +431,8 @@ static void measure_step(struct pair_check *check, struct sweep *sweep, const st
 }
 
 /*
- * mm: what must be proved of a step so that it need not be checked besides; INFINITY: nothing is enough. With a smaller
- * cap no step proves as much, and where the smallest clearance is wanted the check itself finds it.
+ * mm: a step with at least this proved distance needs no check; INFINITY: every step needs one. With a smaller cap no
+ * step reaches the distance, and if the smallest clearance is wanted the check itself finds it.
  */
 static double clear_from(const struct pair_check *check, const struct check_options *options)
 {

@@ -8,23 +8,23 @@
 #include "base/parallel_for.h"
 
 /*
- * A check with more node pairs than this in the last batch is divided among several threads. In a batch with fewer in
- * all, starting threads does not pay.
+ * A check with more node pairs than this in the last batch is divided among several threads. If the whole batch has
+ * fewer, starting threads does not pay.
  */
 #define HEAVY 20000
 
 /*
- * A heavy check's batch is divided into parts of whole chunks. Each part is 1/PART_SHARE of what is left, so large
- * parts come first, all threads finish at about the same time, and there are few parts, each of which begins without
- * knowing the steps before.
+ * A heavy check's batch is divided into parts of whole chunks. Each part is 1/PART_SHARE of the rest, so large parts
+ * come first, all threads finish at about the same time, and there are few parts. Few, because each part begins without
+ * what the steps before it have shown.
  */
 #define PART_SHARE 4
 
 /*
- * Where only least clearances are measured, they may take so many node pairs and a share of those that the check itself
- * takes, and many more in a program that has fewer than so many steps up to its first change of tools. After that the
- * curve shows what the check has proved. So a short program has a sharp curve, and that of a long one costs little more
- * than the check, however near its bodies stay to each other.
+ * If only least clearances are measured, the measurement may visit this number of node pairs plus a share of those that
+ * the check itself visits, and SHORT_EFFORT more in a program with fewer than SHORT_PROGRAM steps before its first tool
+ * change. After that the curve shows what the check has proved. So a short program gets a sharp curve, and for a long
+ * one the curve costs little more than the check, however close its bodies stay to each other.
  */
 #define MEASURING_EFFORT 40000L
 #define SHORT_EFFORT 2000000L
@@ -35,8 +35,9 @@
 #define PRICE_SHARE 0.5
 
 /*
- * Where only least clearances are measured: every block in so many steps from the start of the program, then every
- * second one in as many, then every fourth one in twice as many, and so on. They draw a curve.
+ * The blocks that are measured if only least clearances are measured: every block within this number of steps from the
+ * start of the program, then every second one for as many steps, then every fourth one for twice as many, and so on.
+ * They give the curve of a report.
  */
 #define SINGLE_STEPS 512L
 
@@ -112,8 +113,8 @@ static void add_task(struct scheduler *scheduler, struct pair_check *check, stru
 
 /*
  * The parts of a divided batch are checked independently. With options->all a check cannot be divided, because later
- * steps depend on whether the pair has met before. A check that leaves steps out cannot be divided either, because a
- * part cannot know whether one body is inside the other where it begins.
+ * steps depend on whether the pair has met before. A check that leaves out steps cannot be divided either, because a
+ * part does not know whether one body is inside the other at its start.
  */
 static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check,
 			 const struct check_options *options)
@@ -215,8 +216,8 @@ static void add_results(struct scheduler *scheduler, const struct pair_check *ch
 }
 
 /*
- * Collects the results and visits of all tasks. For a divided check, the results of the first part that has any count,
- * and the state after the last part is kept.
+ * Collects the results and visits of all tasks. For a divided check, the results of the first part that has any are
+ * used, and the state after the last part is kept.
  */
 static void gather(struct scheduler *scheduler)
 {
@@ -288,8 +289,8 @@ static int by_distance(const void *a, const void *b)
 }
 
 /*
- * Puts the checks that are measured in an order: the nearest bodies first, where only the least clearance counts. They
- * are looked at in the middle of the batch. Returns how many there are.
+ * Lists the checks that are measured and returns their number. If only least clearances are measured, they are sorted
+ * by the distance of the bodies in the middle of the batch, nearest first.
  */
 static size_t put_in_order(struct scheduler *scheduler, const struct batch *batch, int tool,
 			   const struct check_options *options)
@@ -317,8 +318,8 @@ static size_t put_in_order(struct scheduler *scheduler, const struct batch *batc
 }
 
 /*
- * From here on a larger clearance than what this check has measured is of no interest. Where the bodies touch it must
- * still be known of the others whether they touch, too: from then on one of them may be inside the other.
+ * From now on, clearances above those that this check has measured do not matter. If the bodies touch, the check must
+ * still find out whether other bodies touch, too: from then on one of them may be inside the other.
  */
 static void lower_most(struct scheduler *scheduler, const struct batch *batch, struct pair_check *check,
 		       const struct check_options *options)
@@ -348,7 +349,7 @@ static long blocks_at(const struct batch *batch, long stride)
 	return (last + 1) / stride - first / stride;
 }
 
-/* The smallest distance of measured blocks that the remaining effort allows in this batch. */
+/* The smallest stride of measured blocks that the remaining effort allows in this batch. */
 static long affordable_stride(const struct scheduler *scheduler, const struct batch *batch)
 {
 	long stride = 1;
@@ -360,8 +361,8 @@ static long affordable_stride(const struct scheduler *scheduler, const struct ba
 }
 
 /*
- * Which blocks are measured where only least clearances are: some at regular distances, and those that lowered the
- * smallest clearance of a pair. Returns how many.
+ * Selects the blocks to measure if only least clearances are measured: some at regular intervals, and those that
+ * lowered the smallest clearance of a pair. Returns their number.
  */
 static long select_blocks(struct scheduler *scheduler, const struct batch *batch)
 {
@@ -411,7 +412,10 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	measure.most = scheduler->most;
 	measure.largest = options->block_clearance_cap;
 	measure.wishes = scheduler->wishes;
-	/* The number measured together does not depend on the number of threads, so the clearances do not either. */
+	/*
+	 * The number of checks measured together does not depend on the number of threads, so the clearances do not,
+	 * either.
+	 */
 	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {
 		const size_t to = from + together < count ? from + together : count;
 

@@ -9,7 +9,8 @@
 #define BLOCK_INSTANTS 36
 
 /*
- * When the stock is asked for. A cutter that must not cut, by a rule of the user, meets what was there before its step.
+ * The time at which the stock is taken. For a cutter that must not cut, by a rule of the user, this is the start of its
+ * step.
  */
 static double time_of(const struct stock_pair *check, const struct batch_step *step, double s)
 {

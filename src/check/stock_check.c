@@ -17,7 +17,7 @@
 
 /* ------------------------------------------------------------------ start */
 
-/* The reason why these options are not possible with stock; NULL: they are. */
+/* Why these options are not possible with stock; NULL: they are possible. */
 static const char *unsupported(const struct check_options *options)
 {
 	if (options->method != CHECK_CERTIFIED)
@@ -49,7 +49,7 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 	return true;
 }
 
-/* A cutter comes after the stock in the scene, so the stock is a in their pair. */
+/* A cutter comes after the stock in the scene, so the stock is body a of their pair. */
 static void add_tool(struct stock_check *check, struct scene *scene, const struct scene_pair *pair)
 {
 	const struct body *cutter = scene->bodies[pair->b].body;
@@ -214,7 +214,7 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		if (pair->sweep.broken_off)
 			return false;
 		add_results(check, pair, batch, last + 1);
-		/* Nothing after the first contact matters then. */
+		/* In this case nothing after the first contact matters. */
 		if (pair->result_count && !options->all)
 			last = pair->results[0].step;
 	}
@@ -251,7 +251,7 @@ void stock_check_collect(const struct stock_check *check, const struct scene *sc
 	}
 }
 
-/* The most chunks of the log examined for one cube size of --stock-out: some seconds. */
+/* The largest number of chunks of the log examined for one cube size of --stock-out: some seconds. */
 #define REMAINDER_EFFORT 1000000
 
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder)

@@ -15,10 +15,10 @@
 /* The cost of a cell in node pairs, the unit of check_options.effort. */
 #define CELL_EFFORT 8
 
-/* mm: distances beyond this are all alike. */
+/* mm: larger distances are treated alike. */
 #define FAR 1e6
 
-/* A budget that covers less than half of what is left of a step does not bring it forward: the sweep does it better. */
+/* A budget that covers less than half of the rest of a step is not used: a sweep does this better. */
 #define SHARE_HALVINGS 2
 
 /* Cells reach beyond the blank, and the blank beyond its mesh: bounds of motion count these points, too. */
@@ -44,7 +44,7 @@ static bool init_obstacle(struct stock_pair *check, struct scene *scene, int bod
 	}
 	check->obstacle.topology = scene_body_topology(scene, body);
 	check->open = topology_is_open(check->obstacle.topology);
-	/* Its surface alone would never be deep enough. */
+	/* The surface of an open body has no depth. */
 	if (check->open && check->obstacle.inset > 0) {
 		diag_error(diag, it->loc,
 			   "the mesh of '%s' is not closed, so how deep it enters the stock cannot be told; close the "
@@ -144,13 +144,13 @@ enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep 
 	return answer_of(stock_sweep_chord(sweep, &chord, (double)number, contact));
 }
 
-/* Part of a motion that a budget has to cover, from the position `low` to `high`. */
+/* The part of a motion that a budget has to cover: from `low` to `high`. */
 struct coverage {
 	axis_values low, high;
 	const struct position_errors *errors;
 };
 
-/* mm: the room that a budget which begins at the state needs for that. */
+/* mm: the room that a budget beginning at the state needs for this part. */
 static double room_for(struct stock_pair *check, const axis_values *q, const struct chain_state *state,
 		       const struct coverage *coverage)
 {
@@ -160,7 +160,9 @@ static double room_for(struct stock_pair *check, const axis_values *q, const str
 	return FAR - motion_budget_rest(&budget, &coverage->low, &coverage->high, coverage->errors);
 }
 
-/* Proves a distance at q, at this time, and begins a budget with it. False: it is too small for the coverage. */
+/*
+ * Proves a distance at q, at this time, and begins a budget with it. False: the distance is too small for the coverage.
+ */
 static bool start_budget(struct stock_pair *check, const axis_values *q, double time, const struct coverage *coverage)
 {
 	const struct body_pair *bodies = &check->bodies;
@@ -195,7 +197,7 @@ static struct coverage least_part(const struct motion_step *step, const struct p
 	return coverage;
 }
 
-/* Goes on from s as far along the step as the budget covers. False: not far enough to matter. */
+/* Advances from s as far along the step as the budget covers. False: not far enough to matter. */
 static bool go_on(struct stock_pair *check, const struct span *span, const struct position_errors *errors, double *s)
 {
 	double length = 1 - *s;
@@ -212,7 +214,7 @@ static bool go_on(struct stock_pair *check, const struct span *span, const struc
 	return false;
 }
 
-/* The budget that is there. */
+/* Does the current budget cover the step? */
 static bool advance_by_budget(struct stock_pair *check, const struct motion_step *step)
 {
 	const struct position_errors errors = step_errors(check->bodies.chain, step);
@@ -221,7 +223,7 @@ static bool advance_by_budget(struct stock_pair *check, const struct motion_step
 	return motion_budget_covers(&check->budget, &step->span.q1, &errors);
 }
 
-/* By new budgets alone: conservative advancement. False: nothing is proved. */
+/* Advances by new budgets only: conservative advancement. False: nothing is proved. */
 static bool advance(struct stock_pair *check, const struct motion_step *step, long number)
 {
 	const struct position_errors errors = step_errors(check->bodies.chain, step);
@@ -272,7 +274,7 @@ static bool applies(const struct stock_pair *check, const struct batch_step *ste
 	       step->block != check->found_block;
 }
 
-/* How many steps from i on need no look; 0: they need one. */
+/* The number of steps from i on that need no check; 0: step i needs one. */
 static size_t skip_chunk(struct stock_pair *check, const struct batch *batch, size_t i, size_t to)
 {
 	const size_t count = to - i < CHUNK_STEPS ? to - i : CHUNK_STEPS;

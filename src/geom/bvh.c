@@ -12,14 +12,14 @@
 #include "geom/simd_kernels.h"
 #include "geom/simd_level.h"
 
-/* A run of triangles and the bounds of it. */
+/* A run of triangles and its bounds. */
 struct run {
 	size_t first, count;
 	struct bvh_item box;	/* of the triangles */
 	struct bvh_item middles;	/* of the sums of their least and greatest corners: twice the middles */
 };
 
-/* Boxes are sorted in place of their triangles, which follow in the end. */
+/* Boxes are sorted instead of their triangles; the triangles are put in the same order at the end. */
 struct builder {
 	struct bvh_node *nodes;
 	size_t node_count, capacity;
@@ -85,23 +85,23 @@ static void swap_items(const struct builder *b, size_t i, size_t j)
 	b->triangle[j] = triangle;
 }
 
-/* A tree has about one node for so many triangles. */
+/* A tree has about one node for this number of triangles. */
 enum { LIKELY_SHARE = 3 };
 
-/* How many items are looked at before any is moved. */
+/* The number of items that are compared before any is moved. */
 enum { BLOCK = 64 };
 
-/* Items of one side that belong to the other one, in the order in which they are met. */
+/* Items of one side that belong to the other side, in the order of the scan. */
 struct misplaced {
 	size_t at[BLOCK];
 	size_t first, count;
 };
 
 /*
- * Narrows from *from to *to what is yet to be parted: items whose middle is below the bound come in front of it, the
- * others behind it. The i-th item from the front that is not below it changes places with the i-th from the back that
- * is (Hoare). They are looked for in blocks without a branch for each (Edelkamp and Weiss, "BlockQuicksort", 2016),
- * which takes half as long.
+ * Partitions the items from *from to *to and narrows this range: items whose middle is below the bound are moved in
+ * front of it, the others behind it. The i-th item from the front that is not below the bound is exchanged with the
+ * i-th from the back that is (Hoare). Both are searched in blocks without a branch per item (Edelkamp and Weiss,
+ * "BlockQuicksort", 2016), which takes half the time.
  */
 static void part_blocks(const struct builder *b, int axis, float bound, size_t *from, size_t *to)
 {
@@ -131,7 +131,7 @@ static void part_blocks(const struct builder *b, int axis, float bound, size_t *
 	}
 }
 
-/* Moves the items of the run whose middle is below the bound to its front; returns how many. */
+/* Moves the items of the run whose middle is below the bound to its front; returns their number. */
 static size_t partition(const struct builder *b, const struct run *run, int axis, float bound)
 {
 	size_t i = run->first, j = run->first + run->count;
@@ -149,7 +149,7 @@ static size_t partition(const struct builder *b, const struct run *run, int axis
 	}
 }
 
-/* Halves a run at the middle of its longest side, or by number where that would be lopsided. */
+/* Halves a run at the middle of its longest side, or by number if the parts would differ too much in size. */
 static void run_split(const struct run *run, const struct builder *b, struct run out[2])
 {
 	const struct bvh_item *middles = &run->middles;
@@ -171,7 +171,7 @@ static void run_split(const struct run *run, const struct builder *b, struct run
 	run_measure(&out[1], b);
 }
 
-/* One run for each triangle. They are the leaves of one node, where their order is of no account. */
+/* One run for each triangle. They become leaves of one node, where their order does not matter. */
 static int split_single(const struct run *run, const struct builder *b, struct run out[BVH_WIDTH])
 {
 	for (size_t i = 0; i < run->count; i++)
@@ -180,8 +180,8 @@ static int split_single(const struct run *run, const struct builder *b, struct r
 }
 
 /*
- * Up to eight runs of about the same size; the largest is halved as long as there is room. Runs that
- * fit into one node are divided only when they are alone: half-empty nodes at the bottom would be most of the tree.
+ * Divides into up to eight runs of about the same size: the largest one is halved as long as there is room. A run that
+ * fits into one node is divided only if it is the only one: half-empty nodes at the bottom would be most of the tree.
  */
 static int split_wide(const struct run *run, const struct builder *b, struct run out[BVH_WIDTH])
 {
@@ -220,7 +220,7 @@ static void set_box(struct bvh_node *node, int lane, const struct run *run, cons
 	}
 }
 
-/* The boxes of children that are not there are copies of the first one. */
+/* The boxes of missing children are copies of the first one. */
 static void copy_box(struct bvh_node *node, int lane)
 {
 	for (int k = 0; k < 3; k++) {
@@ -236,7 +236,7 @@ static size_t new_node(struct builder *b)
 	return b->node_count++;
 }
 
-/* Divides the run among the children of a new node; returns how many there are. Inner children have no node yet. */
+/* Divides the run among the children of a new node; returns their number. Inner children have no node yet. */
 static int new_parent(struct builder *b, const struct run *run, struct run runs[BVH_WIDTH])
 {
 	int used = split_wide(run, b, runs);
@@ -259,7 +259,7 @@ static int new_parent(struct builder *b, const struct run *run, struct run runs[
 	return used;
 }
 
-/* Appends the tree of the run. Recursion is bounded: each level leaves at most 15/16 of the triangles to a child. */
+/* Appends the tree of the run. The recursion is bounded: at each level a child has at most 15/16 of the triangles. */
 static void build(struct builder *b, const struct run *run)
 {
 	struct run runs[BVH_WIDTH];
@@ -301,7 +301,7 @@ static void join_branch(struct builder *b, const struct builder *branch)
 			node->first[i] += node->count[i] ? 0 : (uint32_t)before;
 }
 
-/* The same nodes as build, in the same order. */
+/* Makes the same nodes as build, in the same order. */
 static void build_together(struct builder *b, const struct run *run, int threads)
 {
 	struct crew crew;
@@ -320,7 +320,7 @@ static void build_together(struct builder *b, const struct run *run, int threads
 	}
 }
 
-/* Brings the triangles into the order of the items, in the memory of these, which are done with. */
+/* Puts the triangles into the order of the items, in the memory of the items, which are no longer needed. */
 static void sort_triangles(struct builder *b, struct mesh *mesh)
 {
 	mesh_triangle *sorted = mem_realloc(b->items, mesh->count, sizeof(*sorted));

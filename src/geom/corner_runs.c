@@ -6,7 +6,7 @@
 
 #include "base/mem.h"
 
-/* A table of the corners of one run; more places than it can have corners. */
+/* A hash table of the corners of one run; it has more places than a run has corners. */
 enum { PLACES = 512 };
 
 struct seen {

@@ -4,7 +4,10 @@
 
 /* The distance may be too large by this share of it. */
 static const double SHARE = 0.01;
-/* Projections after which the distance is taken as it is. Random cases need some 10; grazing edges need most. */
+/*
+ * The largest number of projections; then the current distance is returned. Random cases need about 10; edges that
+ * graze need most.
+ */
 enum { PROJECTIONS = 1000 };
 
 static double clamp(double value, double least, double most)
@@ -29,7 +32,10 @@ static vec3 nearest_of_cylinder(const struct cylinder *cylinder, vec3 p)
 	return vec3_add(cylinder->base, vec3_mad(out, clamp(height, 0, cylinder->length), cylinder->along));
 }
 
-/* The gap between both along the unit vector n, which points from the box to the cylinder; the distance is no less. */
+/*
+ * The gap between both along the unit vector n, which points from the box to the cylinder. It is a lower bound of the
+ * distance.
+ */
 static double gap_along(const struct cylinder *cylinder, const struct solid_box *box, vec3 n)
 {
 	const double height = vec3_dot(cylinder->along, n);

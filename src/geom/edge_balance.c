@@ -4,7 +4,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A sheet that is drawn from both sides encloses this share of its area times its size, or less, by rounding. */
+/*
+ * The volume of a sheet that is drawn from both sides, as a share of its area times its size, is at most this, by
+ * rounding.
+ */
 static const double FLAT = 1e-6;
 
 /* Mixes the bits of a word: the finaliser of MurmurHash3 (A. Appleby, public domain). */
@@ -30,7 +33,7 @@ static uint64_t hash_of(const float corner[3])
 	return mix(mix((uint64_t)bits[0] << 32 | bits[1]) + bits[2]);
 }
 
-/* What an edge adds; the edge that runs back adds its negative, modulo 2^64. */
+/* The term of an edge in the sum; the edge in the opposite direction has the negative term, modulo 2^64. */
 static uint64_t edge_term(uint64_t from, uint64_t to)
 {
 	return mix(from + 3 * to) - mix(to + 3 * from);

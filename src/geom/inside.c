@@ -22,9 +22,9 @@ static double half_solid_angle(const mesh_triangle *triangle, vec3 point)
 }
 
 /*
- * A solid angle's error is a few roundings times the ratio of the triangle's
- * size to the point's distance from its edges; even a million of them add up to
- * half a turn only for points within some 1e-9 of the mesh's size of it.
+ * The error of a solid angle is a few roundings times the ratio of the triangle's size to the distance of the point
+ * from its edges. Even a million errors add up to half a turn only if the point is within some 1e-9 of the mesh's size
+ * of the mesh.
  */
 int mesh_winding_number(const struct mesh *mesh, vec3 point)
 {
@@ -45,7 +45,7 @@ struct ray {
 	int *windings;	/* of each shell; NULL: the ray ends at the first triangle that it crosses */
 };
 
-/* 1, -1, or 0 where rounding may have made the sign. */
+/* 1 or -1; 0 if the sign may be due to rounding. */
 static int sign_of_triple(vec3 d, vec3 a, vec3 b)
 {
 	double value = vec3_dot(d, vec3_cross(a, b));
@@ -55,8 +55,8 @@ static int sign_of_triple(vec3 d, vec3 a, vec3 b)
 }
 
 /*
- * Counts the triangle if the ray crosses it. False: the ray ends here, passes too near the triangle's edge, or begins
- * too near its plane.
+ * Counts the triangle if the ray crosses it. False: the ray ends here, passes too close to the triangle's edge, or
+ * begins too close to its plane.
  */
 static bool cross_triangle(struct ray *ray, size_t triangle)
 {
@@ -75,7 +75,10 @@ static bool cross_triangle(struct ray *ray, size_t triangle)
 	ahead = sign_of_triple(a, b, c);
 	if (!ahead)
 		return false;
-	/* The line crosses where (a, b, c) has the sign of the three, in front of the point or behind it. */
+	/*
+	 * The line crosses in front of the point if (a, b, c) has the same sign as the three products, else behind the
+	 * point.
+	 */
 	if (ahead != ab)
 		return true;
 	if (!ray->windings)
@@ -100,7 +103,7 @@ static bool meets_box(const struct ray *ray, const struct bvh_node *node, int la
 	return enter <= leave;
 }
 
-/* As deep as the tree. False: see cross_triangle. */
+/* The recursion is as deep as the tree. False: see cross_triangle. */
 static bool cross_node(struct ray *ray, const struct bvh_node *node)
 {
 	for (int lane = 0; lane < node->used; lane++) {
@@ -116,7 +119,7 @@ static bool cross_node(struct ray *ray, const struct bvh_node *node)
 	return true;
 }
 
-/* Along no edge or diagonal that people draw. */
+/* Not along common directions of edges or diagonals. */
 static const vec3 directions[] = {
     {0.4179, 0.6133, 0.6702},
     {-0.7211, 0.3571, 0.5937},
@@ -149,9 +152,9 @@ bool mesh_ray_is_free(const struct bvh *bvh, vec3 point)
 }
 
 /*
- * How often a ray from the point leaves each shell less how often it enters it: the winding numbers of the closed
- * ones. windings is the caller's, topology->shell_count long, or 1 without shells. Costs a walk down the tree.
- * False: every ray that was tried passes too near an edge.
+ * For each shell, the number of times that a ray from the point leaves it less the number of times that the ray enters
+ * it: the winding numbers of the closed shells. The caller provides windings, topology->shell_count long, or 1 without
+ * shells. Traverses the tree. False: every ray that was tried passes too close to an edge.
  */
 static bool cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings)
 {
@@ -182,8 +185,8 @@ static bool in_bounds(const struct shell *shell, vec3 p)
 }
 
 /*
- * Could the point be inside an open shell, if its holes were closed? Small holes change the winding number by
- * the part of the view that they take: below a tenth of it the point is outside.
+ * Could the point be inside an open shell, if its holes were closed? Small holes change the winding number by their
+ * part of the view: if it is below a tenth, the point is outside.
  */
 static bool open_shells_may_hold(const struct bvh *bvh, const struct topology *topology, vec3 point)
 {
@@ -233,6 +236,6 @@ enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, 
 	free(windings);
 	if (good && (odd % 2 ? !oriented : !odd && oriented))
 		return INSIDE_YES;
-	/* In two shells of which one does not say where its solid side is: a cavity, or one solid within another. */
+	/* Inside two shells, one of which does not define its solid side: a cavity, or one solid within another. */
 	return !good || odd || open_shells_may_hold(bvh, topology, point) ? INSIDE_UNKNOWN : INSIDE_NO;
 }

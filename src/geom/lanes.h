@@ -102,7 +102,7 @@ LANES_FUNCTION lanes lanes_abs(lanes a)
 #define LANES_TARGET
 #define LANES_FUNCTION static inline
 
-/* The scalar twin, for the other processors and for the tests. */
+/* The scalar version, for the other processors and for the tests. */
 typedef struct lanes {
 	float v[LANES];
 } lanes;

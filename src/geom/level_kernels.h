@@ -1,4 +1,4 @@
-/* level_kernels.h - all kernels for one level of SIMD; LANES_LEVEL and AT_LEVEL say which (boxes_kernel.h). */
+/* level_kernels.h - all kernels for one level of SIMD, given by LANES_LEVEL and AT_LEVEL (boxes_kernel.h). */
 #include "geom/boxes_kernel.h"
 #include "geom/item_kernel.h"
 #include "geom/nearness_kernel.h"

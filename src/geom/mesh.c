@@ -43,6 +43,6 @@ void mesh_scale(struct mesh *mesh, double factor)
 			largest = fmax(largest, fabs(scaled));
 		}
 	}
-	/* Each coordinate is off by half a unit in its last place, a point by sqrt(3) of it. */
+	/* The error of each coordinate is half a unit in its last place, that of a point sqrt(3) times as large. */
 	mesh->rounding = mesh->rounding * fabs(factor) + 1.8 * 0.5 * (double)FLT_EPSILON * largest;
 }

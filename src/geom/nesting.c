@@ -7,12 +7,12 @@
 #include "geom/inside.h"
 
 /*
- * A shell in another one is told where its volume is more than this part of the other's: drawings are full of
- * bolts and bosses inside what they are fixed to, but a cavity is larger.
+ * A shell inside another one is reported if its volume is more than this share of the other's. Drawings have many bolts
+ * and bosses inside the parts to which they are fixed, but cavities are larger.
  */
 static const double VOLUME_SHARE = 0.4;
 
-/* Pairs of shells that are compared: a few milliseconds. */
+/* The largest number of shells that are compared in pairs: this takes a few milliseconds. */
 enum { SHELLS_MOST = 2000 };
 
 /* Six times the volume under the triangle, as seen from `from`. */

@@ -5,7 +5,7 @@
 #include "base/minmax.h"
 #include "geom/simd_kernels.h"
 
-/* From p's nearest point of the segment to p. */
+/* The vector from the segment's nearest point to p. */
 static vec3 from_segment(vec3 p, vec3 a, vec3 b)
 {
 	vec3 along = vec3_sub(b, a), to = vec3_sub(p, a);
@@ -14,10 +14,10 @@ static vec3 from_segment(vec3 p, vec3 a, vec3 b)
 	return vec3_mad(to, -smaller(larger(s, 0), 1), along);
 }
 
-/* Sines of angles below this are lost in the rounding of a cross product. */
+/* Smaller sines of angles are below the rounding of a cross product. */
 #define LEAST_SINE 1e-6
 
-/* The shortest of the ways from the three sides to p. */
+/* The shortest of the vectors from the three sides to p. */
 static vec3 from_sides(vec3 p, const vec3 corner[3])
 {
 	vec3 least = from_segment(p, corner[0], corner[1]);
@@ -31,9 +31,9 @@ static vec3 from_sides(vec3 p, const vec3 corner[3])
 }
 
 /*
- * From p's nearest point of the triangle to p. The products along two sides tell what that point lies on: a corner, a
- * side, or the middle (Ericson, Real-Time Collision Detection, 5.1.5). Whatever rounding makes of them, the point that
- * is chosen belongs to the triangle.
+ * The vector from the triangle's nearest point to p. The products along two sides show whether this point is a corner,
+ * on a side, or inside (Ericson, Real-Time Collision Detection, 5.1.5). Whatever the rounding of the products, the
+ * chosen point belongs to the triangle.
  */
 static vec3 from_triangle(vec3 p, const mesh_triangle *t)
 {
@@ -87,7 +87,7 @@ struct search {
 /* More than 8 roundings of float. */
 #define SLACK_SHARE 0x1p-20
 
-/* A search for a triangle within the square root of `best` mm. */
+/* A search for a triangle within the square root of `best` (mm) of the point. */
 static struct search search_of(const struct bvh *bvh, vec3 point, double best, double enough)
 {
 	const vec3 off = vec3_sub(point, bvh->origin);
@@ -114,7 +114,7 @@ static void try_triangle(struct search *search, uint32_t triangle)
 	search->triangle = triangle;
 }
 
-/* The nearest child that is open; one is. */
+/* The nearest open child; at least one is open. */
 static int nearest_of(unsigned open, const float near2[BVH_WIDTH])
 {
 	int nearest = __builtin_ctz(open);
@@ -127,7 +127,7 @@ static int nearest_of(unsigned open, const float near2[BVH_WIDTH])
 	return nearest;
 }
 
-/* Nearest child first; as deep as the tree. */
+/* Visits the nearest child first; the recursion is as deep as the tree. */
 static void try_node(struct search *search, const struct bvh_node *node)
 {
 	float near2[BVH_WIDTH];

@@ -16,9 +16,8 @@
 #include "base/decimal.h"
 
 /*
- * Binary: 80 bytes of anything, a 32-bit count, then 50 bytes a triangle: the
- * normal and three corners of three floats each, and 2 bytes of attributes; all
- * little-endian.
+ * Binary format: 80 arbitrary bytes, a 32-bit count, then 50 bytes for each triangle: the normal and three corners of
+ * three floats each, and 2 bytes of attributes; all little-endian.
  */
 #define HEADER_SIZE 84
 #define COUNT_AT 80
@@ -43,7 +42,7 @@ struct reader {
 	size_t word_length;
 };
 
-/* What has been read so far. */
+/* The data read so far. */
 struct soup {
 	struct mesh mesh;
 	size_t capacity;
@@ -64,7 +63,9 @@ static bool fail(struct reader *r, const char *format, ...)
 	return false;
 }
 
-/* Moves what is unread to the front and reads more behind it. False at the end, on failure, or with a full buffer. */
+/*
+ * Moves the unread bytes to the front and reads more behind them. False at the end, on failure, or with a full buffer.
+ */
 static bool fill(struct reader *r)
 {
 	ssize_t got;
@@ -92,7 +93,7 @@ static uint32_t little_endian(const char *bytes)
 
 /* ---- binary ---- */
 
-/* The corners of one record; false where a coordinate is not finite. */
+/* The corners of one record; false if a coordinate is not finite. */
 static bool decode_record(mesh_triangle *t, const char *record)
 {
 	bool finite = true;
@@ -114,7 +115,7 @@ static bool is_at_origin(const mesh_triangle *t)
 	return true;
 }
 
-/* How many triangles at the end have all corners at the origin. */
+/* The number of triangles at the end that have all corners at the origin. */
 static size_t zeros_at_end(const struct mesh *mesh)
 {
 	size_t count = 0;
@@ -124,7 +125,7 @@ static size_t zeros_at_end(const struct mesh *mesh)
 	return count;
 }
 
-/* One such triangle may be meant. More are room that was taken for the file and never written. */
+/* One such triangle may be intended. More are space that was reserved for the file and never written. */
 static bool is_written_to_end(struct reader *r, const struct mesh *mesh)
 {
 	size_t zeros = zeros_at_end(mesh);
@@ -182,7 +183,7 @@ static bool skip_space(struct reader *r)
 	}
 }
 
-/* The next word, which the character after it ends; it lives until the next call. False at the end, or on failure. */
+/* The next word, terminated by the character after it; valid until the next call. False at the end, or on failure. */
 static bool next_word(struct reader *r)
 {
 	size_t length = 0;
@@ -224,7 +225,7 @@ static bool word_is(const struct reader *r, const char *keyword)
 	return r->word_length == strlen(keyword) && strncasecmp(r->word, keyword, r->word_length) == 0;
 }
 
-/* After next_word has found none. */
+/* Reports the failure of next_word. */
 static bool truncated(struct reader *r, const char *expected)
 {
 	r->loc.column = 0;
@@ -275,7 +276,10 @@ static bool read_coordinate(struct reader *r, struct soup *soup, float *out)
 	return true;
 }
 
-/* What follows "facet". The normal is not used, and bad ones are common in degenerate facets: any three words do. */
+/*
+ * Reads what follows "facet". The normal is not used, and bad ones are common in degenerate facets: any three words are
+ * accepted.
+ */
 static bool read_facet(struct reader *r, struct soup *soup)
 {
 	mesh_triangle t;
@@ -305,7 +309,7 @@ static bool read_facet(struct reader *r, struct soup *soup)
 	return true;
 }
 
-/* From the name after "solid" to the one after "endsolid". */
+/* Reads from the name after "solid" to the one after "endsolid". */
 static bool read_solid(struct reader *r, struct soup *soup)
 {
 	for (skip_line(r); next_word(r);) {
@@ -321,7 +325,7 @@ static bool read_solid(struct reader *r, struct soup *soup)
 	return truncated(r, "facet or endsolid");
 }
 
-/* Any number of solids, one after the other. */
+/* Reads any number of solids, one after the other. */
 static bool read_solids(struct reader *r, struct soup *soup)
 {
 	r->loc.line = 1;
@@ -334,13 +338,16 @@ static bool read_solids(struct reader *r, struct soup *soup)
 	r->loc = (struct srcloc){.file = r->loc.file};
 	if (r->failed || soup->mesh.count == 0)
 		return r->failed ? false : fail(r, "has no triangles");
-	/* Each coordinate is off by its rounding, to float and, of less weight, to double; a point by sqrt(3) of it. */
+	/*
+	 * The error of each coordinate is its rounding to float and, much smaller, to double; that of a point is
+	 * sqrt(3) times as large.
+	 */
 	soup->mesh.rounding = 1.8 * (soup->rounding + DBL_EPSILON * soup->largest);
 	soup->mesh.triangles = mem_realloc(soup->mesh.triangles, soup->mesh.count, sizeof(mesh_triangle));
 	return true;
 }
 
-/* strncasecmp follows the locale, the format does not. */
+/* strncasecmp depends on the locale, the format does not. */
 static bool read_ascii(struct reader *r, struct soup *soup)
 {
 	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
@@ -353,7 +360,7 @@ static bool read_ascii(struct reader *r, struct soup *soup)
 	return ok;
 }
 
-/* ---- which of the two ---- */
+/* ---- binary or ASCII ---- */
 
 static bool is_text(const struct reader *r)
 {
@@ -369,7 +376,7 @@ static bool starts_with_solid(const struct reader *r)
 	return strncasecmp(at, "solid", 5) == 0 && (at[5] == '\0' || is_space(at[5]));
 }
 
-/* Says what is wrong with a file whose size does not fit its header and that is not ASCII either. */
+/* Reports the error in a file whose size does not match its header and that is not ASCII, either. */
 static bool fail_unfitting(struct reader *r)
 {
 	uint64_t expected, size = r->file_size;
@@ -391,7 +398,7 @@ static bool fail_unfitting(struct reader *r)
 
 static bool read_either(struct reader *r, struct soup *soup)
 {
-	/* As much as the buffer holds: the whole of a small file. */
+	/* Read as much as the buffer holds: the whole of a small file. */
 	while (fill(r))
 		continue;
 	if (r->failed)
@@ -399,14 +406,14 @@ static bool read_either(struct reader *r, struct soup *soup)
 	if (r->end >= HEADER_SIZE) {
 		uint32_t count = little_endian(r->buffer + COUNT_AT);
 
-		/* A text would have to be some gigabytes long to pass for this. */
+		/* An ASCII file would have to be some gigabytes long to match this size. */
 		if (r->file_size == HEADER_SIZE + (uint64_t)count * RECORD_SIZE)
 			return read_binary(r, &soup->mesh, count);
 	}
 	return starts_with_solid(r) && is_text(r) ? read_ascii(r, soup) : fail_unfitting(r);
 }
 
-/* A FIFO must not make us wait for its writer, nor a device hang. */
+/* Opening must not wait for the writer of a FIFO, nor block on a device. */
 static bool open_regular(struct reader *r, const char *root)
 {
 	struct stat status;

@@ -85,7 +85,8 @@
 #define CROSS_VANISHING (16 * DBL_EPSILON)
 
 /*
- * A face with this small a height compared with its longest edge is no face, to within rounding: its edges replace it.
+ * A face whose height is this small compared with its longest edge is not a face, to within rounding: its edges replace
+ * it.
  */
 #define FACE_FLAT (4 * DBL_EPSILON)
 
@@ -103,8 +104,8 @@
 #define LEAST_DETERMINANT 1e-6
 
 /*
- * mm, radians: an axis that is sent to a position this near to its own stays. The difference is the remainder of
- * offsets that were added and subtracted again: a few units in the last place of a thousand.
+ * mm, radians: an axis that is sent to a position this close to its current one stays. The difference is the remainder
+ * of offsets that were added and subtracted again: a few units in the last place of a thousand.
  */
 #define OFFSET_DUST 1e-10
 

@@ -8,7 +8,7 @@
 #include "geom/twins.h"
 #include "geom/weld.h"
 
-/* The root of a vertex' tree; halves the path to it. */
+/* The root of a vertex's tree; halves the path to the root. */
 static uint32_t find_root(uint32_t *parent, uint32_t vertex)
 {
 	while (parent[vertex] != vertex) {
@@ -18,7 +18,10 @@ static uint32_t find_root(uint32_t *parent, uint32_t vertex)
 	return vertex;
 }
 
-/* Trees are joined under the lesser root: the depth stays low with halved paths, and the result has no other order. */
+/*
+ * Trees are joined under the smaller root: with path halving the depth stays low, and the result does not depend on the
+ * order.
+ */
 static void join(uint32_t *parent, uint32_t a, uint32_t b)
 {
 	a = find_root(parent, a);
@@ -30,7 +33,7 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
 }
 
 /*
- * The component of each vertex, in memory of the caller's; components and component points come in the order of the
+ * The component of each vertex; the caller owns the memory. Components and component points are in the order of the
  * file.
  */
 static uint32_t *find_components(struct topology *topology, const struct soup *soup)
@@ -65,7 +68,7 @@ static uint32_t *find_components(struct topology *topology, const struct soup *s
 	return component;
 }
 
-/* What the edges say of a component. */
+/* The properties of a component that its edges show. */
 enum {
 	EDGES_UNBALANCED = 1,	/* one is run through more often in one direction */
 	EDGES_ODD = 2,	/* an odd number of triangles meets in one */
@@ -73,15 +76,15 @@ enum {
 	EDGES_CROWDED = 8	/* more than two triangles meet in one */
 };
 
-/* One key a side: the lesser vertex, the greater one, and in the last bit which way it is run through. */
+/* One key for each side: the smaller vertex, the larger one, and in the last bit the direction. */
 static uint64_t side_key(uint32_t from, uint32_t to)
 {
 	return from < to ? (uint64_t)from << 32 | (uint64_t)to << 1 : (uint64_t)to << 32 | (uint64_t)from << 1 | 1;
 }
 
 /*
- * Leaves the sides of the triangles that are not degenerate in soup->keys, sorted; of the twins that are kept if
- * `twins`.
+ * Writes the sides of the triangles that are not degenerate to soup->keys, sorted; if `twins`, only the sides of kept
+ * twins.
  */
 static size_t list_sides(struct soup *soup, const uint8_t *twins)
 {
@@ -111,7 +114,7 @@ static void judge_edge(struct topology *topology, const size_t ways[2], uint8_t 
 			    (alone && most > 1 ? EDGES_FLIPPED : 0) | (all > 2 ? EDGES_CROWDED : 0));
 }
 
-/* Of each component: what its edges say. */
+/* Finds for each component what its edges show. */
 static void judge_edges(struct topology *topology, const struct soup *soup, size_t count, const uint32_t *component,
 			uint8_t *edges)
 {
@@ -139,7 +142,7 @@ static void add_to_shell(struct topology *topology, uint32_t shell, const struct
 	topology->shell_of[triangle] = shell;
 }
 
-/* Which way each of two twins would face outward is not known: their shells are never oriented. */
+/* It is unknown which of two twins faces outward, so their shells are never oriented. */
 static void judge_shells(struct topology *topology, const uint8_t *edges, const uint8_t *twin_edges)
 {
 	for (size_t i = 0; i < topology->shell_count; i++) {

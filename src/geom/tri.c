@@ -16,14 +16,16 @@ struct closest {
 	double distance2;
 };
 
-/* Its longest edge and the height over it: perpendicular to rounding even where the triangle is a needle. */
+/*
+ * The longest edge and the height over it: they are perpendicular to within rounding even for a needle-shaped triangle.
+ */
 struct face {
 	vec3 origin, base, side, rise;
 	double foot;	/* side = foot base + rise */
 	double base_inverse, rise_inverse;	/* of the squared lengths */
 };
 
-/* Clamped before the division by `whole`, not after it: gcc then has no use for branches, which cost half the time. */
+/* Clamped before the division by `whole`, not after it: then gcc generates no branches, which cost half the time. */
 static inline double clamped(double part, double whole)
 {
 	part = part > 0 ? part : 0;
@@ -50,10 +52,9 @@ static inline void closest_offer(struct closest *best, vec3 x, vec3 y)
 }
 
 /*
- * The point of the line p + s d nearest the line q + t e, as s. Where the lines
- * are nearly parallel the Gram determinant cancels; the cross product keeps the
- * error that s makes in the distance at the size of the rounding of r, however
- * small the angle.
+ * The point of the line p + s d nearest the line q + t e, as s. If the lines are nearly parallel the Gram determinant
+ * cancels. The cross product keeps the resulting error of the distance at the size of the rounding of r, however small
+ * the angle.
  */
 static inline double line_parameter(vec3 d, vec3 e, vec3 r, const double gram[5])
 {
@@ -84,7 +85,7 @@ static inline double edge_edge(const struct side *a, int i, const struct side *b
 	return vec3_norm2(vec3_mad(vec3_mad(r, t, e), -s, d));
 }
 
-/* All nine are computed before any is compared: branches that cannot be foreseen cost more than the pairs. */
+/* All nine are computed before any is compared: branches that cannot be predicted cost more than the pairs. */
 static struct closest edges_closest(const struct side *a, const struct side *b)
 {
 	double s[9], t[9], distance2[9];
@@ -100,7 +101,7 @@ static struct closest edges_closest(const struct side *a, const struct side *b)
 	return (struct closest){x, y, vec3_norm2(vec3_sub(y, x))};
 }
 
-/* False where there is no face to speak of. */
+/* False if the triangle has no proper face. */
 static bool face_init(struct face *face, const struct side *t)
 {
 	int i = t->length2[1] > t->length2[0] ? 1 : 0;
@@ -123,7 +124,7 @@ static bool face_init(struct face *face, const struct side *t)
 	return true;
 }
 
-/* The point of the face below q; false where q is beside it. */
+/* The projection of q onto the face; false if it is outside the face. */
 static inline bool face_project(const struct face *face, vec3 q, vec3 *below)
 {
 	vec3 r = vec3_sub(q, face->origin);
@@ -136,7 +137,7 @@ static inline bool face_project(const struct face *face, vec3 q, vec3 *below)
 	return true;
 }
 
-/* Where an edge of t passes through the face. */
+/* The point where an edge of t passes through the face. */
 static bool face_pierced(const struct face *face, const struct side *t, vec3 *at)
 {
 	vec3 normal = vec3_cross(face->base, face->rise), ignored;
@@ -156,7 +157,10 @@ static bool face_pierced(const struct face *face, const struct side *t, vec3 *at
 	return false;
 }
 
-/* The corners of t over the face of another triangle, which is a if face_on_a. True when an edge passes through it. */
+/*
+ * Tries the corners of t over the face of another triangle, which is a if face_on_a. True if an edge passes through the
+ * face.
+ */
 static bool face_offer(struct closest *best, const struct side *of, const struct side *t, bool face_on_a)
 {
 	struct face face;
@@ -193,8 +197,8 @@ static double side_size(const struct side *t)
 }
 
 /*
- * Is the pair of points as near as any? It is when the slab between them holds
- * no corner: then no other pair is nearer, to within the slab's rounding.
+ * Is this pair of points a closest pair? Yes if the slab between the points contains no corner: then no other pair is
+ * closer, to within the slab's rounding.
  */
 static bool closest_certified(const struct closest *c, double distance, const struct side *a, const struct side *b,
 			      double tolerance)
@@ -229,11 +233,11 @@ double tri_distance(const tri *a, const tri *b, vec3 *on_a, vec3 *on_b)
 	}
 	*on_a = vec3_add(origin, best.on_a);
 	*on_b = vec3_add(origin, best.on_b);
-	/* This near, rounding alone may keep triangles apart that touch. */
+	/* At this distance, triangles that touch may be apart by rounding only. */
 	return distance > 2 * tolerance ? distance : 0;
 }
 
-/* Appends e x f unless it nearly vanishes. */
+/* Appends the cross product of e and f unless it nearly vanishes. */
 static void axis_add(vec3 *axes, int *count, vec3 e, vec3 f)
 {
 	vec3 n = vec3_cross(e, f);
@@ -242,7 +246,7 @@ static void axis_add(vec3 *axes, int *count, vec3 e, vec3 f)
 		axes[(*count)++] = n;
 }
 
-/* The edges, and the normal from the two shorter ones, which determine it best; false when it nearly vanishes. */
+/* The edges, and the normal from the two shorter edges, which determine it best; false if it nearly vanishes. */
 static bool edges_and_normal(const tri *t, vec3 edge[3], vec3 *normal)
 {
 	double length2[3];
@@ -258,7 +262,7 @@ static bool edges_and_normal(const tri *t, vec3 edge[3], vec3 *normal)
 	return found > 0;
 }
 
-/* Do all corners of t lie in the plane through `point` across n, as far as rounding can tell? */
+/* Do all corners of t lie in the plane through `point` with the normal n, to within rounding? */
 static bool in_plane(const tri *t, vec3 point, vec3 n, double size)
 {
 	for (int k = 0; k < 3; k++) {

@@ -33,7 +33,7 @@ static struct place place_of(const struct soup *soup, size_t triangle)
 	return place;
 }
 
-/* Hash and triangle in one key. Equal places have equal hashes; others may. */
+/* Hash and triangle in one key. Equal places have equal hashes; different places may have, too. */
 static uint64_t place_key(const struct place *place)
 {
 	uint64_t h = place->v[0] * UINT64_C(0x9e3779b97f4a7c15);
@@ -62,7 +62,7 @@ static int compare_places(const void *a, const void *b)
 	return p->triangle < q->triangle ? -1 : p->triangle > q->triangle;
 }
 
-/* Of triangles in one place; returns how many are dropped. */
+/* Pairs up the triangles in one place; returns the number of dropped ones. */
 static size_t pair_up(const struct place *places, size_t count, uint8_t *twins)
 {
 	size_t sides[2] = {0, 0}, pairs, left[2], dropped = 0;
@@ -72,7 +72,7 @@ static size_t pair_up(const struct place *places, size_t count, uint8_t *twins)
 		sides[places[i].back]++;
 	pairs = sides[0] < sides[1] ? sides[0] : sides[1];
 	left[0] = left[1] = pairs;
-	/* A surplus stands for the place itself. */
+	/* A surplus triangle represents the place itself. */
 	kept = sides[0] != sides[1];
 	for (size_t i = 0; i < count; i++) {
 		if (!left[places[i].back])
@@ -85,7 +85,7 @@ static size_t pair_up(const struct place *places, size_t count, uint8_t *twins)
 	return dropped;
 }
 
-/* Triangles with one hash. */
+/* The same for the triangles with one hash. */
 static size_t pair_up_group(const struct soup *soup, size_t first, size_t last, uint8_t *twins)
 {
 	struct place *places = mem_alloc((last - first) * sizeof(*places));

@@ -6,11 +6,11 @@
 #include "base/mem.h"
 
 /*
- * Everything is brought together by sorting 64-bit keys, one a corner or one a
- * side, never by probing a hash table: no file can make that slow.
+ * Equal corners and sides are found by sorting 64-bit keys, one for each corner or side, never by a hash table: no file
+ * can make this slow.
  */
 
-/* Buckets of up to so many keys are sorted by insertion. */
+/* Buckets with at most this number of keys are sorted by insertion. */
 enum { FEW_KEYS = 24 };
 
 static int compare_keys(const void *a, const void *b)
@@ -36,7 +36,7 @@ static void sort_bucket(uint64_t *keys, size_t count)
 	}
 }
 
-/* The upper bits of a key say in which of about count / 4 buckets it comes. */
+/* The upper bits of a key give its bucket, one of about count / 4. */
 void soup_sort_keys(struct soup *soup, size_t count, int bits)
 {
 	uint64_t *const sorted = soup->scratch;
@@ -53,7 +53,7 @@ void soup_sort_keys(struct soup *soup, size_t count, int bits)
 		end[(soup->keys[i] >> shift) + 1]++;
 	for (size_t b = 0; b < buckets; b++)
 		end[b + 1] += end[b];
-	/* end[b] is where the next key of bucket b belongs; in the end it is where the bucket ends. */
+	/* end[b] is the position of the next key of bucket b; after the loop it is the end of the bucket. */
 	for (size_t i = 0; i < count; i++)
 		sorted[end[soup->keys[i] >> shift]++] = soup->keys[i];
 	for (size_t b = 0; b < buckets; b++) {
@@ -110,7 +110,7 @@ static int compare_corners(const void *a, const void *b)
 	return compare_coordinates(p->v, q->v);
 }
 
-/* Numbers the vertices among keys[first..last), corners with one hash but of different places. */
+/* Numbers the vertices among keys[first..last): corners with one hash but different places. */
 static void weld_mixed(struct soup *soup, size_t first, size_t last)
 {
 	struct corner *corners = mem_alloc((last - first) * sizeof(*corners));

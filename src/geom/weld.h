@@ -8,7 +8,7 @@
 
 #include "geom/mesh.h"
 
-/* A mesh with numbered vertices, and working storage for sorting: three entries for each triangle. */
+/* A mesh with numbered vertices, and working memory for sorting: three entries for each triangle. */
 struct soup {
 	const struct mesh *mesh;	/* borrowed */
 	size_t corner_count;

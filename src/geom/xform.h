@@ -68,7 +68,7 @@ static inline xform xform_mul(const xform *a, const xform *b)
 	return (xform){mat3_mul(&a->rotation, &b->rotation), xform_apply(a, b->translation)};
 }
 
-/* The same of an `a` that may be known to turn nothing: then its rotation is not looked at. */
+/* The same for an `a` that may be known to have no rotation: then its rotation is not read. */
 static inline xform xform_mul_turned(const xform *a, bool turned, const xform *b)
 {
 	return turned ? xform_mul(a, b) : (xform){b->rotation, vec3_add(b->translation, a->translation)};

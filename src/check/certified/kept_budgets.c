@@ -46,7 +46,7 @@ bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, co
 	for (int i = 0; i < budgets->count; i++) {
 		struct motion_budget *budget = &budgets->kept[i];
 
-		/* The end of the motion decides most cases, so it comes first. */
+		/* The end of the motion decides most cases, so test it first. */
 		if (!motion_budget_holds(budget, q1))
 			continue;
 		motion_budget_resume(budget, q0);

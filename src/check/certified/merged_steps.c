@@ -7,8 +7,8 @@
 #include "motion/span.h"
 
 /*
- * mm: a radian counts as much as this many mm when the speeds along merged steps are chosen. The proof holds for any
- * value; a good one keeps the deviations small.
+ * mm: the weight of a radian when the speeds along merged steps are chosen. The proof holds for any value; a good one
+ * keeps the deviations small.
  */
 #define RADIAN 100.0
 

@@ -47,7 +47,7 @@ static void use_at(const struct motion_budget *budget, const axis_values *q, dou
 	}
 }
 
-/* As use_at, for all positions at which each joint is off by at most the given amount. */
+/* As use_at, for all positions at which each joint differs by at most the given amount. */
 static void use_within(const struct motion_budget *budget, const axis_values *amount, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;
@@ -87,7 +87,7 @@ bool motion_budget_holds(const struct motion_budget *budget, const axis_values *
 	return smaller(used[0], used[1]) < budget->room;
 }
 
-/* Adds what the errors take to each view's use; `used` is the use of the programmed path. */
+/* Adds to each view's use the use by the errors; `used` is the use by the programmed path. */
 static void add_errors(const struct motion_budget *budget, const struct position_errors *errors, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;

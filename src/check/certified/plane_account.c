@@ -2,22 +2,22 @@
 
 #include "base/minmax.h"
 
-/* Prices are running means: this share of them is the last one. */
+/* Prices are running means: the weight of the last price. */
 #define LAST_SHARE 0.125
 
-/* So much credit is kept at most; more would be spent where planes are of use no longer. */
+/* The largest credit. More would be spent where planes have stopped paying. */
 #define CREDIT_MAX 1e5
 
 /*
- * A node that a search looks at takes this share of the time of a node pair of a sweep or a distance query. Measured:
- * 80 to 95 instructions against 600 to 760.
+ * The time for a node in a search, as a share of the time for a node pair in a sweep or a distance query. Measured: 80
+ * to 95 instructions against 600 to 760.
  */
 #define SEARCH_WEIGHT 0.125
 
-/* Nodes: the least that a first search costs. */
+/* Nodes: the assumed minimum cost of a first search. */
 #define FIRST_PRICE 2000
 
-/* After searches in vain at most so many chunks or steps are left out. */
+/* The largest number of chunks or steps that are left out after failed searches. */
 enum { BACKOFF_MAX = 64 };
 
 void plane_account_init(struct plane_account *account, size_t nodes)

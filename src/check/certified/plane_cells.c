@@ -12,18 +12,18 @@
 #include "scene/body_shapes.h"
 
 /*
- * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells
- * without profiles 4 times, one kept plane a fifth longer; 12 kept planes save a twentieth.
+ * Measured on a program whose nozzle slides over a turning table: with whole bodies only, the check takes 3 times as
+ * long; with cells without profiles, 4 times; with one kept plane, a fifth longer. 12 kept planes save a twentieth.
  */
 enum { CELLS_MOST = 48, PLANES_KEPT = 4 };
 
-/* The cell of the whole bodies is searched again after so many searches of the front at most. */
+/* The cell of the whole bodies is searched again after at most this number of searches of the front. */
 enum { WHOLE_BACKOFF_MAX = 64 };
 
 struct plane_cell {
 	size_t part[2];
-	bool divided;	/* other cells stand for it */
-	int idle, backoff;	/* searches to leave out now, and after the next one without a plane */
+	bool divided;	/* smaller cells have replaced it */
+	int idle, backoff;	/* searches to leave out now, and after the next failed one */
 	int count, newest;
 	struct kept_plane kept[PLANES_KEPT];
 };
@@ -85,7 +85,7 @@ static const struct joint *joint_next_to(const struct plane_cells *cells, int bo
 	return &chain->joints[body ? chain->count - 1 : 0];
 }
 
-/* Those of the body that all its pairs share, or else new ones. */
+/* The shapes of the body that all its pairs share, or else new ones. */
 static struct body_shapes *shapes_of(const struct plane_cells *cells, int body)
 {
 	const struct body_pair *bodies = cells->bodies;
@@ -94,7 +94,7 @@ static struct body_shapes *shapes_of(const struct plane_cells *cells, int body)
 				    : body_shapes_new(bvh_of(cells, body), place_of(cells, body));
 }
 
-/* Of a leaf, or of the whole tree. */
+/* The profile of a leaf, or of the whole tree. */
 static void init_profile(struct plane_cells *cells, int body, struct leaf leaf, struct profile *profile)
 {
 	const struct joint *joint = joint_next_to(cells, body);
@@ -142,7 +142,7 @@ static bool cell_covers(struct plane_cell *cell, const struct chain *chain, cons
 	return false;
 }
 
-/* The cell that failed last is asked first next time. */
+/* The cell that failed last is tested first next time. */
 static void move_to_front(struct plane_cells *cells, size_t i)
 {
 	struct plane_cell keep;
@@ -173,7 +173,7 @@ bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *mot
 	return true;
 }
 
-/* What the cell's planes leave; of what is more than `most` any. */
+/* mm: the gap that the cell's planes leave. If one leaves more than `most`, the result is any such gap. */
 static double cell_rest(struct plane_cell *cell, const struct chain *chain, const struct plane_motion *motion,
 			double most)
 {
@@ -237,7 +237,7 @@ static void keep_plane(struct plane_cell *cell, const struct kept_plane *plane)
 	cell->kept[cell->newest] = *plane;
 }
 
-/* mm: what the cell's newest plane leaves, measured again; a plane that leaves something is kept. */
+/* mm: the gap that the cell's newest plane leaves, measured again. A plane that leaves more than 0 is kept. */
 static double carry_cell(struct plane_cells *cells, struct plane_search *search, struct plane_cell *cell,
 			 const vec3 *along)
 {
@@ -298,7 +298,7 @@ double plane_cells_carry_parts(struct plane_cells *cells, const axis_values *q, 
 	return least;
 }
 
-/* Gives the part's children parts of their own; false: it has none. */
+/* Makes the children of the part parts of their own; false: the part has no children. */
 static bool divide_part(struct plane_cells *cells, size_t at)
 {
 	const struct plane_part part = cells->parts[at];
@@ -349,7 +349,7 @@ static bool renew_cell(struct plane_cells *cells, struct plane_search *search, s
 	return proved;
 }
 
-/* The cell of the whole bodies: false also if the front has to be looked at. */
+/* The same for the cell of the whole bodies. False also if the front must be searched. */
 static bool renew_whole(struct plane_cells *cells, struct plane_search *search)
 {
 	struct plane_cell *whole = &cells->cells[0];

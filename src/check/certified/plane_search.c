@@ -5,18 +5,20 @@
 
 #include "base/minmax.h"
 
-/* A plane that lasts for so many motions like the one at hand is good enough: no other shape of the parts is tried. */
+/*
+ * A plane that holds for this many motions like the current one is good enough: no other shapes of the parts are tried.
+ */
 #define LIFE_ENOUGH 8
 
 /*
- * The same of a kept plane that is measured again. Where it lasts for a part of the motion only, other planes seldom
- * last longer: it pays more to halve the motion. Measured: 0.3 to 0.6 perform alike; 1 takes a quarter longer.
+ * The same for a kept plane that is measured again. If it holds for a part of the motion only, other planes seldom hold
+ * longer: halving the motion pays more. Measured: 0.3 to 0.6 perform alike; 1 takes a quarter longer.
  */
 #define LIFE_AGAIN 0.3
 
 /*
- * What a support may be off: as a share of what the gap is more than needed, and of what the largest gap is. Exact
- * supports of balls of 500,000 triangles cost 6 times as much.
+ * The permitted error of a support: a share of the part of the gap beyond what is needed, and a share of the largest
+ * gap. Exact supports of balls of 500,000 triangles cost 6 times as much.
  */
 #define GAP_SHARE 0x1p-4
 #define APART_SHARE 0x1p-6
@@ -35,7 +37,7 @@ void plane_search_init(struct plane_search *search, const struct body_pair *bodi
 	search->held = false;
 }
 
-/* Keeps the plane with normal n that travels with the link, if it lasts longer than the best one. */
+/* Keeps the plane with normal n that travels with the link, if it holds longer than the best one. */
 static void try_plane(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n, size_t link,
 		      double gap)
 {
@@ -53,8 +55,8 @@ static void try_plane(struct plane_search *search, const struct convex *a, const
 }
 
 /*
- * mm: the gap along n at the pose, which is hardly larger than `most`. A share of what that is more than needed may be
- * missing, and a smaller share of what the shapes are apart in all.
+ * mm: the gap along n at the pose; `most`: an estimate that the gap hardly exceeds. The result may be too small by a
+ * share of the part of that estimate beyond what is needed, or by a smaller share of the distance of the shapes.
  */
 static double gap_of(const struct plane_search *search, const struct plane_pose *pose, const struct convex *a,
 		     const struct convex *b, vec3 n, double most)
@@ -64,7 +66,7 @@ static double gap_of(const struct plane_search *search, const struct plane_pose 
 	return travelling_plane_gap(pose, a, b, n, larger(slack, 0), search->visits);
 }
 
-/* Tries the normal with every link that makes a difference; no gap along it is larger than `most`. */
+/* Tries the normal with every link that makes a difference; the gap along the normal is at most `most`. */
 static void try_normal(struct plane_search *search, const struct convex *a, const struct convex *b, vec3 n, double most)
 {
 	const struct chain *chain = search->bodies->chain;
@@ -85,7 +87,7 @@ static void try_normal(struct plane_search *search, const struct convex *a, cons
 	}
 }
 
-/* mm: no gap along n is larger. */
+/* mm: an upper bound of the gap along n. */
 static double most_along(const struct convex_search *between, vec3 n)
 {
 	double most = INFINITY;
@@ -132,7 +134,7 @@ static struct convex shape_of(const struct plane_pose *pose, const struct plane_
 	return rings ? rings_of(pose, part) : mesh_of(pose, part);
 }
 
-/* Measures a kept plane again, where its link has taken it. */
+/* Measures a kept plane again, at the place to which its link has carried it. */
 static void try_again(struct plane_search *search, const struct plane_part *const parts[2],
 		      const struct kept_plane *kept)
 {
@@ -146,8 +148,8 @@ static void try_again(struct plane_search *search, const struct plane_part *cons
 }
 
 /*
- * mm: the gap that the best plane leaves at an end of the motion, the rounding of its normal taken off. `before`: the
- * plane from which it was measured again; NULL: none.
+ * mm: the gap that the best plane leaves at an end of the motion, less the rounding of its normal. `before`: the plane
+ * whose new measurement gave the best plane; NULL: none.
  */
 static double gap_at_end(struct plane_search *search, const struct plane_part *const parts[2],
 			 const struct travelling_plane *before, int end)
@@ -172,7 +174,7 @@ static double gap_at_end(struct plane_search *search, const struct plane_part *c
 	return gap_of(search, pose, &a, &b, n, best->plane.gap) - pose->rounding;
 }
 
-/* Where the best plane does not last for the motion, its gaps at both ends may prove it. */
+/* If the best plane does not hold for the whole motion, its gaps at both ends may prove the motion. */
 static void try_ends(struct plane_search *search, const struct plane_part *const parts[2],
 		     const struct travelling_plane *before)
 {
@@ -187,12 +189,12 @@ static void try_ends(struct plane_search *search, const struct plane_part *const
 		       search->needed;
 }
 
-/* Of a plane that is carried on: what its gap may be off, as a share of what it was. */
+/* The permitted error of the gap of a plane that is measured again at the next step, as a share of its last gap. */
 #define CARRIED_SHARE 0x1p-7
 
 /*
- * mm: what the plane leaves where the motion begins, as far as that is known without measuring it there: it need not be
- * the same plane to the last place.
+ * mm: the gap that the plane leaves at the start of the motion, computed from its last measurement. The two planes need
+ * not agree to the last bit.
  */
 static double gap_at_start(const struct travelling_plane *plane, const struct chain *chain,
 			   const struct plane_motion *motion)
@@ -202,7 +204,7 @@ static double gap_at_start(const struct travelling_plane *plane, const struct ch
 	return travelling_plane_rest(plane, chain, &start, -INFINITY) - plane->rounding;
 }
 
-/* mm: what the best plane leaves throughout the straight motion, with gap0 where it begins. */
+/* mm: the gap that the best plane leaves throughout the straight motion; gap0: its gap at the start. */
 static double rest_between(struct plane_search *search, const struct plane_part *const parts[2],
 			   const struct travelling_plane *before, double gap0)
 {

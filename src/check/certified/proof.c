@@ -8,10 +8,13 @@
 #include "geom/tolerance.h"
 #include "machine/motion_bound.h"
 
-/* A target beyond the clearance need not be decided exactly: an error of this share of the part beyond is fine. */
+/*
+ * A target beyond the clearance need not be decided exactly: an error of this share of the part beyond the clearance is
+ * permitted.
+ */
 #define MEASURE_SHARE 0.1
 
-/* The most node pairs to look at for one rapid whose way is not known. Then the check reports an error. */
+/* The largest number of node pairs for one rapid whose path is not known. Beyond it the check reports an error. */
 #define BOX_VISITS 50000000L
 
 void pair_proof_init(struct pair_proof *proof, const struct body_pair *bodies, double clearance, double tolerance)
@@ -113,14 +116,14 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 	return proof->position_known;
 }
 
-/* mm: planes must leave more than this. */
+/* mm: planes must leave a larger gap than this. */
 static double needed_of_planes(const struct pair_proof *proof, const struct plane_motion *motion,
 			       const struct position_errors *errors)
 {
 	return pair_proof_needed(proof) + plane_motion_path(motion, &proof->bodies, errors);
 }
 
-/* Planes have proved a piece of motion. The axes have gone on past what the budget in use has counted. */
+/* Planes have proved a piece of motion, so the axes are past the positions that the budget in use has counted. */
 static bool passed_by_planes(struct pair_proof *proof, bool passed)
 {
 	if (!passed)
@@ -130,7 +133,7 @@ static bool passed_by_planes(struct pair_proof *proof, bool passed)
 	return true;
 }
 
-/* The kept planes, else new ones at q. */
+/* Proves a piece of motion with the kept planes, or else with new ones at q. */
 static bool by_planes(struct pair_proof *proof, const struct plane_motion *motion, const struct position_errors *errors,
 		      const axis_values *q, bool search)
 {

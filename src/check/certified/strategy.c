@@ -15,9 +15,9 @@
 
 /*
  * A second, sharper distance query asks for this share of the true distance. It is used when the first query proved too
- * little although two triangles are known that are more than SHARP_NEED times the way of the step beyond what is
- * needed. It may look at as many node pairs as the sweeps did since the last such query. Measured: 0.35 to 0.5
- * perform alike.
+ * little although the distance of two triangles exceeds what is needed by more than SHARP_NEED times the way of the
+ * step. It may visit as many node pairs as the sweeps did since the last such query. Measured: 0.35 to 0.5 perform
+ * alike.
  */
 #define SHARP_SHARE 0.5
 #define SHARP_NEED 2
@@ -26,16 +26,16 @@
 #define PAYING_ROOM 4
 
 /*
- * When the smallest clearance is measured and a target does not hold, this share of its part beyond the clearance is
- * next. The coarse share is for the curve of a report; measured: it saves a seventh of the check where bodies slide
- * along each other, and a smaller share saves nothing more.
+ * If the smallest clearance is measured and a target fails, the next target is this share of the part beyond the
+ * clearance. The coarse share is for the curve of a report. Measured: the coarse share saves a seventh of the check
+ * where bodies slide along each other, and a smaller share saves nothing more.
  */
 #define MEASURE_SHARE 0.7
 #define COARSE_MEASURE_SHARE 0.5
 
 /*
- * After queries that did not pay, at most so many steps are swept until the next one. Measured: 64 cost a tenth more
- * nearby.
+ * After queries that did not pay, at most this number of steps are swept until the next query. Measured: 64 cost a
+ * tenth more where bodies are near each other.
  */
 #define BACKOFF_MAX 256
 
@@ -45,12 +45,12 @@
  */
 #define CHORD_ERROR_SHARE 0.1
 
-/* The most halvings of a step until planes last for a part of it. */
+/* The largest number of halvings of a step to find parts for which planes hold. */
 #define HALVINGS 4
 
 /*
- * What the first search for planes looks at: all corners of the mesh for their runs, or only what makes its profile
- * (profile.h; measured: 4,500 nodes of a ball).
+ * The number of nodes for the first search for planes: all corners of the mesh for their runs, or only the nodes that
+ * make its profile (profile.h; measured: 4,500 nodes of a ball).
  */
 static size_t first_look(const struct bvh *bvh)
 {
@@ -127,7 +127,7 @@ static bool covered(struct strategy *strategy, const struct motion_step *step, c
 	return true;
 }
 
-/* mm: the approximate relative motion of the bodies in the step. A smaller distance does not help. */
+/* mm: the approximate relative motion of the bodies in the step. A budget with less room does not cover the step. */
 static double way_of(const struct chain *chain, const struct chain_state *state, const struct span *span)
 {
 	double way = 0;
@@ -141,8 +141,8 @@ static double way_of(const struct chain *chain, const struct chain_state *state,
 }
 
 /*
- * mm: a lower bound on the distance at q. A coarse query comes first, then a sharp one if it may pay (SHARP_SHARE). A
- * distance of up to `needed` mm is of no use.
+ * mm: a lower bound of the distance at q. A coarse query comes first, then a sharp one if it may pay (SHARP_SHARE). A
+ * distance of up to `needed` mm is not useful.
  */
 static double ask_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double needed,
 			   double way)
@@ -189,8 +189,7 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(bodies->chain, &state, span);
 	/*
-	 * What the path tolerance takes off counts for sharp queries only: coarse ones are cheap even if nothing is
-	 * left.
+	 * The use by the path tolerance counts for sharp queries only: coarse ones are cheap even if no room is left.
 	 */
 	lost = strategy->measure_share > 0 ? motion_budget_least(bodies->chain, &state, errors) : 0;
 	distance = strategy->measure_share > 0
@@ -205,7 +204,7 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
-/* Can travelling planes help? Not while the first target is still being measured. */
+/* Can travelling planes help? Not before the first target is measured. */
 static bool uses_planes(const struct strategy *strategy)
 {
 	return WITH_PLANES && !is_measuring_first(strategy);
@@ -234,8 +233,8 @@ static bool covered_by_planes(struct strategy *strategy, const struct motion_ste
 }
 
 /*
- * Do other planes for each part of the step save its sweep? As long as such searches fail, fewer and fewer steps are
- * halved.
+ * Do other planes for each part of the step make its sweep unnecessary? As long as such searches fail, fewer and fewer
+ * steps are halved.
  */
 static bool halves_by_planes(struct strategy *strategy, const struct motion_step *step,
 			     const struct position_errors *errors)
@@ -268,8 +267,8 @@ static enum query_answer sweep_step(struct strategy *strategy, struct sweep *swe
 }
 
 /*
- * Does a distance query show at once that a target beyond the clearance does not hold? It costs far less than a sweep
- * that finds it out. *contact then has the distance of two triangles where the step ends.
+ * Does a distance query show at once that a target beyond the clearance fails? The query costs far less than a sweep
+ * with the same result. *contact then has the distance of two triangles at the end of the step.
  */
 static bool is_target_missed(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 			     struct contact *contact)
@@ -284,7 +283,7 @@ static bool is_target_missed(struct strategy *strategy, struct sweep *sweep, con
 	return contact->distance <= proof->target;
 }
 
-/* Tries to prove the step for the present target. */
+/* Tries to prove the step for the current target. */
 static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 				 struct contact *contact)
 {
@@ -318,8 +317,8 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 }
 
 /*
- * The effort for the sweep is used up. Do budgets or planes prove the step, whatever they cost? What was tried before
- * depends on the steps that were checked before it, and these on what a report has measured.
+ * The effort for the sweep is used up. Can budgets or planes prove the step, at any cost? Earlier attempts do not
+ * count: they depend on the steps before, and thus on what a report has measured.
  */
 static bool proved_at_any_price(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step)
 {
@@ -355,7 +354,7 @@ enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep 
 	return answer;
 }
 
-/* Does every point stay so near to its chord that the chord need not be halved for this? */
+/* Is every point so close to its chord that the chord errors do not require halving the chord? */
 static bool is_nearly_straight(const struct strategy *strategy, const struct chord *chord)
 {
 	const struct body_pair *bodies = &strategy->proof.bodies;
@@ -373,8 +372,8 @@ static bool is_nearly_straight(const struct strategy *strategy, const struct cho
 }
 
 /*
- * How many steps to merge: at most twice as many as last time. *chord is the chord of them. Less than two: merge
- * none.
+ * The number of steps to merge: at most twice the last number. Less than two: merge none. *chord: the chord of these
+ * steps.
  */
 static size_t choose_merge(const struct strategy *strategy, const struct batch_step *steps, size_t count,
 			   struct chord *chord)

@@ -63,7 +63,9 @@ double travelling_plane_gap(const struct plane_pose *pose, const struct convex *
 	       pose->rounding;
 }
 
-/* The error of a lever as a share of the part's radius: a hundredth of the joint's effect on the gap. */
+/*
+ * The permitted error of a lever as a share of the part's radius. It is a hundredth of the joint's effect on the gap.
+ */
 #define LEVER_SHARE 0x1p-5
 
 /* The effect of a rotary joint on the part of the body that it carries. */
@@ -133,13 +135,13 @@ double plane_motion_path(const struct plane_motion *motion, const struct body_pa
 	return box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
 }
 
-/* mm: a lower bound of the growth of the gap by joint i, to first order, at dq from its measurement. */
+/* mm: a lower bound of the growth of the gap by joint i, to first order, at dq from the position of its measurement. */
 static inline double first_order(const struct travelling_plane *plane, size_t i, double dq)
 {
 	return smaller(dq * plane->low[i], dq * plane->high[i]);
 }
 
-/* The sum of one body's joints, outward from the link. */
+/* The sum over one body's joints, outward from the link. */
 struct second_order {
 	double turned;	/* the largest rotation of n relative to the next joint */
 	double lost;	/* mm */
@@ -176,8 +178,8 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 		size += plane->rate[i] * ways[i];
 	}
 	/*
-	 * The first-order part is concave in the joints, so a straight motion has the least at one of its ends. The
-	 * sums above are good to some dozen units in the last place of the numbers in them.
+	 * The first-order part is concave in the joints, so its least value on a straight motion is at one of the ends.
+	 * The rounding of the sums above is some dozen units in the last place of their numbers.
 	 */
 	first = plane->gap + (motion->straight ? smaller(at0, at1) : separate);
 	if (!(first > beyond))
@@ -203,7 +205,7 @@ static struct outward outward_of(const struct travelling_plane *plane, const str
 	return out;
 }
 
-/* A joint over a straight motion. */
+/* The motion of a joint in a straight motion. */
 struct joint_way {
 	double dq;	/* of the motion */
 	double error;	/* its chord error */
@@ -211,8 +213,8 @@ struct joint_way {
 };
 
 /*
- * mm: how far a point of one body may be behind the chord between its ends, along n. *lost receives what the chord
- * errors take.
+ * mm: the largest deviation of a point of one body, along n, from the chord between its ends. *lost receives the share
+ * of the chord errors.
  */
 static double bulge_of(const struct travelling_plane *plane, const struct chain *chain, const struct outward *out,
 		       const struct joint_way *ways, double *lost)
@@ -222,7 +224,7 @@ static double bulge_of(const struct travelling_plane *plane, const struct chain 
 	for (size_t k = out->count; k-- > 0;) {
 		const size_t i = out->joints[k];
 
-		/* 1: so that u is dq for linear joints, too. Removed joints move nothing. */
+		/* 1 for linear joints, so that u is dq for them, too. Removed joints move nothing. */
 		lever[k] = !chain->joints[i].rotary ? 1 : plane->turn[i] > 0 ? plane->lever[i] + outer : 0;
 		outer += ways[i].off * lever[k];
 	}

@@ -7,29 +7,33 @@
 #include "check/measure/measured_step.h"
 #include "check/step.h"
 
-/* The share of the distance that a distance query must prove. More would cost far more than testing one distance. */
+/*
+ * The share of the distance that a distance query must prove. A larger share would cost far more than testing one
+ * distance.
+ */
 #define DISTANCE_SHARE 0.2
 
 /* The tolerance of each query, as a share of the distance. */
 #define TARGET_SHARE 0.03
 
 /*
- * After so many queries that fail in one step the distance that is tried next falls faster. After so many of any kind
- * each further query halves it. The search normally ends long before.
+ * After this number of failed queries in one step, the tested distance falls faster. After this number of queries of
+ * any kind, each further query halves it. The search normally ends long before.
  */
 #define FAILURES_MAX 4
 #define QUERIES_MAX 60
 
 /*
- * After so many chunks the cells of planes are joined again: they were divided where planes of larger parts did not
- * do. Measured: with 16 a tenth more is spent in all, as the planes of the cells are lost; without, nothing is saved.
+ * After this number of chunks the cells of planes are joined again. They were divided where planes of larger parts did
+ * not suffice. Measured: with 16 the whole check takes a tenth longer, because the planes of the cells are lost;
+ * without joining, nothing is saved.
  */
 enum { JOIN_CHUNKS = 256 };
 
-/* A budget that has proved nothing for this number of steps is forgotten. */
+/* A budget that has proved nothing for this number of steps is dropped. */
 enum { UNSPENT_MOST = 64 };
 
-/* The most node pairs for one rapid whose path is not known; then a smaller distance is tried. */
+/* The largest number of node pairs for one rapid whose path is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
 void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies)
@@ -55,7 +59,7 @@ static bool kept_planes_cover(struct block_clearance *block, const struct plane_
 	return WITH_PLANES && plane_cells_cover(&block->pair.planes, motion, needed);
 }
 
-/* The same by new planes for a whole chunk, if a search for them may pay. */
+/* The same with new planes for a whole chunk, if a search for them may pay. */
 static bool new_planes_cover_chunk(struct block_clearance *block, const struct plane_motion *motion, double needed)
 {
 	const axis_values middle = plane_motion_middle(motion);
@@ -126,7 +130,7 @@ static void renew(struct block_clearance *block, struct sweep *sweep, const axis
 	motion_budget_set(&block->budget, q, &state, proven);
 }
 
-/* mm: the distance at which the search may end. */
+/* mm: the search ends when this distance is proved. */
 static double enough(const struct block_clearance *block, double distance)
 {
 	return clearance_accuracy_enough(block->pair.accuracy, distance, block->pair.bound);
@@ -162,8 +166,8 @@ static double next_target(const struct block_clearance *block, double low, doubl
 }
 
 /*
- * Finds a distance that holds throughout the step. Each failed query shows a smaller distance; the search ends when a
- * proved distance is nearly as large as that.
+ * Finds a distance that holds throughout the step. Each failed query lowers the upper bound; the search ends when the
+ * proved distance is close enough to this bound.
  */
 static void prove(struct block_clearance *block, struct sweep *sweep, const struct measured_step *measured,
 		  double tolerance)

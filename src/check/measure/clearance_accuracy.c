@@ -3,8 +3,9 @@
 #include <math.h>
 
 /*
- * Of a sharp bound: this share of the distance is enough. Measured: 0.9 takes a sixth longer. But where the distance is
- * so many times what the block has, only that is enough: a report tells where the whole cap holds.
+ * For a sharp bound, proving this share of the distance is enough. Measured: 0.9 takes a sixth longer. If the distance
+ * is more than SHARP_BEYOND times the block's bound so far, the whole bound must be proved: a report shows where the
+ * whole cap holds.
  */
 #define SHARP_ENOUGH 0.87
 #define SHARP_BEYOND 1.1

@@ -9,12 +9,16 @@
 #include "scene/near_pair.h"
 
 /*
- * How often a step is halved until planes last for a part of it. Measured: with 4 an eighth to a 16th of the sweeps are
- * left that are needed without, with 5 half of those again; then most are left where planes do not help at all.
+ * The largest number of halvings of a step to find parts for which planes hold. Measured: with 4 halvings, an eighth to
+ * a sixteenth of the sweeps remain that are needed without halving; with 5, half of those. Most of the remaining ones
+ * are where planes do not help at all.
  */
 #define HALVINGS 5
 
-/* Where the distances at the ends of a part of a step have at least this ratio, planes are measured in its middle. */
+/*
+ * If the smaller of the distances at the ends of a part of a step is at least this share of the larger one, planes are
+ * measured in the middle of the part.
+ */
 #define ALIKE 0.8
 
 void measured_pair_init(struct measured_pair *pair, const struct body_pair *bodies)
@@ -50,7 +54,7 @@ static void see(struct measured_step *measured, const struct measured_pair *pair
 									  pair->bound));
 }
 
-/* mm: the gap that planes must leave for that. */
+/* mm: the gap that planes must leave to prove the wanted distance. */
 static double needed_of(const struct measured_step *measured)
 {
 	return measured->wanted + measured->path;
@@ -75,15 +79,18 @@ static const xform *pose_at(struct measured_pair *pair, const axis_values *q)
 }
 
 /*
- * mm: with triangles this close there is no more than nearly all of what planes have proved (`kept`), so that nearer
- * ones are of no use.
+ * mm: if two triangles are this close, the distance that planes have proved (`kept`) is nearly the whole distance, so
+ * closer triangles are not needed.
  */
 static double useful_distance(const struct measured_pair *pair, const struct measured_step *measured, double kept)
 {
 	return kept > 0 ? clearance_accuracy_distance(pair->accuracy, kept) + measured->path : 0;
 }
 
-/* Searches triangles that are near each other at q, unless `kept`, proved by planes, is already enough. */
+/*
+ * Searches for triangles that are close to each other at q, unless the distance `kept` that planes have proved is
+ * already enough.
+ */
 static void look_at(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 		    const axis_values *q, double kept)
 {
@@ -91,7 +98,7 @@ static void look_at(struct measured_pair *pair, struct sweep *sweep, struct meas
 					      &sweep->visits));
 }
 
-/* The same at a fraction of the cost: searches only beside the triangles that were close before. */
+/* The same at a fraction of the cost: searches only near the triangles that were close before. */
 static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			const axis_values *q, double kept)
 {
@@ -99,7 +106,7 @@ static void look_beside(struct measured_pair *pair, struct sweep *sweep, struct 
 						   useful_distance(pair, measured, kept), &sweep->visits));
 }
 
-/* mm: proved by kept planes for the motion; at most what is needed. */
+/* mm: the distance that kept planes prove for the motion, at most what is needed. */
 static double kept_for(struct measured_pair *pair, const struct measured_step *measured,
 		       const struct plane_motion *motion, enum planes_asked asked)
 {
@@ -117,7 +124,7 @@ static bool new_planes_prove(struct measured_pair *pair, const struct measured_s
 
 	if (!WITH_PLANES || !plane_account_allows(&pair->account))
 		return false;
-	/* The result of kept planes is already known, and other triangles are nearer. */
+	/* The result of kept planes is already known, and other triangles are closer now. */
 	held = plane_cells_search(&pair->planes, q, part, needed_of(measured));
 	plane_account_add_search(&pair->account, pair->planes.visits - before);
 	return held;
@@ -159,8 +166,9 @@ static double distance_at(struct measured_pair *pair, struct measured_step *meas
 }
 
 /*
- * Looks where the triangles that were close before are nearest to each other at the ends of the part, or in its middle
- * if the ends are alike. Stops as soon as what planes prove (`kept`) is all that is wanted of them. Returns the place.
+ * Searches for close triangles at the end of the part where the triangles that were close before are closest, or in its
+ * middle if the ends are alike. Stops as soon as the distance `kept` that planes have proved is enough. Returns the
+ * position.
  */
 static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			       const struct plane_motion *part, double kept)
@@ -183,14 +191,18 @@ static axis_values look_around(struct measured_pair *pair, struct sweep *sweep, 
 }
 
 /*
- * Does the last measured plane leave enough where it was measured? Then the motion is too long for it, and for others.
+ * Does the last measured plane leave a large enough gap where it was measured? Then the motion is too long for this
+ * plane, and for others.
  */
 static bool is_good_where_measured(const struct measured_pair *pair, const struct measured_step *measured)
 {
 	return plane_cells_gap_of_whole(&pair->planes) > needed_of(measured);
 }
 
-/* mm: proved by the plane of the whole bodies, measured again at the motion's end; `along` as in plane_cells.h. */
+/*
+ * mm: the distance proved by the plane of the whole bodies, measured again at the motion's end; `along` as in
+ * plane_cells.h.
+ */
 static double carried_on(struct measured_pair *pair, const struct measured_step *measured,
 			 const struct plane_motion *motion, const vec3 *along)
 {
@@ -198,7 +210,9 @@ static double carried_on(struct measured_pair *pair, const struct measured_step 
 	       measured->path;
 }
 
-/* mm: proved by planes for a half of a step: kept ones, or else the plane of the whole bodies measured again. */
+/*
+ * mm: the distance proved for a half of a step by kept planes, or else by the plane of the whole bodies measured again.
+ */
 static double proved_of_half(struct measured_pair *pair, const struct measured_step *measured,
 			     const struct plane_motion *half)
 {
@@ -211,9 +225,9 @@ static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct
 			 const struct plane_motion *part, int halvings);
 
 /*
- * Do travelling planes prove nearly all that there can be for this part of the step, of which they prove `kept` as it
- * is? What there can be becomes less as nearer triangles are found: those that were nearest before have moved apart as
- * a rule.
+ * Do travelling planes prove nearly the largest possible distance for this part of the step? `kept`: the distance that
+ * they have proved already. The largest possible distance decreases when closer triangles are found: the triangles that
+ * were closest before have usually moved apart.
  */
 static bool planes_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			 const struct plane_motion *part, double kept, int halvings)
@@ -247,10 +261,13 @@ static bool halves_prove(struct measured_pair *pair, struct sweep *sweep, struct
 	return proved;
 }
 
-/* The proved distance is much less than the present upper bound: the bodies may be far nearer at the start. */
+/*
+ * If the proved distance is less than this share of the wanted one, the bodies may be far closer at the start of the
+ * step.
+ */
 #define SEEN_TOO_FAR 0.5
 
-/* Searches nearer triangles at the end of the step, and at its start if the bodies may be far nearer there. */
+/* Searches for closer triangles at the end of the step, and at its start if the bodies may be far closer there. */
 static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			 const struct plane_motion *motion, double kept)
 {
@@ -260,7 +277,7 @@ static void look_at_ends(struct measured_pair *pair, struct sweep *sweep, struct
 		look_at(pair, sweep, measured, &motion->q0, kept);
 }
 
-/* A multiple of the cap: nearer triangles are hardly found, and would not help. */
+/* A multiple of the cap. Beyond it a search seldom finds closer triangles, and they would not help. */
 #define FAR_TIMES 2
 
 static bool is_far(const struct measured_pair *pair, const struct measured_step *measured)
@@ -269,11 +286,11 @@ static bool is_far(const struct measured_pair *pair, const struct measured_step 
 }
 
 /*
- * Bodies that slide past each other in large steps have the same plane between them in step after step, but it lasts
- * for less than one. As a rule other triangles have come near since, and show that kept planes prove nearly all that
- * there is. Else the last step's plane is measured again where this one ends. Only if that is not enough, triangles are
- * looked for that are as near as to show that there is no more, or else in which direction there is. Returns mm: what
- * is proved, of which kept planes prove `kept`.
+ * Bodies that slide past each other in large steps keep the same separating plane from step to step, but a plane holds
+ * for less than one step. The function tries, in order of cost: 1. closer triangles, which usually show that the kept
+ * planes prove nearly the whole distance; 2. the last step's plane, measured again at the end of this step; 3. a search
+ * for triangles that are close enough to show this, or else that give the direction of a new plane. Returns the proved
+ * distance (mm); `kept`: the distance that kept planes prove.
  */
 static double carry_whole(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			  const struct plane_motion *motion, double kept)
@@ -311,7 +328,10 @@ static double carry_parts(struct measured_pair *pair, struct sweep *sweep, struc
 	return proved;
 }
 
-/* mm: proved by planes that are carried on from step to step, if that may pay; kept ones prove `kept`. */
+/*
+ * mm: the distance proved by planes that are measured again from step to step, if that may pay; kept planes prove
+ * `kept`.
+ */
 static double carry_planes(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			   const struct plane_motion *motion, double kept)
 {
@@ -335,8 +355,8 @@ static double carry_planes(struct measured_pair *pair, struct sweep *sweep, stru
 }
 
 /*
- * The same with new planes and halves, where kept ones are not enough. As long as that fails, fewer and fewer steps are
- * tried: between curved bodies that are nested it costs several times as much as the queries that follow.
+ * The same with new planes and halves, if kept planes are not enough. As long as this fails, fewer and fewer steps are
+ * tried: between nested curved bodies it costs several times as much as the queries that follow.
  */
 static bool parts_prove(struct measured_pair *pair, struct sweep *sweep, struct measured_step *measured,
 			const struct plane_motion *motion, double kept)

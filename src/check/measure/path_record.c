@@ -49,7 +49,7 @@ void path_record_step(struct path_record *path, const struct motion_step *step)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		uint64_t bits;
 
-		/* Fowler, Noll and Vo's hash (FNV-1a), a number at a time. */
+		/* The hash of Fowler, Noll and Vo (FNV-1a), one number at a time. */
 		memcpy(&bits, &step->span.q1.v[slot], sizeof(bits));
 		path->digests[slot] = (path->digests[slot] ^ bits) * UINT64_C(0x100000001b3) + 1;
 	}

@@ -9,17 +9,19 @@
 #include "check/measure/path_record.h"
 #include "motion/motion.h"
 
-/* In tolerances: a measured clearance may be too small by this; with less left, no larger change can be proved. */
+/*
+ * In tolerances: a measured clearance may be too small by this amount; if less is left, no larger change can be proved.
+ */
 #define STALL 2
-/* In tolerances: a change that is larger by this must find the body that is in the way, if there is one. */
+/* In tolerances: a change that is larger by this amount must find the body in the way, if there is one. */
 #define PROBE 6
 
 /* The most runs for one quantity in one direction. */
 #define RUNS_MAX 60
 
 /*
- * If something is found without a change: the parts of the range to try, and the halvings of the part in which the
- * verdict changes.
+ * If there is a finding without a change: the number of parts of the range to try, and the number of halvings of the
+ * part in which the verdict changes.
  */
 #define PARTS 20
 #define HALVINGS 6
@@ -42,7 +44,7 @@ struct search {
 struct probe {
 	struct search *search;
 	enum check_result result;
-	bool orderly;	/* the path is the recorded one, as far as the run came */
+	bool orderly;	/* the path is the recorded one, as far as the run went */
 	char *why;	/* the first error; owned */
 };
 
@@ -89,8 +91,8 @@ static void on_fault(void *context, const struct diag_entry *entry)
 }
 
 /*
- * Checks the program with the answer's quantity changed by `amount` in its direction. Measures clearances (measures 0:
- * none) as far as they matter for a further change by `measures` mm. Release the probe's `why`.
+ * Checks the program with the answer's quantity changed by `amount` in its direction. Measures clearances as far as
+ * they matter for a further change by `measures` mm; 0: none. The caller releases the probe's `why`.
  */
 static struct probe run(struct search *search, double amount, double measures)
 {
@@ -153,7 +155,7 @@ static double spread_of(const struct machine *machine)
 	return most < 1 ? sqrt(3 / (1 - most)) : INFINITY;
 }
 
-/* mm: by the last measurement, every smaller change keeps the pairs apart. */
+/* mm: according to the last measurement, every smaller change keeps the pairs apart. */
 static double room(const struct search *search)
 {
 	const struct scene *scene = search->study->scene;
@@ -172,7 +174,7 @@ static double room(const struct search *search)
 	return least / search->spread;
 }
 
-/* The answer takes over `why`; NULL: no run failed. */
+/* Ends the search without a result. The answer takes over `why`; NULL: no run failed. */
 static void give_up(struct search *search, char *why, double at)
 {
 	search->answer->state = SENSITIVITY_UNKNOWN;
@@ -180,7 +182,7 @@ static void give_up(struct search *search, char *why, double at)
 	search->answer->why = why;
 }
 
-/* run() whose check was complete. False: it was not, and the search ends. */
+/* run() with a complete check. False: the check was incomplete, and the search ends. */
 static bool ask(struct search *search, double amount, double measures, struct probe *probe)
 {
 	*probe = run(search, amount, measures);
@@ -200,7 +202,7 @@ static void turn(struct search *search, double at)
 }
 
 /*
- * Something is found at `high` and nothing at `low`: finds by halving where the verdict changes. proved: no bodies can
+ * There is a finding at `high` and none at `low`: finds by halving where the verdict changes. proved: no bodies can
  * meet between the two, so the finding is a limit, and no change up to the last `low` reaches it.
  */
 static void close_in(struct search *search, double low, double high, bool proved)
@@ -240,7 +242,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	if (!ask(search, next, answer->range - next, &probe))
 		return true;
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
-	/* With stock nothing is ever proved: then only halving finds where the verdict changes. */
+	/* With stock nothing is proved: only halving finds where the verdict changes. */
 	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->study->scene) >= 0))
 		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
@@ -255,7 +257,10 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	return !(next < answer->range);
 }
 
-/* Finds how far a clear verdict holds. Before each run, search->proven is what was measured without a change. */
+/*
+ * Finds the largest change with which a clear verdict holds. Before each run, search->proven has the measurements of
+ * the unchanged program.
+ */
 static void search_clear(struct search *search)
 {
 	struct sensitivity *answer = search->answer;
@@ -287,7 +292,7 @@ static void search_clear(struct search *search)
 	}
 }
 
-/* There is a finding without a change: searches the first of the tried changes without one. */
+/* There is a finding without a change: searches for the first of the tried changes without one. */
 static void search_found(struct search *search)
 {
 	struct sensitivity *answer = search->answer, found;

@@ -8,9 +8,10 @@
 #include "check/step.h"
 
 /*
- * The search in a step is done once this share of a distance that the body does not keep is proved, and not begun if a
- * budget proves nearly all that it has. More would cost far more: what is left of a wall all around a shank is looked
- * at in cells that are small against what is missing (0.9 takes six times as long as 0.7).
+ * The search in a step ends when the proved distance is at least this share of a distance that the body does not keep.
+ * It is not begun if a budget proves nearly all of its room. A larger share would cost far more: a wall that remains
+ * all around a shank is examined in cells that are small compared with the undecided distance (0.9 takes six times as
+ * long as 0.7).
  */
 #define ENOUGH 0.7
 #define BUDGET_ENOUGH 0.9
@@ -21,7 +22,7 @@
 /* The most cells examined for one distance in one step; then a smaller distance is tried. */
 #define SWEEP_EFFORT 200000L
 
-/* A budget may prove this multiple of the cap: then it holds for some steps. */
+/* A budget may prove this multiple of the cap, so that it holds for some steps. */
 #define BUDGET_CAPS 2
 
 void stock_clearance_init(struct stock_clearance *clearance, struct stock_pair *pair, double cap)
@@ -36,7 +37,7 @@ void stock_clearance_release(struct stock_clearance *clearance)
 	*clearance = (struct stock_clearance){.pair = NULL};
 }
 
-/* mm: proved by the budget for the whole step. */
+/* mm: the distance that the budget proves for the whole step. */
 static double budget_rest(const struct stock_clearance *clearance, const struct motion_step *step)
 {
 	const struct position_errors errors = step_errors(clearance->pair->bodies.chain, step);
@@ -46,7 +47,7 @@ static double budget_rest(const struct stock_clearance *clearance, const struct 
 	return motion_budget_rest(&clearance->budget, &low, &high, &errors);
 }
 
-/* Begins a budget at the end of the step, with the stock before the step: later there is less of it. */
+/* Begins a budget at the end of the step, with the stock before the step: later the stock is smaller. */
 static void renew_budget(struct stock_clearance *clearance, const struct motion_step *step, long number)
 {
 	const struct stock_pair *pair = clearance->pair;
@@ -88,7 +89,7 @@ static void search_distance(struct stock_clearance *clearance, const struct moti
 			low = target;
 		else
 			high = target;
-		/* Always between both, or the search would not end. A small proved distance says little. */
+		/* Always between both, or the search would not end. A small proved distance is a poor guide. */
 		target = larger(sqrt(low * high), low > least ? 0 : 0.5 * high);
 	}
 	clearance->bound = low > least ? smaller(clearance->bound, low) : 0;

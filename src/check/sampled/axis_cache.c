@@ -49,7 +49,7 @@ static uint64_t key_of(uint32_t i, uint32_t j)
 	return (uint64_t)i << 32 | j;
 }
 
-/* The slot of the key, or the free one where it belongs. */
+/* The slot of the key, or the free slot for it. */
 static struct slot *slot_for(const struct axis_cache *cache, uint64_t key)
 {
 	size_t at = (size_t)(key * 0x9e3779b97f4a7c15u >> 20);

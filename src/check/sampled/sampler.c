@@ -30,7 +30,7 @@ void sampler_release(struct sampler *sampler)
 	sampler->cache = NULL;
 }
 
-/* Does the axis, of any length, leave a gap of more than the clearance? */
+/* Does the axis, which may have any length, leave a gap of more than the clearance? */
 static bool separates(const tri *a, const tri *b, vec3 n, double clearance)
 {
 	double length = vec3_norm(n), gap = tri_gap(a, b, n), other = tri_gap(b, a, n);
@@ -139,7 +139,7 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 	return false;
 }
 
-/* On the path itself: the chord of a curved step may be farther from it than the tolerance. */
+/* A position on the path itself: the chord of a curved step may be farther from the path than the tolerance. */
 static axis_values position_at(const struct span *span, double s)
 {
 	axis_values q;
