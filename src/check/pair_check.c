@@ -107,10 +107,7 @@ void pair_check_change_tool(struct pair_check *check)
 void pair_check_jump(struct pair_check *check)
 {
 	check->maybe_inside = true;
-	/*
-	 * Only the first step of a program samples its start, so that the samples do not depend on the division into
-	 * shards.
-	 */
+	/* Only the first step of a program samples its start, so that the division into shards does not matter. */
 	check->has_started = true;
 	if (!check->methods)
 		return;
@@ -203,10 +200,7 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 	return end - i;
 }
 
-/*
- * The number of steps from i on that the measurement has proved clear. *next: the first of check->open that may come
- * after i.
- */
+/* The number of steps from i on that were measured as clear. *next: the first of check->open that may come after i. */
 static size_t skip_measured(struct pair_check *check, size_t i, size_t to, size_t *next)
 {
 	size_t end;
@@ -340,8 +334,7 @@ static double most_of(const struct measure_plan *plan, const struct batch *batch
 }
 
 /*
- * Does a box of this size begin with step i, and do all of its steps have at least their cap? `proved`: mm, proved for
- * all steps so far.
+ * Have all steps of the box of this size from step i on at least their cap? `proved`: mm, proved for all steps so far.
  */
 static bool box_clears(struct block_clearance *block, const struct batch *batch, enum batch_box size, size_t i,
 		       const struct measure_plan *plan, double proved)
