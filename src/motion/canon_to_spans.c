@@ -12,7 +12,7 @@
 #include "motion/move_path.h"
 #include "motion/timing.h"
 
-/* mm: a move that deviates by less needs few pieces. */
+/* mm: a move that deviates less from its chord needs few pieces. */
 #define CURVED 1.0
 
 static void take_tool(struct canon_to_spans *converter, int number)
@@ -56,11 +56,11 @@ struct run {
 	const struct canon_move *move;
 	/* The converter's event: filled in place, because it is large and there are many. */
 	struct motion_step *step;
-	bool has_room;	/* the axes may be beside the path, where that counts for the limits, and then: */
-	axis_values room;	/* how far */
+	bool has_room;	/* the axes may be beside the path in a way that counts for the limits, by `room` */
+	axis_values room;	/* if has_room: how far */
 	bool turns;	/* a rotary axis may be beside its path */
-	bool swings;	/* it is a rapid under TCP that is only known to stay in a box, and then: */
-	axis_values swing;	/* how far the axes may be outside of the box */
+	bool swings;	/* a rapid under TCP that is only known to stay in a box */
+	axis_values swing;	/* if swings: how far the axes may be outside the box */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
 	size_t count;	/* of legs; 0: nothing moves */
 	struct leg legs[SLOT_COUNT];
@@ -74,8 +74,8 @@ static bool is_countable(const struct run *run, const struct path *path)
 }
 
 /*
- * By how much each axis leaves the box between start and end if the control keeps the tip on a line all the same:
- * linear axes swing out while rotary ones turn. False: too long to say, which was reported.
+ * How far each axis leaves the box between start and end if the control keeps the tip on a line after all: linear axes
+ * then move to and fro while rotary ones turn. False: the move is too long, which was reported.
  */
 static APART bool swing_out(struct run *run, const struct path *box)
 {
@@ -105,14 +105,14 @@ static APART bool swing_out(struct run *run, const struct path *box)
 	return true;
 }
 
-/* How far the axes may be beside the path of the move because it is known only as a set of paths. */
+/* Adds how far the axes may be beside the path of the move, because only a set of paths is known. */
 static void add_spread(struct run *run)
 {
 	const struct machine *machine = run->converter->machine;
 	const struct canon_move *move = run->move;
 	axis_values spread = {{move->spread[0], move->spread[1], move->spread[2]}};
 
-	/* Under TCP it lies along X, Y and Z of the workpiece, which a table turns. */
+	/* Under TCP the spread is along X, Y and Z of the workpiece, which a table rotates. */
 	if (move->tcp)
 		spread = tcp_spread(&run->converter->tcp, &run->converter->position, &move->end, move->spread);
 	for (size_t i = 0; i < machine->axis_count; i++) {
@@ -128,7 +128,7 @@ static void add_spread(struct run *run)
 	}
 }
 
-/* The same of the rotary axes; what the linear ones add to it under TCP comes when the path is known. */
+/* The same for the rotary axes. Their effect on the linear axes under TCP is added when the path is known. */
 static void add_turn_spread(struct run *run)
 {
 	const struct canon_move *move = run->move;
@@ -156,7 +156,7 @@ static void add_following(struct run *run)
 	}
 }
 
-/* The path goes nowhere, but the axes may: a leg of no time. */
+/* The path has no length, but the axes may move: a leg that takes no time. */
 static bool stand(struct run *run)
 {
 	struct leg *leg = &run->legs[0];
@@ -168,7 +168,7 @@ static bool stand(struct run *run)
 	return true;
 }
 
-/* Each axis of a straight rapid at its own rate. */
+/* Each axis of a straight rapid moves at its own rate. */
 static APART bool set_dogleg(struct run *run)
 {
 	struct path parts[SLOT_COUNT];
@@ -235,7 +235,7 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	return converter->sink->event(converter->sink->context, &event);
 }
 
-/* What a rapid passes if the control keeps the tip on a line, of the axes that have not been reported. */
+/* Reports the limits that a rapid passes if the control keeps the tip on a line, for axes without a report. */
 static bool report_swing(struct run *run, const bool reported[SLOT_COUNT])
 {
 	struct limit_crossing crossings[SLOT_COUNT];
@@ -276,14 +276,14 @@ static bool check_limits(struct run *run)
 	const axis_values *room = run->has_room ? &run->room : NULL;
 	const bool straight = run->count == 1 && path_is_straight(&run->legs[0].path) && !room && !run->swings;
 
-	/* A straight move between two places inside of the limits stays inside. */
+	/* A straight move between two positions inside the limits stays inside. */
 	if (straight && converter->inside && limits_hold(&converter->axes, &run->legs[0].span.q1))
 		return true;
 	converter->inside = limits_kept(&converter->axes, run->legs, run->count, room);
 	return (converter->inside && !run->swings) || report_limits(run, room);
 }
 
-/* Sends the step that is filled but for its times. */
+/* Sends the step, which is complete except for its times. */
 static bool send_step(struct canon_to_spans *converter, double seconds)
 {
 	struct motion_step *step = &converter->event.of.step;
@@ -307,7 +307,7 @@ static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
 	return true;
 }
 
-/* A probe measures where its motion may end early, and where a set of ways is all that is known of it. */
+/* A probe move measures if it may end early, and if only a set of paths is known. */
 static enum step_class class_of(const struct run *run)
 {
 	if (run->move->kind == CANON_RAPID)
@@ -395,7 +395,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 
 /* ------------------------------------------------------------- canon_sink */
 
-/* Tells what holds for this move if that is not what holds already. */
+/* Reports the modes of this move if they differ from the last ones. */
 static bool tell_modes(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	const struct motion_modes modes = motion_modes_of(move);

@@ -4,7 +4,7 @@
 
 #include "geom/tolerance.h"
 
-/* When each axis of a dogleg arrives, and the next arrival after `time`; INFINITY if there is none. */
+/* The time at which each axis of a dogleg arrives, and the next arrival after `time`; INFINITY: there is none. */
 static double next_arrival(const struct machine *machine, const struct path *path, double time,
 			   double arrivals[SLOT_COUNT])
 {
@@ -15,7 +15,7 @@ static double next_arrival(const struct machine *machine, const struct path *pat
 		double at = fabs(path->end.v[axis->slot] - path->start.v[axis->slot]) / axis->rate_max;
 
 		arrivals[axis->slot] = at;
-		/* Arrivals that differ only by rounding count as one. */
+		/* Arrivals that differ by rounding only count as one. */
 		if (at > time * (1 + ARRIVAL_ROUNDING))
 			next = fmin(next, at);
 	}

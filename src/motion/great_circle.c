@@ -9,14 +9,14 @@
 #include "motion/orient.h"
 #include "motion/tcp.h"
 
-/* Radians: what rounding makes of a rotary position. */
+/* Radians: the rounding of a rotary position. */
 #define ROUNDING 1e-10
 
 struct circle {
-	vec3 a, b;	/* the axes, units */
+	vec3 a, b;	/* the axes, unit vectors */
 	int slots[2];
 	vec3 tool;
-	mat3 to_work;	/* from directions as the controller means them to the workpiece's at the zero pose */
+	mat3 to_work;	/* from the controller's directions to those of the workpiece at the zero pose */
 };
 
 static bool circle_init(struct circle *circle, const struct machine *machine, struct srcloc loc, struct diag *diag,
@@ -73,7 +73,7 @@ struct bounds {
 	bool known;
 };
 
-/* `at` is the middle of the piece, of which no direction is farther than `half` radians; `speed` is w. */
+/* `at` is the middle of the piece; no direction of the piece is farther from it than `half` radians; `speed` is w. */
 static struct bounds find_bounds(const struct circle *circle, vec3 normal, vec3 at, double half, double speed)
 {
 	const double k = vec3_dot(circle->a, circle->b), p = vec3_dot(circle->b, circle->tool);
@@ -98,7 +98,7 @@ static struct bounds find_bounds(const struct circle *circle, vec3 normal, vec3 
 	return bounds;
 }
 
-/* Is this solution the one that the axes reach on the way, and is the other one none? */
+/* Do the axes reach this solution on the piece, and not the other one? */
 static bool is_reached(const struct circle *circle, const struct kinematics_great_circle *piece,
 		       const axis_values *rotary, const struct bounds *bounds)
 {
@@ -139,7 +139,7 @@ bool great_circle_piece(const struct machine *machine, struct srcloc loc, struct
 	for (size_t i = 0; bounds.known && i < found.count; i++) {
 		if (!found.items[i].within_limits || !is_reached(&circle, piece, &found.items[i].rotary, &bounds))
 			continue;
-		/* Two of them: the piece is too long to tell them apart. */
+		/* Both: the piece is too long to distinguish them. */
 		bounds.known = reached < 0;
 		reached = (int)i;
 	}

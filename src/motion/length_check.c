@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-/* mm: lengths that differ by less are measured ones of tools of one kind. */
+/* mm: lengths that differ by less are measured lengths of tools of one kind. */
 static const double DIFFERENT = 0.5;
-/* mm: two numbers for the same length. */
+/* mm: numbers that differ by less are the same length. */
 static const double SAME = 1e-6;
 
 void length_check_tool(struct length_check *check, const struct setup *setup, int tool)
@@ -16,7 +16,7 @@ void length_check_tool(struct length_check *check, const struct setup *setup, in
 	check->last = 0;
 }
 
-/* H of the tool's number. */
+/* The H with the tool's number. */
 static double length_of(const struct setup *setup, const struct tool *tool)
 {
 	for (size_t i = 0; i < setup->length_count; i++) {
@@ -26,7 +26,7 @@ static double length_of(const struct setup *setup, const struct tool *tool)
 	return tool->length_offset;
 }
 
-/* mm: how far the length is from the nearest one that the tool's edges have. */
+/* mm: the difference of the length from the closest one of the tool's edges. */
 static double off_own(const struct setup *setup, const struct tool *tool, double length)
 {
 	double least = fabs(length - length_of(setup, tool));

@@ -9,10 +9,10 @@
 /* The share of the tolerance below which a chord error is ignored. */
 #define BELIEVED 0.01
 
-/* mm or degrees: how exactly a report says how far an axis goes past its limit. */
+/* mm or degrees: the accuracy of the reported distance of an axis past its limit. */
 #define EXCESS_EXACT 1e-4
 
-/* One limit of one axis, with the sign chosen so that `outside` is upwards. */
+/* One limit of one axis; the sign makes `outside` point upward. */
 struct side {
 	int slot;
 	double sign;
@@ -33,7 +33,7 @@ static bool stays_inside(const struct side *side, const struct span *span)
 	return most + span->chord_error.v[side->slot] <= side->tolerance;
 }
 
-/* Where the span passes the limit. It was not proved inside, and is so short that its chord can be used. */
+/* Where the span passes the limit. The span was not proved inside, and is so short that its chord can be used. */
 static double passes_at(const struct side *side, const struct span *span)
 {
 	double h0 = height(side, &span->q0), h1 = height(side, &span->q1);
@@ -43,7 +43,7 @@ static double passes_at(const struct side *side, const struct span *span)
 	return span->u0 + smaller(1, -h0 / (h1 - h0)) * (span->u1 - span->u0);
 }
 
-/* The earliest instant past the limit. Halves of the span are searched only if they may cross it. */
+/* The earliest instant past the limit. Halves of the span are searched only if they may cross the limit. */
 static bool first_past(const struct side *side, const struct span *whole, double *u)
 {
 	struct span ahead[SPAN_DEPTH + 1];
@@ -88,7 +88,7 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, doub
 	return found;
 }
 
-/* How far past the crossing's limit the leg takes the axis; negative: it stays so far inside. */
+/* How far the leg takes the axis past the crossing's limit; negative: how far inside it stays. */
 static double excess_of(const struct limit_crossing *crossing, const struct span *whole)
 {
 	const double sign = crossing->below ? -1 : 1;
@@ -137,7 +137,7 @@ bool limits_kept(const struct axis_table *axes, const struct leg *legs, size_t l
 	return true;
 }
 
-/* Then no side needs a search. */
+/* True: neither side needs a search. */
 static bool is_inside(const struct axis *axis, const struct span *whole, double room)
 {
 	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot];
@@ -189,7 +189,7 @@ size_t limits_crossed(const struct machine *machine, const struct leg *legs, siz
 		struct limit_crossing crossing;
 		size_t at = count;
 
-		/* What stays inside with its room does so without it. */
+		/* An axis that stays inside with its room stays inside without it. */
 		if (all_inside(axis, legs, leg_count, room ? room->v[axis->slot] : 0))
 			continue;
 		if (!find(axis, legs, leg_count, 0, &crossing) &&

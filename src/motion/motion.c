@@ -5,7 +5,7 @@
 #include "motion/canon_to_spans.h"
 #include "motion/motion_kinematics.h"
 
-/* What the interpreter must know about machine, setup and options. Everything is borrowed. */
+/* The properties of machine, setup and options that the interpreter needs. All pointers are borrowed. */
 static struct gcode_config config_of(const struct machine *machine, const struct setup *setup,
 				     const struct motion_options *options)
 {

@@ -34,7 +34,7 @@ static bool orientations(void *context, struct srcloc loc, const struct kinemati
 	return orient_solutions(converter->machine, loc, converter->diag, orientation, solutions);
 }
 
-/* In machine positions, whatever positions are meant now. */
+/* In machine positions, whatever the program's positions mean now. */
 static bool direction(void *context, struct srcloc loc, const axis_values *rotary_zero, const axis_values *rotary,
 		      vec3 *found)
 {

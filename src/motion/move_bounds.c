@@ -5,16 +5,16 @@
 #include "base/apart.h"
 #include "base/units.h"
 
-/* mm, radians: no machine goes there, and rounding would become visible beyond. */
+/* mm, radians: no machine is larger, and rounding would become visible beyond. */
 #define FARTHEST 1e7
 
-/* The most pieces of a move; more would seem to hang. */
+/* The largest number of pieces of a move; with more the program would seem to hang. */
 #define MOST_PIECES 1e8
 
-/* Seconds: the longest move. Moves of decades would take the decimals from the clock. */
+/* Seconds: the longest move. After moves of decades the clock would have no decimals left. */
 #define LONGEST 1e9
 
-/* False: it is farther, or no number. */
+/* False: the position is too far away, or not a number. */
 static bool is_near(double position)
 {
 	return fabs(position) <= FARTHEST;

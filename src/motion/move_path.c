@@ -5,7 +5,7 @@
 #include "base/same_double.h"
 #include "geom/tolerance.h"
 
-/* Ends the path there, without the rounding dust that lies between the end and the start. */
+/* Ends the path at `end`; an axis that differs from its start by rounding only keeps its start. */
 static void end_at(struct path *path, const axis_values *end)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -33,8 +33,8 @@ static int count_moving_axes(const struct path *path)
 }
 
 /*
- * Under TCP a rapid keeps the tip on a line only where rapids are linear. Elsewhere the axes go
- * their own ways to the same end, and nobody knows what the tip does on the way.
+ * Under TCP a rapid keeps the tip on a line only on machines with linear rapids. On others each axis moves on its own
+ * to the same end, and the path of the tip is unknown.
  */
 static bool goes_as_axes(const struct move_start *from, const struct canon_move *move)
 {

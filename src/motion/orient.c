@@ -22,13 +22,13 @@ struct problem {
 struct solution {
 	double angle[2];	/* of the chain's joints, radians */
 	double way[2];	/* of each joint from here */
-	int half_turn;	/* the joint that could as well go the other way round, or -1 */
+	int half_turn;	/* the joint that could as well rotate the other way, or -1 */
 	bool tie[2];
-	bool found;	/* some turn of it lies within the limits */
-	bool free[2];	/* any angle would do */
+	bool found;	/* some turn of it is within the limits */
+	bool free[2];	/* every angle is a solution */
 };
 
-/* The angle about the unit axis that turns `from` to `to`, both with the same part along the axis. */
+/* The angle about the unit axis that rotates `from` to `to`; both have the same component along the axis. */
 static double angle_about(vec3 axis, vec3 from, vec3 to)
 {
 	vec3 a = vec3_mad(from, -vec3_dot(axis, from), axis), b = vec3_mad(to, -vec3_dot(axis, to), axis);
@@ -42,8 +42,8 @@ static bool is_along(vec3 axis, vec3 direction)
 }
 
 /*
- * Whole turns away, the position within the limits that is the nearest to
- * `here`; *tie: there is another as near, and nobody knows which one is taken.
+ * The position within the limits that is nearest to `here`, whole turns from the angle. *tie: another one is equally
+ * near, and which one the control takes is unknown.
  */
 static bool nearest_turn(const struct axis *axis, double angle, double here, double *nearest, bool *tie)
 {
@@ -61,7 +61,7 @@ static bool nearest_turn(const struct axis *axis, double angle, double here, dou
 	if (equal && axis->half_turn)
 		best = axis->half_turn > 0 ? fmax(best, other) : fmin(best, other);
 	k = fmin(fmax(best, low), high);
-	/* What the limits take off by rounding. */
+	/* Removes an excess over the limits by rounding. */
 	*nearest = fmin(fmax(angle + 2 * PI * k, axis->limit_min), axis->limit_max);
 	return true;
 }
@@ -94,11 +94,10 @@ static int compare(double a, double b)
 }
 
 /*
- * Fanuc 16i/18i-B operator's manual (B-63534EN) and 30i-B (B-64484EN), tool
- * axis direction control, "Angle of rotation axis": the smaller way of the
- * first axis decides, then that of the second, then which first axis stands
- * nearer to a whole turn, then which second. The first axis is the one that
- * carries the other; of a table and a head, the table. Negative: a is taken.
+ * Fanuc 16i/18i-B operator's manual (B-63534EN) and 30i-B (B-64484EN), tool axis direction control, "Angle of rotation
+ * axis". The shorter way of the first axis decides, then that of the second, then the position of the first axis nearer
+ * to a whole turn, then that of the second. The first axis is the one that carries the other; with one in the table and
+ * one in the head, the one in the table. Negative: the control takes a.
  */
 static int prefer(const struct problem *problem, const struct solution *a, const struct solution *b)
 {
@@ -136,11 +135,9 @@ static size_t solve_one(const struct problem *problem, struct solution solutions
 }
 
 /*
- * wanted = turn(a, alpha) turn(b, beta) tool. Half way stands
- * c = turn(b, beta) tool = turn(a, -alpha) wanted, a unit vector with
- * b.c = b.tool and a.c = a.wanted: c = x a + y b +- z (a x b). (Paden and Kahan's
- * second subproblem: Murray, Li, Sastry, "A Mathematical Introduction to
- * Robotic Manipulation", 3.3.2.)
+ * wanted = turn(a, alpha) turn(b, beta) tool. Let c = turn(b, beta) tool = turn(a, -alpha) wanted. It is a unit vector
+ * with b.c = b.tool and a.c = a.wanted: c = x a + y b +- z (a x b). (Paden and Kahan's second subproblem: Murray, Li,
+ * Sastry, "A Mathematical Introduction to Robotic Manipulation", 3.3.2.)
  */
 static size_t solve_two(const struct problem *problem, struct solution solutions[2])
 {
@@ -180,7 +177,7 @@ static void add_solution(struct strbuf *text, const struct problem *problem, con
 	}
 }
 
-/* Why the other solution was not taken. */
+/* Adds why the other solution was not taken. */
 static void add_reason(struct strbuf *text, const struct problem *problem, const struct solution *chosen,
 		       const struct solution *other)
 {
@@ -216,7 +213,7 @@ static void tell(const struct problem *problem, const struct solution solutions[
 	strbuf_release(&text);
 }
 
-/* What the control would take is not known: nothing is guessed. False. */
+/* Which solution the control would take is unknown, so this is an error. Returns false. */
 static bool fault_tie(const struct problem *problem, const struct solution *one, const struct solution *other,
 		      struct srcloc loc, struct diag *diag)
 {
@@ -243,7 +240,7 @@ static bool fault_tie(const struct problem *problem, const struct solution *one,
 	return false;
 }
 
-/* Keeps the chain's rotary joints. */
+/* Keeps only the chain's rotary joints. */
 static void drop_linear(struct chain *chain)
 {
 	size_t kept = 0;

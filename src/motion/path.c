@@ -43,7 +43,7 @@ static struct turn turn_of(const struct path *path)
 	if (r0 > 0) {
 		turn.e1 = vec3_scale(1 / r0, from);
 	} else if (r1 > 0) {
-		/* A spiral out of its centre: only its end has a direction. */
+		/* A spiral that starts at its centre: only its end has a direction. */
 		mat3 back = mat3_turn(arc->normal, -arc->sweep);
 
 		turn.e1 = vec3_scale(1 / r1, mat3_apply(&back, to));
@@ -89,7 +89,7 @@ static axis_values controller_position(const struct path *path, double u)
 {
 	axis_values at;
 
-	/* Neighbours meet in the same bits. */
+	/* The ends are exact, so that neighbouring paths meet in the same bits. */
 	if (u <= 0)
 		return path->start;
 	if (u >= 1)
@@ -111,7 +111,7 @@ axis_values path_position(const struct path *path, double u)
 	return path->kind == PATH_TCP ? tcp_to_machine(path->tcp, &at) : at;
 }
 
-/* The largest part of a unit vector across `unit` that each of X Y Z can have. */
+/* The largest components along X, Y and Z of a unit vector perpendicular to `unit`. */
 static vec3 shares(vec3 unit)
 {
 	return (vec3){math_hypot(unit.y, unit.z), math_hypot(unit.z, unit.x), math_hypot(unit.x, unit.y)};
@@ -126,7 +126,9 @@ static axis_values arc_bend(const struct path *path, double u0, double u1)
 	return second_derivative;
 }
 
-/* The most that the matrix stretches a unit vector of the plane of e1 and e2: the larger singular value. */
+/*
+ * The largest factor by which the matrix stretches a unit vector in the plane of e1 and e2: the larger singular value.
+ */
 static double stretch(const mat3 *matrix, vec3 e1, vec3 e2)
 {
 	vec3 a = mat3_apply(matrix, e1), b = mat3_apply(matrix, e2);
@@ -165,7 +167,7 @@ axis_values path_second_derivative(const struct path *path, double u0, double u1
 	return (axis_values){{0}};
 }
 
-/* The largest value that each axis can have along the path, and what rounding does to the arc. */
+/* The largest value of each axis along the path, and the rounding of the arc. */
 static axis_values reach_of(const struct path *path, double *arc_rounding)
 {
 	axis_values reach;
@@ -184,7 +186,7 @@ static axis_values reach_of(const struct path *path, double *arc_rounding)
 	return reach;
 }
 
-/* By how much the arc's formula misses the end that the interpreter gave with it: rounding, when all is well. */
+/* The distance between the end of the arc's formula and the end that the interpreter gave: normally rounding only. */
 static double arc_miss(const struct path *path)
 {
 	struct turn turn = turn_of(path);
@@ -197,7 +199,7 @@ static axis_values arc_chord_error(const struct path *path, double u0, double u1
 	struct turn turn = turn_of(path);
 	axis_values chord_error = {{0}};
 	double h = u1 - u0, rounding, radius = fmax(turn_radius(&turn, u0), turn_radius(&turn, u1));
-	/* A long way round, arc and chord are still both within the circle. */
+	/* However long the arc, arc and chord are both within the circle. */
 	double bound = fmin(h * h / 8 * turn_second_derivative(&turn, u0, u1), 2 * radius) * BOUND_SLACK;
 	vec3 share = shares(turn.normal);
 
@@ -220,7 +222,7 @@ static axis_values guided_chord_error(const struct path *path, double u0, double
 	if (path->circular && u1 >= 1)
 		arc_rounding += arc_miss(path);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		/* An error of the arc goes through M (at most sqrt(3) long) and a row of its inverse. */
+		/* An error of the arc is multiplied by M (norm at most sqrt(3)) and by a row of its inverse. */
 		rounding.v[slot] += 2 * arc_rounding * path->tcp->row_norms[slot];
 		chord_error.v[slot] = h * h / 8 * chord_error.v[slot] * BOUND_SLACK + rounding.v[slot];
 	}
@@ -249,7 +251,7 @@ double path_length(const struct path *path)
 	if (!path->circular)
 		return vec3_norm(way);
 	turn = turn_of(path);
-	/* Simpson's rule: exact for a helix; a spiral's radii differ by no more than the controller's tolerance. */
+	/* Simpson's rule: exact for a helix; the radii of a spiral differ by at most the controller's tolerance. */
 	return (vec3_norm(turn_velocity(&turn, 0)) + 4 * vec3_norm(turn_velocity(&turn, 0.5)) +
 		vec3_norm(turn_velocity(&turn, 1))) / 6;
 }

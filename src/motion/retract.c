@@ -5,7 +5,7 @@
 #include "geom/tolerance.h"
 #include "motion/tcp.h"
 
-/* How far the axes can go until the first one is at its limit; INFINITY: there is none. */
+/* How far the axes can move until the first one is at its limit; INFINITY: there is none. */
 static double way_to_limit(const struct machine *machine, const axis_values *position, const double rate[3])
 {
 	double way = INFINITY;
@@ -14,7 +14,7 @@ static double way_to_limit(const struct machine *machine, const axis_values *pos
 		const struct axis *axis = machine_axis(machine, slot);
 		double limit = rate[slot] > 0 ? axis->limit_max : axis->limit_min;
 
-		/* Not where rounding alone gives the direction a part along this axis. */
+		/* Skip axes along which the direction has a component by rounding only. */
 		if (fabs(rate[slot]) > PARALLEL_SINE)
 			way = fmin(way, fmax(0, (limit - position->v[slot]) / rate[slot]));
 	}

@@ -49,7 +49,7 @@ bool span_is_shortest(const struct span *span)
 	return span->u1 - span->u0 <= ldexp(1, -SPAN_DEPTH);
 }
 
-/* The largest chord error that no halving takes away. */
+/* The largest chord error that halving cannot reduce. */
 static double rounding_floor(const struct path *path)
 {
 	axis_values rounding = path_chord_error(path, 0, 0);
@@ -75,7 +75,7 @@ bool span_walk_next(struct span_walk *walk, struct span *piece)
 	if (!walk->count)
 		return false;
 	*piece = walk->ahead[--walk->count];
-	/* What waits are the later halves that each halving left behind: at most SPAN_DEPTH of them. */
+	/* The waiting spans are the later halves of each halving: at most SPAN_DEPTH of them. */
 	while (!span_is_flat(piece, walk->linear) && !span_is_shortest(piece)) {
 		struct span whole = *piece;
 

@@ -2,7 +2,7 @@
 
 #include "motion/tcp.h"
 
-/* If the head stands still and the length is 0, TCP keeps the gauge point fixed to the workpiece. */
+/* If the head does not move and the length is 0, TCP keeps the gauge point fixed to the workpiece. */
 bool table_point_find(const struct machine *machine, struct srcloc loc, struct diag *diag, axis_values *place)
 {
 	const struct kinematics_tcp state = {.on = true};

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-/* The deepest link that carries both; a link's number is higher than its carrier's. */
+/* The deepest link that carries both; a link has a higher number than its carrier. */
 static int common_link(const struct machine *machine, int a, int b)
 {
 	while (a != b) {
@@ -18,7 +18,7 @@ static int common_link(const struct machine *machine, int a, int b)
 	return a;
 }
 
-/* Takes the linear joints out of the chain, into the columns of M and N; they must come first. */
+/* Moves the linear joints from the chain to the columns of M and N; they must come first. */
 static bool take_linear(struct tcp *tcp, struct chain *chain, double sense, bool found[SLOT_COUNT], struct srcloc loc,
 			struct diag *diag)
 {
@@ -87,7 +87,7 @@ static bool derive_axes(struct tcp *tcp, const struct machine *machine, struct s
 	return invert(tcp, loc, diag);
 }
 
-/* The lengths of a chain's constant vectors, twice each. */
+/* Adds the lengths of a chain's constant vectors, twice each. */
 static void add_chain_lengths(const struct chain *chain, double *lengths)
 {
 	for (size_t k = 0; k < chain->count; k++)
@@ -159,7 +159,7 @@ static axis_values with_linear_axes(const struct tcp *tcp, const axis_values *q,
 	return out;
 }
 
-/* Where the head takes the tip; many machines turn the table alone. */
+/* The position of the tip as the head carries it; on many machines only the table rotates. */
 static vec3 carried_tip(const struct tcp *tcp, const axis_values *position)
 {
 	xform head;
@@ -202,8 +202,8 @@ struct carried {
 };
 
 /*
- * How much of a unit vector across `axis` the row of M^-1 can see, when the axis leans
- * from where it is in the middle by at most `lean` radians.
+ * The largest effect, by the row of M^-1, of a unit vector perpendicular to `axis`, if the axis deviates by at most
+ * `lean` radians from its direction in the middle.
  */
 static double share(const struct tcp *tcp, int slot, vec3 axis, double lean)
 {
@@ -213,12 +213,11 @@ static double share(const struct tcp *tcp, int slot, vec3 axis, double lean)
 }
 
 /*
- * Adds what turning about the chain's joints contributes. From the innermost
- * joint out, x' and x'' of the carried point follow from
+ * Adds the contribution of the rotation about the chain's joints. From the innermost joint outward, x' and x'' of the
+ * carried point follow from
  *     x -> E(theta) x:   x'' -> R (omega^2 d x (d x r) + 2 omega d x x' + x'')
- * and a bound over the interval is its value in the middle plus half the
- * interval times the bound on the next derivative. The first two terms are
- * across the joint's axis: a row of M^-1 along it does not see them.
+ * A bound over the interval is the value in the middle plus half the interval times the bound of the next derivative.
+ * The first two terms are perpendicular to the joint's axis: a row of M^-1 along the axis is not affected by them.
  */
 static void add_chain_second_derivative(const struct tcp *tcp, const struct chain *chain, struct carried carried,
 					const axis_values *middle, const axis_values *rate, double half,
@@ -257,7 +256,7 @@ static void add_chain_second_derivative(const struct tcp *tcp, const struct chai
 	}
 }
 
-/* A chain whose joints stand still bends nothing. */
+/* A chain whose joints do not move adds no curvature. */
 static bool is_turning(const struct chain *chain, const axis_values *rate)
 {
 	for (size_t k = 0; k < chain->count; k++) {
@@ -291,8 +290,8 @@ axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axi
 }
 
 /*
- * The way of a point that the chain carries, if each joint is beside its position: inner joints reach out to outer
- * ones.
+ * An upper bound of the way of a point that the chain carries, if its rotary joints differ by `turn` from their
+ * positions. The reach grows from joint to joint, outward.
  */
 static double chain_swing(const struct chain *chain, double reach, const double turn[3])
 {
@@ -319,7 +318,7 @@ axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const ax
 	axis_values follow = {{0}};
 	double reach = 0, swing;
 
-	/* A distance to a fixed point is largest at an end of a straight way. */
+	/* A distance to a fixed point is largest at an end of a straight path. */
 	for (int i = 0; i < 2; i++) {
 		const vec3 at_zero =
 		    vec3_add(vec3_add(linear_axes(tcp, ends[i]), other_axes(tcp, ends[i])), tcp->gauge_zero);
@@ -355,7 +354,7 @@ axis_values tcp_spread(const struct tcp *tcp, const axis_values *start, const ax
 		const vec3 turned =
 		    mat3_apply(&table.rotation, mat3_apply(&tcp->table_zero_inverse.rotation, side));
 
-		/* While the table turns, the side may have any direction. */
+		/* While the table rotates, the side may have any direction. */
 		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 			most.v[slot] += turns ? vec3_norm(tcp->rows[slot]) * vec3_norm(side)
 					      : fabs(vec3_dot(tcp->rows[slot], turned));
@@ -372,7 +371,7 @@ void tcp_turn(const struct tcp *tcp, struct kinematics_turn *turn)
 	vec3 found[4];
 
 	for (int i = 0; i < 4; i++) {
-		/* The head carries the directions along, and the spindle. */
+		/* The head carries the directions and the spindle. */
 		const vec3 at_head = i < 3 ? mat3_apply_transposed(&head_zero.rotation, columns[i]) : spindle;
 		const vec3 on_table = mat3_apply_transposed(&table.rotation, mat3_apply(&head.rotation, at_head));
 		const vec3 on_work = mat3_apply_transposed(&tcp->table_zero_inverse.rotation, on_table);
@@ -384,7 +383,7 @@ void tcp_turn(const struct tcp *tcp, struct kinematics_turn *turn)
 	turn->tool = vec3_unit(found[3]);
 }
 
-/* The angles whose rounding the lengths are multiplied by. */
+/* Adds the angles whose rounding is multiplied by the lengths. */
 static void add_chain_angles(const struct tcp *tcp, const struct chain *chain, const axis_values *reach, double *angles)
 {
 	for (size_t k = 0; k < chain->count; k++) {

@@ -32,8 +32,8 @@ double timing_programmed(const struct path *path, const struct canon_feed *feed)
 }
 
 /*
- * Seconds that the axes need for the whole path if they go over its chord like over `span`, which is `part` of it, and
- * `extra` more (NULL: none).
+ * Seconds that the axes need for the whole path at the speed of the chord of `span`, which is `part` of the path.
+ * `extra` is added to the way of the axes (NULL: none).
  */
 static inline double needed(const struct axis_table *axes, const struct span *span, double part,
 			    const axis_values *extra)
@@ -51,7 +51,7 @@ static inline double needed(const struct axis_table *axes, const struct span *sp
 	return most;
 }
 
-/* The axes keep to their rates over the chord of the whole, but may need longer for pieces of it. */
+/* The axes keep to their rates on the chord of the whole, but may need longer for pieces of it. */
 static APART double held_in_pieces(const struct axis_table *axes, const struct span *whole, double flatness,
 				   double seconds)
 {
@@ -59,7 +59,7 @@ static APART double held_in_pieces(const struct axis_table *axes, const struct s
 	struct span_walk walk;
 	struct span piece;
 
-	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
+	/* By the mean value theorem, no velocity differs from the chord's by more than half the second derivative. */
 	second_derivative = path_second_derivative(whole->path, 0, 1);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		second_derivative.v[slot] *= 0.5;
@@ -73,7 +73,7 @@ static APART double held_in_pieces(const struct axis_table *axes, const struct s
 
 double timing_held(const struct axis_table *axes, const struct span *whole, double flatness, double seconds)
 {
-	/* No axis is slower on every piece than on the whole. */
+	/* The time for the whole chord is a lower bound, because no axis is slower on every piece than on the whole. */
 	seconds = larger(seconds, needed(axes, whole, 1, NULL));
 	return span_is_flat(whole, flatness) ? seconds : held_in_pieces(axes, whole, flatness, seconds);
 }

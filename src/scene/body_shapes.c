@@ -7,7 +7,7 @@
 #include "base/mem.h"
 #include "base/same_double.h"
 
-/* As profile_init was asked for it. */
+/* A profile, with the arguments of profile_init that it was made with. */
 struct known_profile {
 	vec3 location, axis;
 	long visits;
@@ -17,9 +17,9 @@ struct known_profile {
 struct body_shapes {
 	const struct bvh *bvh;
 	xform place;
-	pthread_mutex_t building;	/* for all that follows */
-	struct corner_runs *corners;	/* owned; NULL: not asked for yet */
-	struct known_profile *profiles;	/* owned: about the joints next to the body, either way about: a few */
+	pthread_mutex_t building;	/* protects everything below */
+	struct corner_runs *corners;	/* owned; NULL: not needed so far */
+	struct known_profile *profiles;	/* owned: about the joints next to the body, in either direction: a few */
 	size_t profile_count, profile_capacity;
 	int holders;
 };
@@ -74,7 +74,7 @@ static bool same_vec3(vec3 a, vec3 b)
 	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
 }
 
-/* With the lock. */
+/* The caller holds the lock. */
 static const struct known_profile *find_profile(const struct body_shapes *shapes, vec3 location, vec3 axis)
 {
 	for (size_t i = 0; i < shapes->profile_count; i++) {
@@ -86,7 +86,7 @@ static const struct known_profile *find_profile(const struct body_shapes *shapes
 	return NULL;
 }
 
-/* With the lock. */
+/* The caller holds the lock. */
 static const struct known_profile *add_profile(struct body_shapes *shapes, vec3 location, vec3 axis)
 {
 	struct known_profile *known;

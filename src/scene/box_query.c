@@ -19,7 +19,7 @@ bool box_query_parts_boxes(const struct box_query *query)
 	return box_pair_apart(&query->boxes, &a, &b, &lost) > 0;
 }
 
-/* Are the triangles below the node apart from the other body's box? As deep as the tree. */
+/* Are the triangles below the node apart from the other body's box? The recursion is as deep as the tree. */
 static bool parts_node(const struct box_query *query, int side, const struct bvh_node *node, const struct box *other)
 {
 	float apart[BVH_WIDTH], lost[BVH_WIDTH];

@@ -10,12 +10,12 @@
 /* Unit vectors closer than this are one axis. */
 #define SAME_AXIS 1e-3
 
-/* Measured: with 16 the gain is half as large; 256 cost more than they gain where surfaces are hollow. */
+/* Measured: with 16 the gain is half as large; 256 costs more than it gains on hollow surfaces. */
 #define SUBTREE_TRIANGLES 64
 
 /*
- * After failures at most so many subtrees are skipped. Measured: with 255 fewer axes are found; without skipping the
- * failures cost more than the successes gain.
+ * The largest number of subtrees that are skipped after failures. Measured: with 255 fewer axes are found; without
+ * skipping, the failures cost more than the successes gain.
  */
 #define IDLENESS_MAX 15
 
@@ -28,7 +28,7 @@ static void put_first(struct coherence *coherence, struct coherence_axis axis)
 	coherence->axes[0] = axis;
 }
 
-/* Moves the axis, which was of use, to the front. */
+/* Moves the axis, which has just proved something, to the front. */
 static void move_to_front(struct coherence *coherence, int axis)
 {
 	struct coherence_axis first = coherence->axes[axis];
@@ -77,7 +77,7 @@ static vec3 centre_of(const struct bvh *bvh, const struct box *box)
 	return (vec3){bvh->origin.x + box->centre[0], bvh->origin.y + box->centre[1], bvh->origin.z + box->centre[2]};
 }
 
-/* The gap along n (a's mesh coordinates) between a's box and b's at a pose. */
+/* The gap along n (in a's mesh coordinates) between a's box and b's at a pose. */
 static double box_gap(const struct body_pair *pair, const xform *pose, vec3 n, const struct box *a,
 		      const struct box *b)
 {
@@ -121,7 +121,7 @@ static struct cluster cluster_of(const struct bvh *bvh, const struct subtree *su
 }
 
 /*
- * Is the gap along an axis more than `apart` at both ends? One of the two sets of triangles stands still in the axis's
+ * Is the gap along an axis more than `apart` at both ends? One of the two sets of triangles is fixed in the axis's
  * frame.
  */
 static bool clusters_apart(const struct coherence_axis *axis, const xform poses[2], const struct cluster *a,

@@ -6,24 +6,27 @@
 #include "geom/moved_tri.h"
 #include "scene/coherence.h"
 
-/* Positions that are tried, spread over the travel; from the first few of them the bodies are moved together. */
+/*
+ * The number of positions that are tried, spread over the travel, and of those from which the bodies are moved
+ * together.
+ */
 enum { SAMPLES = 32, DESCENTS = 3 };
 
-/* Steps of one descent. Measured: of the descents that find a contact nearly all need less than half of them. */
+/* Steps of one descent. Measured: nearly all descents that find a contact need less than half of them. */
 enum { STEPS = 16 };
 
-/* The most node pairs that the search for near triangles looks at in a step. */
+/* The largest number of node pairs for the search for close triangles in one step. */
 #define STEP_VISITS 400
 
-/* mm: a descent aims at a position where the nearest triangles are this deep in each other. */
+/* mm: a descent aims at a position where the closest triangles overlap by this depth. */
 #define DEPTH 0.5
 
-/* mm: a radian counts as much as this many mm where a descent chooses among the joints. */
+/* mm: the weight of a radian when a descent chooses among the joints. */
 #define RADIAN 100.0
 
 /*
- * The i-th number of van der Corput's sequence to this base, between 0 and 1. The first n numbers are evenly spread for
- * every n.
+ * The i-th number of van der Corput's sequence to this base, between 0 and 1. For every n the first n numbers are
+ * spread evenly.
  */
 static double spread(int i, int base)
 {
@@ -55,7 +58,7 @@ static axis_values sample(const struct look *look, int i)
 	return q;
 }
 
-/* Both bodies at one position. */
+/* Both bodies at one position of the axes. */
 struct pose_look {
 	const struct body_pair *pair;
 	xform pose;
@@ -63,7 +66,7 @@ struct pose_look {
 	double clearance;
 };
 
-/* Are the corners of b on both sides of the plane of a? If not, the triangles hardly meet. */
+/* Are the corners of b on both sides of the plane of a? If not, the triangles hardly ever meet. */
 static bool plane_parts(const tri *a, const tri *b)
 {
 	vec3 n = vec3_cross(vec3_sub(a->p[1], a->p[0]), vec3_sub(a->p[2], a->p[0]));
@@ -100,7 +103,7 @@ static bool leaves_meet(const struct pose_look *at, struct leaf a, struct leaf b
 	return false;
 }
 
-/* Queues the children of the larger subtree that may be near enough; returns how long the queue is then. */
+/* Queues the children of the larger subtree that may be close enough; returns the new length of the queue. */
 static size_t queue_children(struct sweep *sweep, const struct pose_look *at, const struct bvh_pair *entry,
 			     size_t depth)
 {
@@ -124,8 +127,8 @@ static size_t queue_children(struct sweep *sweep, const struct pose_look *at, co
 }
 
 /*
- * Do the surfaces meet at q? A walk of its own: to know where bodies that are deep in each other meet first, or how
- * far apart they are, costs several times as much.
+ * Do the surfaces meet at q? A sweep would also find the first contact, and a distance query the distance, but both
+ * cost several times as much for bodies that overlap deeply.
  */
 static bool meets_at(const struct look *look, const axis_values *q)
 {
@@ -151,7 +154,9 @@ static bool meets_at(const struct look *look, const axis_values *q)
 	return false;
 }
 
-/* mm per mm or radian: how fast each joint moves the point of b along n; all in the coordinates of a's link. */
+/*
+ * mm per mm or radian: the speed at which each joint moves the point of b along n; all in the coordinates of a's link.
+ */
 static void rates_along(const struct chain *chain, const struct chain_state *state, vec3 n, vec3 point, double *rates)
 {
 	for (size_t i = 0; i < chain->count; i++) {
@@ -164,8 +169,8 @@ static void rates_along(const struct chain *chain, const struct chain_state *sta
 }
 
 /*
- * Moves the joints so that the rates bring about `wanted` mm along the normal, if the travel allows it: the shortest
- * way, and what a joint at its limit cannot do the others do. False: no joint moves.
+ * Moves the joints so that the point moves by `wanted` mm along the normal, according to the rates and within the
+ * travel. The motion is the shortest one; if a joint reaches its limit, the others do the rest. False: no joint moves.
  */
 static bool move_along(const struct look *look, const double *rates, double wanted, axis_values *q)
 {
@@ -199,7 +204,7 @@ static bool move_along(const struct look *look, const double *rates, double want
 	return moved;
 }
 
-/* Moves the nearest triangles together, again and again; true: at *q they meet. */
+/* Moves the closest triangles together repeatedly. True: the bodies meet at *q. */
 static bool descends(struct look *look, int steps, axis_values *q)
 {
 	const struct body_pair *pair = &look->pair;
@@ -236,7 +241,7 @@ static void keep(struct contact_search *search, const axis_values *q)
 	search->met[0] = *q;
 }
 
-/* The position, moved into the travel: axes that did not count for the other bodies are at 0 in it. */
+/* The position, moved into the travel. Axes that did not matter for the other bodies are at 0 in it. */
 static axis_values within_travel(const axis_values *near, const struct look *look)
 {
 	axis_values q;
@@ -246,7 +251,7 @@ static axis_values within_travel(const axis_values *near, const struct look *loo
 	return q;
 }
 
-/* Do they meet where others met, or at one of the samples? */
+/* Do the bodies meet where similar bodies met, or at one of the samples? */
 static bool look_around(const struct contact_search *search, struct look *look, axis_values *q)
 {
 	for (int i = 0; i < search->count; i++) {
@@ -262,7 +267,7 @@ static bool look_around(const struct contact_search *search, struct look *look, 
 	return false;
 }
 
-/* Can they be moved together from where others met, or from one of the first samples? */
+/* Can the bodies be moved together from where similar bodies met, or from one of the first samples? */
 static bool move_together(const struct contact_search *search, struct look *look, axis_values *q)
 {
 	if (search->count) {

@@ -5,10 +5,10 @@
 #include "base/minmax.h"
 
 /*
- * As a share of half the diagonal of the body's box: more than twice what boxes reach too far, as they are rounded
- * outward; more than what the projection of a box in float is off; more than what a corner of a run and its projection
- * are. Each is below 8 roundings of 2^-24. The first keeps boxes beside a flat face shut, all of which reach as far as
- * the face.
+ * As a share of half the diagonal of the body's box. It exceeds twice the error of boxes, which are rounded outward;
+ * the error of the projection of a box in float; and the error of a corner of a run and its projection. Each of these
+ * is below 8 roundings of 2^-24. Because of the first, boxes beside a flat face are not opened, although all of them
+ * extend as far as the face.
  */
 #define SUPPORT_SLACK 0x1p-20
 
@@ -73,15 +73,15 @@ static double support_of_profile(const struct convex *convex, vec3 m, vec3 *at)
 	return vec3_dot(m, convex->location) + most;
 }
 
-/* All from the tree's origin. */
+/* All points are relative to the tree's origin. */
 struct farthest {
 	const struct bvh *bvh;
 	const struct corner_runs *corners;
 	vec3 m;
 	float direction[3];	/* m */
-	double slack;	/* mm times |m|, as all that follow: what reaches at most so much farther is not looked for */
-	double closed;	/* how far boxes reach that were not looked into */
-	double most;	/* of what reaches farthest */
+	double slack;	/* mm times |m|, like the next two: a gain of at most this much is not searched */
+	double closed;	/* the largest extent of the boxes that were not opened */
+	double most;	/* the largest extent of the corners so far */
 	vec3 at;	/* a triangle's corner; or anywhere in the run */
 	const struct corner_run *run;	/* or NULL */
 	long visits;
@@ -114,7 +114,7 @@ static void try_run(struct farthest *f, const struct corner_run *run)
 
 static void try_child(struct farthest *f, const struct bvh_node *node, int i);
 
-/* The lane that reaches farthest. */
+/* The lane with the largest extent. */
 static int farthest_of(const float reach[BVH_WIDTH], int used)
 {
 	int best = 0;
@@ -125,8 +125,8 @@ static int farthest_of(const float reach[BVH_WIDTH], int used)
 }
 
 /*
- * The child that may reach farthest is looked into first; after it most of the others do not reach far enough any more.
- * The depth of a tree is bounded (bvh.c).
+ * The child with the largest extent is opened first. After it, most of the others are not large enough any more. The
+ * depth of a tree is bounded (bvh.c).
  */
 static void try_node(struct farthest *f, uint32_t at)
 {
@@ -201,13 +201,13 @@ double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *a
 
 /* ------------------------------------------------------------------ direction */
 
-/* The search ends where the gap along the direction is within this share of the distance. */
+/* The search ends when the gap along the direction is within this share of the distance. */
 #define DIRECTION_SHARE 0.02
 
-/* Of the same: what a support may be off. */
+/* The permitted error of a support, as a share of the same part of the distance. */
 #define SLACK_SHARE 0x1p-4
 
-/* Differences of a point of b and a point of a. */
+/* Differences between a point of b and a point of a. */
 struct simplex {
 	int count;
 	vec3 p[4];
@@ -234,7 +234,7 @@ static bool solve(int n, double m[3][4])
 	return true;
 }
 
-/* The point nearest to the origin in the affine hull of the corners in `mask`, if it lies within them. */
+/* The point nearest to the origin in the affine hull of the corners in `mask`, if it is between them. */
 static bool nearest_of(const struct simplex *simplex, unsigned mask, vec3 *out)
 {
 	vec3 edges[3], from = {0, 0, 0};
@@ -267,7 +267,9 @@ static bool nearest_of(const struct simplex *simplex, unsigned mask, vec3 *out)
 	return sum < 1;
 }
 
-/* Reduces the simplex to the corners that hold the point nearest to the origin, which becomes *nearest. */
+/*
+ * Reduces the simplex to the corners whose hull contains the point nearest to the origin; *nearest becomes this point.
+ */
 static void reduce(struct simplex *simplex, vec3 *nearest)
 {
 	double least = INFINITY;

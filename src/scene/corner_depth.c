@@ -6,12 +6,12 @@
 #include "geom/point_distance.h"
 #include "machine/chain.h"
 
-/* Points of a body that are tested. */
+/* The number of points of a body that are tested. */
 enum { POINTS_TRIED = 400 };
-/* Balls that are kept: more of them would be looked through for longer than they save. */
+/* The number of balls that are kept: searching more of them would take longer than they save. */
 enum { BALLS_KEPT = 32 };
 
-/* The corners of a triangle, and then its middle. */
+/* A corner of a triangle (k below 3) or its middle. */
 static vec3 point_of(const mesh_triangle *t, int k)
 {
 	vec3 sum = vec3_add(mesh_corner(t, 0), vec3_add(mesh_corner(t, 1), mesh_corner(t, 2)));
@@ -19,7 +19,7 @@ static vec3 point_of(const mesh_triangle *t, int k)
 	return k < 3 ? mesh_corner(t, k) : vec3_scale(1.0 / 3, sum);
 }
 
-/* mm: how far inside the solid's box the point lies, which is as deep as it can be in the solid; below 0: outside. */
+/* mm: how deep the point is inside the solid's box, an upper bound of its depth in the solid; below 0: outside. */
 static double room_in_box(const struct bvh *solid, vec3 p)
 {
 	vec3 off = vec3_sub(p, solid->origin);
@@ -27,7 +27,7 @@ static double room_in_box(const struct bvh *solid, vec3 p)
 	return smaller(solid->half.x - fabs(off.x), smaller(solid->half.y - fabs(off.y), solid->half.z - fabs(off.z)));
 }
 
-/* Balls around points on one side of a surface that do not meet it: all that is in them is on that side. */
+/* Balls around points on one side of a surface that do not reach the surface: every point in them is on that side. */
 struct cleared {
 	vec3 centre[BALLS_KEPT];
 	double radius[BALLS_KEPT];
@@ -52,8 +52,8 @@ static void clear_ball(struct cleared *cleared, vec3 centre, double radius)
 }
 
 /*
- * On which side of the body's surface the point lies that has so much room in its box. INSIDE_NO where `side` is
- * INSIDE_YES means only that the point is not inside.
+ * The side of the body's surface on which the point is; `room` is from room_in_box. If `side` is INSIDE_YES, the result
+ * INSIDE_NO means only that the point is not inside.
  */
 static enum inside side_of(struct scene *scene, int body, vec3 p, double room, enum inside side)
 {
@@ -82,7 +82,7 @@ double corner_depth(struct scene *scene, int inner, int outer, const axis_values
 	struct cleared cleared = {.count = 0};
 	double depth = 0;
 
-	/* With an odd step all points of triangles have their turn. */
+	/* An odd step tries all points of triangles: corners and middles. */
 	step |= 1;
 	for (size_t i = 0; i < points; i += step) {
 		vec3 p = xform_apply(&pose, point_of(&other->mesh.triangles[i / 4], (int)(i % 4)));
@@ -93,7 +93,7 @@ double corner_depth(struct scene *scene, int inner, int outer, const axis_values
 		if ((side == INSIDE_YES && !(room > least)) || is_cleared(&cleared, p))
 			continue;
 		distance = mesh_point_distance_above(solid, p, least);
-		/* Which side a point is on takes longer to find than how far it is from the surface. */
+		/* To find a point's side takes longer than to find its distance from the surface. */
 		if (!(distance > least))
 			continue;
 		found = side_of(scene, outer, p, room, side);

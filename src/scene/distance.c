@@ -9,7 +9,10 @@
 #include "geom/moved_tri.h"
 #include "scene/coherence.h"
 
-/* Triangles that are so many times as far apart as they were are not likely to be the nearest ones any more. */
+/*
+ * If the distance of the remembered triangles has grown by this factor, they are probably not the closest ones any
+ * more.
+ */
 #define STALE 1.25
 
 /* One search. */
@@ -20,7 +23,7 @@ struct search {
 	struct box_motion boxes;
 	double share;	/* share of the distance that must be proven */
 	double found;	/* mm: two triangles are this close */
-	vec3 direction;	/* from the one to the other, a unit vector; 0: none is known */
+	vec3 direction;	/* from one triangle to the other, a unit vector; 0: unknown */
 	double proven;	/* mm: everything dismissed so far is farther than this */
 	size_t depth;
 };
@@ -31,7 +34,7 @@ static void push(struct search *search, const struct subtree *a, const struct su
 	search->depth++;
 }
 
-/* Can everything that is at least this far away be dismissed? Then this distance counts as proven for it. */
+/* Can a pair with this lower bound of its distance be dismissed? If so, the bound counts as proved. */
 static bool dismiss(struct search *search, double least)
 {
 	if (least < search->share * search->found)
@@ -48,7 +51,7 @@ static double gap_of(const struct search *search, const struct subtree *a, const
 	return coherence_gap(search->pair->coherence, &search->pose, search->pair, &a->box, &b->box);
 }
 
-/* Opens the larger subtree. The nearest of its children is pushed last, so it is looked at first. */
+/* Opens the larger subtree. Its nearest child is pushed last, so it is examined first. */
 static void push_children(struct search *search, const struct bvh_pair *entry)
 {
 	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
@@ -126,8 +129,8 @@ static void measure_triangles(struct search *search, size_t i, size_t j, const t
 }
 
 /*
- * Are they no nearer to each other than the nearest so far, as seen along its direction? Measured: most of a part's
- * triangles are, and to project them costs a twentieth of their distance.
+ * Are the triangles no closer than the closest so far, as seen along the direction of its distance? Measured: this
+ * holds for most triangles of a part, and a projection costs a twentieth of a distance.
  */
 static bool is_behind(struct search *search, const tri *a, const tri *b)
 {
@@ -158,7 +161,7 @@ static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
 	}
 }
 
-/* Of the children of the larger subtree, the one whose box is nearest to the other subtree takes its place. */
+/* Replaces the larger subtree by the child whose box is nearest to the other subtree. */
 static void go_nearer(struct search *search, struct bvh_pair *at)
 {
 	const bool open_a = bvh_pair_opens_a(&at->a, &at->b);
@@ -177,9 +180,10 @@ static void go_nearer(struct search *search, struct bvh_pair *at)
 }
 
 /*
- * The triangles that were close last time are no longer if the bodies have gone on without distance queries. Then a
- * share of their distance may be nearly all of the bodies', which is dear to prove, and no nearer triangles are met on
- * the way. So some that are about as near as any are looked up first.
+ * If the bodies have moved on without distance queries, the triangles that were close last time are not close any more.
+ * Then the required share of their distance may be nearly the whole distance of the bodies. Proving this takes long,
+ * and the search may meet no closer triangles on the way. So a pair of triangles that are roughly the closest is found
+ * first.
  */
 static void look_nearer(struct search *search)
 {

@@ -9,18 +9,20 @@
 
 /* mm: a head may reach this far past its gauge point (a ring around the spindle's nose, a guard). */
 static const double NOSE = 40;
-/* mm: what is drawn in the spindle, such as an arbor, begins at the gauge point to within this. */
+/* mm: a body drawn in the spindle, such as an arbor, begins at the gauge point to within this distance. */
 static const double AT_GAUGE = 1;
 
-/* Lines around the spindle's axis, so that they miss bores and keys, and how far each crosses a body. */
+/*
+ * The number of lines around the spindle's axis, which miss bores and keys. The check finds where each crosses a body.
+ */
 enum { LINES = 8 };
 
-/* mm: how far the lines are from the axis. */
+/* mm: the distance of the lines from the axis. */
 static const double LINES_OFF = 15;
 
 struct lines {
 	vec3 middle, along;	/* the spindle's axis, in the body's coordinates */
-	vec3 across[2];	/* at right angles to it and to each other */
+	vec3 across[2];	/* perpendicular to the axis and to each other */
 	vec3 from[LINES];
 	double ahead[LINES];	/* mm: the farthest crossing in the direction of the tool; 0: none */
 	double behind[LINES];	/* mm: the same, the other way */
@@ -45,7 +47,7 @@ static struct lines lines_of(const struct scene *scene, int body)
 	return lines;
 }
 
-/* Is the triangle so far to one side of the axis that no line meets it? That is so for most of them. */
+/* Is the triangle so far to one side of the axis that no line can meet it? Most triangles are. */
 static bool misses_lines(const struct lines *lines, const mesh_triangle *t)
 {
 	const double off = 1.1 * LINES_OFF;
@@ -75,11 +77,11 @@ static void cross(struct lines *lines, int line, const mesh_triangle *t)
 	lines->behind[line] = larger(-at, lines->behind[line]);
 }
 
-/* What most of the lines find of a body of the head. */
+/* What most of the lines show of a body of the head. */
 struct side_view {
 	bool ahead, behind;	/* more than NOSE of it is on that side of the gauge point */
 	bool any_ahead;	/* one line finds more than NOSE ahead */
-	bool in_spindle;	/* it begins at the gauge point and lies ahead of it */
+	bool in_spindle;	/* the body begins at the gauge point and lies ahead of it */
 	double most;	/* mm: how far it reaches ahead */
 };
 
@@ -106,7 +108,7 @@ static struct side_view view(const struct scene *scene, int body)
 	    ahead > LINES / 2, behind > LINES / 2, ahead > 0, ahead > LINES / 2 && starts == ahead, most};
 }
 
-/* False: there was none. */
+/* Removes a doubt; false: there was none of this kind. */
 static bool remove_doubt(struct doubts *doubts, enum doubt_kind kind)
 {
 	const size_t before = doubts->count;

@@ -29,7 +29,7 @@ struct motion_interval *interval_pool_copy(struct interval_pool *pool, const str
 	return copy;
 }
 
-/* The recursion ends: a half is smaller than its whole. */
+/* The recursion ends, because a half is smaller than the whole. */
 void interval_pool_leave(struct interval_pool *pool, struct motion_interval *interval)
 {
 	if (--interval->users)

@@ -4,9 +4,9 @@
 
 #include "machine/chain.h"
 
-/* mm: guideways, bearings and ball screws that are left out of a drawing leave smaller gaps than a body does. */
+/* mm: guideways, bearings and ball screws that are not drawn leave smaller gaps than a missing body does. */
 static const double GAP_MOST = 50;
-/* mm: bodies of a joint are nearer to each other than this; what is excused beyond it should be checked. */
+/* mm: the largest distance of two bodies at a joint. A pair that is excused beyond it should be checked. */
 static const double NEIGHBOURS_MOST = 20;
 
 static bool is_own(const struct scene *scene, size_t body, int link)
@@ -14,7 +14,10 @@ static bool is_own(const struct scene *scene, size_t body, int link)
 	return scene->bodies[body].body->role == ROLE_MACHINE && scene->bodies[body].body->link == link;
 }
 
-/* A lower bound on the distance of two bodies at home, at least 0.9 of it; some lower bound if it is below `enough`. */
+/*
+ * A lower bound of the distance of two bodies at home, at least 0.9 of the distance; any lower bound if the distance is
+ * below `enough`.
+ */
 static double distance_at_home(struct scene *scene, size_t a, size_t b, double enough)
 {
 	const struct body *first = scene->bodies[a].body, *second = scene->bodies[b].body;
@@ -29,8 +32,8 @@ static double distance_at_home(struct scene *scene, size_t a, size_t b, double e
 }
 
 /*
- * The nearest two bodies of a link and of what carries it, directly or not; the search ends with two that are nearer
- * than GAP_MOST. The distance is INFINITY if one side has no body or a mesh has not been read.
+ * The nearest two bodies of a link and of the links that carry it. The search ends at two bodies within GAP_MOST. The
+ * distance is INFINITY if one side has no body or a mesh has not been read.
  */
 static struct doubt nearest_of(struct scene *scene, int link)
 {
@@ -57,7 +60,7 @@ static struct doubt nearest_of(struct scene *scene, int link)
 	return nearest;
 }
 
-/* Of the bodies that are excused as neighbours those that are farthest apart, if that is no joint any more. */
+/* Finds the pair excused as neighbours that is farthest apart, if it is too far apart for a joint. */
 static void check_excused(struct scene *scene, struct doubts *doubts)
 {
 	struct doubt doubt = {.kind = DOUBT_EXCUSED_APART, .value = NEIGHBOURS_MOST};

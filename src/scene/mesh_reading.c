@@ -36,7 +36,10 @@ static void build_one(void *context, int worker, size_t i)
 		reading->body->bvh = bvh_new(&reading->mesh);
 }
 
-/* A tree for each thread is best; if there are fewer large ones, the threads build each of these together. */
+/*
+ * One thread for each tree is fastest. If there are fewer large trees than threads, the threads build each of them
+ * together.
+ */
 static void build_trees(struct reading *readings, size_t count, int threads)
 {
 	size_t large = 0;

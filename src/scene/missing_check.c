@@ -33,7 +33,7 @@ bool missing_is_drawn(const struct scene *scene)
 	return links >= LINKS_LEAST;
 }
 
-/* What holds the spindle and the work is what tools and parts are nearest to. */
+/* Tools and parts are closest to the links that hold the spindle and the work. */
 static void check_links(const struct scene *scene, struct doubts *doubts)
 {
 	const struct spindle *spindle = &scene->machine->spindle;
@@ -61,7 +61,7 @@ static double extent_along(const struct scene *scene, vec3 along)
 	return fabs(along.x) * size.x + fabs(along.y) * size.y + fabs(along.z) * size.z;
 }
 
-/* An axis without ends is doubted only beside others that have them: a file that names no travel at all is a sketch. */
+/* An axis without limits is doubted only if others have limits: a file without any travel is a sketch. */
 static void check_travels(const struct scene *scene, struct doubts *doubts)
 {
 	const struct machine *machine = scene->machine;
@@ -82,7 +82,7 @@ static void check_travels(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* A tool that is drawn as a mesh may have its holder in it; nozzles and probes may have none. */
+/* The mesh of a tool may include its holder; nozzles and probes may have none. */
 static bool may_lack_holder(const struct setup *setup, const struct tool *tool)
 {
 	if (tool->kind != TOOL_TURNS)
@@ -96,7 +96,7 @@ static bool may_lack_holder(const struct setup *setup, const struct tool *tool)
 	return false;
 }
 
-/* One doubt for all tools: the first of them, and how many more. */
+/* One doubt for all tools: the first of them, and the number of the others. */
 static void check_holders(const struct setup *setup, struct doubts *doubts)
 {
 	struct doubt doubt = {.kind = DOUBT_TOOL_BARE};

@@ -19,7 +19,9 @@
 #include "scene/stock_fit.h"
 #include "scene/tool_check.h"
 
-/* mm: a gauge point or a workholding may be this far from the body that it belongs to (nose rings, cut-outs). */
+/*
+ * mm: the largest distance of a gauge point or a workholding from the body that it belongs to (nose rings, cut-outs).
+ */
 static const double SPINDLE_OFF = 30;
 static const double WORKHOLDING_OFF = 50;
 
@@ -55,8 +57,8 @@ static void check_mount(const struct scene *scene, enum doubt_kind kind, int lin
 }
 
 /*
- * A workholding at the drawing's origin claims no place. Where a fixture or part is drawn, what counts is whether that
- * is held (setup_check): the origin may be the middle of a rotary axis, far from its table.
+ * A workholding at the drawing's origin does not say where it is. If a fixture or part is drawn, setup_check tests
+ * whether it is held: the origin may be the middle of a rotary axis, far from its table.
  */
 static bool claims_place(const struct scene *scene)
 {
@@ -69,7 +71,7 @@ static bool claims_place(const struct scene *scene)
 	return vec3_norm(scene->machine->workholding.frame.translation) > 0;
 }
 
-/* The distance of a line from a box. Along the line the distance is convex, so a ternary search finds the least. */
+/* The distance of a line from a box. The distance is convex along the line, so a ternary search finds its minimum. */
 static double line_to_box(vec3 point, vec3 along, struct placed_box box)
 {
 	double reach = placed_box_distance(box, point) + 2 * placed_box_size(box), low = -reach, high = reach;
@@ -117,7 +119,7 @@ static void check_turning(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* Do the links, the spindle and the work stand where their motions say? */
+/* Are the links, the spindle and the work where their motions require? */
 static void check_places(struct scene *scene, struct doubts *doubts)
 {
 	const struct machine *machine = scene->machine;
@@ -141,7 +143,7 @@ static void check_places(struct scene *scene, struct doubts *doubts)
 		joint_check(scene, doubts);
 }
 
-/* The two checks that take longest, about the same time. Only the first uses the scene's sweep. */
+/* The two checks that take longest; both take about the same time. Only the first uses the scene's sweep. */
 enum { PLACES, NEIGHBOURS, LONG_CHECKS };
 
 struct long_checks {

@@ -99,7 +99,7 @@ static void state_at(struct chain_state *state, xform *pose, const struct body_p
 	*pose = mesh_pose(pair, &state->pose);
 }
 
-/* Fills in everything that follows from the states and the chord. */
+/* Computes everything that follows from the states and the chord. */
 static void finish_chord(struct motion_interval *interval, const struct body_pair *pair)
 {
 	double rounding = fmax(body_pair_rounding(pair, &interval->chord.q0, interval->poses[0].translation),
@@ -142,8 +142,8 @@ static axis_values middle_of(const struct chord *box)
 }
 
 /*
- * mm: how far a joint moves points along each axis of a frame in which its direction is d. A linear joint moves them by
- * `half` along d, a rotary one by `turn` across d.
+ * mm: how far a joint with direction d moves points along each axis of a frame. A linear joint moves them by `half`
+ * along d, a rotary one by `turn` across d.
  */
 static vec3 joint_displacement(double half, double turn, bool rotary, vec3 d)
 {

@@ -7,21 +7,21 @@
 #include "geom/point_distance.h"
 #include "scene/coherence.h"
 
-/* Measured: the first two rounds find nearly all that more would find; as a rule the search ends there. */
+/* Measured: the first two rounds find nearly everything that more rounds would find; usually the search ends there. */
 enum { ROUNDS = 6 };
 
-/* A round that brings less than this share of the distance is the last one. */
+/* A round that reduces the distance by less than this share is the last one. */
 #define ROUND_SHARE 0.01
 
-/* Points that have moved by less than this share of the distance since they were measured are as good as new. */
+/* Points that have moved by less than this share of the distance since their measurement count as unchanged. */
 #define MOVED_SHARE 0.25
 
-/* Two triangles that are this close, and a point of each, in a's mesh coordinates. */
+/* Two triangles at this distance, and a point of each, in a's mesh coordinates. */
 struct near_pair {
 	double distance;	/* mm */
 	vec3 on_a, on_b;
-	bool measured;	/* the points are nearest to each other; else each is as near to the other triangle at least */
-	bool is_new;	/* points or triangles are not those that are remembered */
+	bool measured;	/* the points are the closest ones; else each is within `distance` of the other triangle */
+	bool is_new;	/* the points or triangles differ from the remembered ones */
 };
 
 static struct near_pair measure(const struct body_pair *pair, const xform *pose)
@@ -35,7 +35,7 @@ static struct near_pair measure(const struct body_pair *pair, const xform *pose)
 	return near;
 }
 
-/* A point of a, in b's mesh coordinates. */
+/* Transforms a point of a to b's mesh coordinates. */
 static vec3 in_b(const xform *pose, vec3 point)
 {
 	return mat3_apply_transposed(&pose->rotation, vec3_sub(point, pose->translation));
@@ -53,8 +53,8 @@ static void remember(const struct body_pair *pair, const xform *pose, const stru
 }
 
 /*
- * How close the triangles are from the points where they were nearest when they were measured: at a small part of the
- * cost, and nearly as exact as long as they have not turned far.
+ * The distance of the triangles, computed from the points that were closest when they were measured. This costs a small
+ * part of a measurement, and is nearly as exact while the triangles have not turned far.
  */
 static struct near_pair recall(const struct body_pair *pair, const xform *pose)
 {
@@ -81,7 +81,7 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose)
 	return recall(pair, pose).distance;
 }
 
-/* Replaces one of the triangles by one that is nearer to the other's point. False: none is. */
+/* Replaces one of the triangles by one that is closer to the other's point. False: there is none. */
 static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, struct near_pair *near, double enough,
 		    long *visits)
 {
@@ -97,7 +97,7 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 		*near = measure(pair, pose);
 		return true;
 	}
-	/* Near enough as it is: the other point stays. */
+	/* Close enough already: the other point stays. */
 	*near = (struct near_pair){
 		.distance = nearest.distance,
 		.on_a = of_a ? nearest.at : near->on_a,
@@ -107,7 +107,7 @@ static bool replace(const struct body_pair *pair, const xform *pose, bool of_a, 
 	return true;
 }
 
-/* The same of either. The one that was replaced last is tried first: as a rule it is the one that moves sideways. */
+/* The same for either triangle. The one that was replaced last is tried first: usually its body moves sideways. */
 static bool replace_either(const struct body_pair *pair, const xform *pose, struct near_pair *near, double enough,
 			   long *visits)
 {
@@ -117,7 +117,7 @@ static bool replace_either(const struct body_pair *pair, const xform *pose, stru
 	return (near->distance > enough && replace(pair, pose, !first, near, enough, visits)) || nearer;
 }
 
-/* Measures the points anew. False: they are nearly where they were, or were new. */
+/* Measures the points again. False: they have hardly moved, or were just measured. */
 static bool renew_points(const struct body_pair *pair, const xform *pose, struct near_pair *near)
 {
 	const struct near_pair before = *near;

@@ -6,11 +6,11 @@
 #include "machine/chain.h"
 #include "scene/corner_depth.h"
 
-/* mm: guideways, bearings and covers that are drawn through each other change by less over a travel. */
+/* mm: the overlap of guideways, bearings and covers that are drawn through each other changes by less over a travel. */
 static const double DEEPER_BY = 25;
-/* Positions of the joint that are looked at, besides home: evenly spaced, with both ends. */
+/* The number of positions of the joint that are tested, besides home: evenly spaced, including both ends. */
 enum { POSITIONS = 5 };
-/* Triangles: a larger mesh would take longer to look at than to read. */
+/* Triangles: testing a larger mesh would take longer than reading it. */
 enum { MESH_MOST = 50000 };
 
 static const struct axis *joint_of(const struct scene *scene, const struct scene_pair *pair)
@@ -18,7 +18,7 @@ static const struct axis *joint_of(const struct scene *scene, const struct scene
 	return machine_axis(scene->machine, pair->chain.joints[0].slot);
 }
 
-/* An endless rotary axis is turned once, and an endless linear axis is not moved. */
+/* An endless rotary axis is rotated once; an endless linear axis is not moved. */
 static double position_of(const struct axis *axis, int i)
 {
 	double least = axis->limit_min, most = axis->limit_max;

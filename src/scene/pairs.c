@@ -10,7 +10,7 @@
 #include "scene/reach_search.h"
 #include "scene/static_query.h"
 
-/* mm: how exactly it is told whether neighbours are near each other. */
+/* mm: the tolerance of the test whether neighbours are near each other. */
 #define NEAR_TOLERANCE 1e-3
 
 static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
@@ -89,7 +89,7 @@ static void set_core(struct scene *scene, struct scene_pair *pair, double depth)
 	*cutter = scene_core(scene, *cutter, depth);
 }
 
-/* In which classes of steps a cutter has to stay out of the part, and in which its contact is work. */
+/* The classes of steps in which a cutter must stay out of the part, and those in which its contact is cutting. */
 struct contact_rule {
 	unsigned apart, work;
 	const char *when;	/* `apart` in words */
@@ -126,7 +126,7 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 	       part->rapid_allowance);
 }
 
-/* The stock's cells know how deep they are in the cutter, so no core is needed. */
+/* Each cell of the stock gives its own depth in the cutter, so no core is needed. */
 static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -142,7 +142,7 @@ static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
 	       stock->rapid_allowance);
 }
 
-/* Adds a second pair of a cutter and a part: while the cutter cuts it may not enter deeper than the part's gouge. */
+/* Adds a second pair of a cutter and a part: while the cutter cuts, it must not enter deeper than the part's gouge. */
 static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 {
 	const struct body *a = scene->bodies[cutting->a].body, *b = scene->bodies[cutting->b].body;
@@ -165,7 +165,7 @@ static bool are_of_two_tools(const struct body *a, const struct body *b)
 	return a->tool && b->tool && a->tool != b->tool;
 }
 
-/* Decides what bodies, joints and rules say of the pair. False: its geometry is to be looked at. */
+/* Decides the pair as far as bodies, joints and rules do. False: its geometry must be examined. */
 static bool derive(struct scene *scene, struct scene_pair *pair, double clearance)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -193,15 +193,15 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	return true;
 }
 
-/* A pair whose geometry is to be looked at. */
+/* A pair whose geometry must be examined. */
 struct open_pair {
 	size_t pair;
-	double size;	/* triangles, the product of both bodies: roughly what it takes */
+	double size;	/* triangles, the product of both bodies: roughly proportional to the time */
 };
 
 struct geometry_work {
 	struct scene *scene;
-	struct reach_search *searches;	/* one a thread */
+	struct reach_search *searches;	/* one for each thread */
 	struct open_pair *pairs;
 };
 
@@ -231,7 +231,8 @@ static void derive_one(void *context, int worker, size_t i)
 static void derive_all_from_geometry(struct geometry_work *work, size_t count, int threads)
 {
 	/*
-	 * Those that take long come first: then no thread is left with one of them while the others have nothing to do.
+	 * The pairs that take long come first: then no thread still works on one of them while the others have nothing
+	 * to do.
 	 */
 	if (count)
 		qsort(work->pairs, count, sizeof(*work->pairs), by_size);

@@ -6,9 +6,9 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 
-/* mm: bodies are in one place if their placements put no point farther apart. */
+/* mm: two placements are the same if they move no point farther apart than this. */
 static const double ONE_PLACE = 1e-3;
-/* Degrees: angles in radians are written with three digits or more. */
+/* Degrees: angles in radians are written with at least three digits. */
 static const double ANGLE_OFF = 0.002;
 
 static bool is_judged(const struct scene *scene, size_t body)
@@ -24,7 +24,9 @@ static bool are_one_mesh(const struct mesh *a, const struct mesh *b)
 	return a->count == b->count && !memcmp(a->triangles, b->triangles, a->count * sizeof(*a->triangles));
 }
 
-/* Are the corners of the box around the mesh in one place with either placement? Then the whole box is. */
+/*
+ * Do both placements put the corners of the box around the mesh in the same places? Then this is so for the whole box.
+ */
 static bool are_in_one_place(const struct scene_body *a, const struct scene_body *b)
 {
 	for (int corner = 0; corner < 8; corner++) {
@@ -61,7 +63,9 @@ static double angle_of(const mat3 *r)
 	return degrees(math_atan2(vec3_norm(twice_sine), r->x.x + r->y.y + r->z.z - 1));
 }
 
-/* Fixtures and parts are turned with their workholding, and then by themselves. */
+/*
+ * The rotation of a body relative to its workholding: fixtures and parts rotate with it, and then by their own angle.
+ */
 static double own_angle(const struct scene *scene, const struct body *body)
 {
 	const xform none = xform_identity(), back = xform_inverse(&scene->machine->workholding.frame);
@@ -70,7 +74,7 @@ static double own_angle(const struct scene *scene, const struct body *body)
 	return angle_of(&own.rotation);
 }
 
-/* 45, 90, 135 and 180 degrees, and a whole turn, are 0.785 to 3.142, and 6.283 in radians. */
+/* 45, 90, 135 and 180 degrees are 0.785 to 3.142 radians, and a whole turn is 6.283. */
 static bool looks_like_radians(double angle)
 {
 	const double eighths = angle / (PI / 4), nearest = floor(eighths + 0.5);

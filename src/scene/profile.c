@@ -5,20 +5,20 @@
 #include "base/minmax.h"
 
 /*
- * A box whose half diagonal is at most this share of the part's is not looked into. Its corners reach too far by about
- * as much as one of 32 rings does on a ball.
+ * A box whose half diagonal is at most this share of the part's is not opened. The excess of its corners is about that
+ * of one of 32 rings on a ball.
  */
 #define FINE_SHARE 0x1p-6
 
-/* Boxes of so few triangles are not worth it: their corners are as many. */
+/* Opening a box of so few triangles does not pay: they have about as many corners as the box. */
 enum { FEW_TRIANGLES = 8 };
 
 struct gathering {
 	const struct bvh *bvh;
 	vec3 along, from;	/* the axis and its location, from the tree's origin */
-	double start, per_mm;	/* rings are counted from start mm along the axis */
-	double fine;	/* mm: of the half diagonal of a box */
-	struct profile *profile;	/* by place along the axis; rho below 0: nothing there yet */
+	double start, per_mm;	/* the rings start at `start` mm along the axis */
+	double fine;	/* mm: of half the diagonal of a box */
+	struct profile *profile;	/* by position along the axis; rho below 0: empty */
 	long visits;
 };
 
@@ -29,7 +29,7 @@ static int ring_of(const struct gathering *g, double u)
 	return k >= PROFILE_RINGS - 1 ? PROFILE_RINGS - 1 : k > 0 ? (int)k : 0;
 }
 
-/* Into the piece of the axis that holds u. */
+/* Widens the k-th piece of the axis to include u and rho. */
 static void widen_ring(struct profile *profile, int k, double u, double rho)
 {
 	bool first = profile->rho[k] < 0;
@@ -52,7 +52,7 @@ static void add_triangles(const struct gathering *g, size_t first, size_t count)
 	}
 }
 
-/* A ring that holds a box, with the pieces of the axis that hold its ends. */
+/* A ring that contains a box, with the pieces of the axis that contain its ends. */
 struct box_ring {
 	double low, high, rho;
 	int first, last;
@@ -68,7 +68,7 @@ static struct box_ring ring_around(const struct gathering *g, vec3 centre, vec3 
 	return (struct box_ring){u - off, u + off, rho, ring_of(g, u - off), ring_of(g, u + off)};
 }
 
-/* Two rings that are wide enough hold all between the begin of the one and the end of the other. */
+/* Two rings that are wide enough contain everything between the start of one and the end of the other. */
 static bool holds_ring(const struct profile *profile, const struct box_ring *ring)
 {
 	return profile->rho[ring->first] >= ring->rho && profile->low[ring->first] <= ring->low &&
@@ -102,7 +102,7 @@ static void add_branch(struct gathering *g, uint32_t at)
 	}
 }
 
-/* The part's box tells where rings begin and what is small. */
+/* The part's box determines where rings begin and which boxes are small. */
 static void begin(struct gathering *g, vec3 centre, vec3 half)
 {
 	double off = fabs(g->along.x) * half.x + fabs(g->along.y) * half.y + fabs(g->along.z) * half.z;
@@ -116,7 +116,7 @@ static void begin(struct gathering *g, vec3 centre, vec3 half)
 	}
 }
 
-/* Moves the rings that hold something to the front. */
+/* Moves the rings in use to the front. */
 static void close_up(struct profile *profile)
 {
 	profile->count = 0;

@@ -11,24 +11,24 @@
 #include "scene/tool_contact.h"
 
 /*
- * The most node pairs that a proof of "out of reach" may look at, which takes some milliseconds. If nothing is proved
- * the pair is checked.
+ * The largest number of node pairs for a proof of "out of reach", which takes some milliseconds. If the proof fails the
+ * pair is checked.
  */
 #define REACH_VISITS 30000
 
 /*
- * So many of them settle most proofs. Only then it is looked whether the bodies meet at some of their positions, and
- * after as many as SECOND_VISITS for a position at which they do: no proof is possible then.
+ * Most proofs are complete after FIRST_VISITS. Only then the search tests whether the bodies meet at some positions;
+ * after SECOND_VISITS it also searches for a position at which they meet. If they meet, no proof is possible.
  */
 #define FIRST_VISITS 450
 #define SECOND_VISITS 1800
 
-/* The most for a tool's piece with few triangles: these are looked at once more if it is not enough. */
+/* The largest number for a tool's piece with few triangles. If this is not enough they are examined once more. */
 #define COARSE_VISITS 3000
 
 /*
- * So many steps are made from where similar bodies met. Measured on a setup with 30 tools: 3, 6 and 10 take the same
- * time to within 3 percent.
+ * The number of steps from a position at which similar bodies met. Measured on a setup with 30 tools: 3, 6 and 10 take
+ * the same time to within 3 percent.
  */
 enum { RECALL_STEPS = 6 };
 
@@ -51,7 +51,7 @@ static bool travel_of(const struct scene *scene, const struct chain *chain, axis
 	return true;
 }
 
-/* mm: how much larger than its mesh the stock may be. */
+/* mm: an upper bound of the excess of the stock over its mesh. */
 static double uncertainty_of(const struct scene *scene, const struct scene_pair *pair)
 {
 	return scene->bodies[pair->a].body->uncertainty + scene->bodies[pair->b].body->uncertainty;
@@ -59,13 +59,15 @@ static double uncertainty_of(const struct scene *scene, const struct scene_pair 
 
 enum { ROLES = ROLE_CUTTER + 1 };
 
-/* Where a body last met one of each role. The holders of all tools meet a table at much the same place. */
+/*
+ * The last contact of a body with one body of each role. The holders of all tools meet a table at much the same place.
+ */
 struct last_contact {
 	axis_values at;
 	bool known;
 };
 
-/* What was found last for a body and a tool's piece that is made of sections, of each role. */
+/* The last result for a body and a tool's piece that is made of sections, for each role. */
 struct last_tool {
 	struct tool_contact contact;
 	bool apart;	/* they were out of each other's reach */
@@ -90,7 +92,7 @@ static struct last_contact *last_contact_of(const struct reach_search *search, c
 	return &search->last[body * ROLES + (int)scene->bodies[other].body->role];
 }
 
-/* Do they meet near where either of them met a body like the other one? */
+/* Do they meet near a position at which either of them met a similar body? */
 static bool meets_again(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 			double apart, const axis_values *low, const axis_values *high, struct reach_search *search)
 {
@@ -113,7 +115,7 @@ static void keep_contact(const struct scene *scene, const struct scene_pair *pai
 	*last_contact_of(search, scene, pair->b, pair->a) = last;
 }
 
-/* Are the boxes around the bodies apart in some corner of the travel? */
+/* Are the boxes around the bodies apart at a corner of the travel? */
 static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *low, const axis_values *high)
 {
 	for (size_t corner = 0; corner < (size_t)1 << bodies->chain->count; corner++) {
@@ -135,8 +137,8 @@ static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *
 }
 
 /*
- * Is neither body inside the other one, where their surfaces stay apart over the whole travel? Then that is the same
- * everywhere: where the boxes are apart it is seen at once, without the topology of the meshes.
+ * Is neither body inside the other, if their surfaces stay apart over the whole travel? The answer is then the same at
+ * every position. A position where the boxes are apart decides this at once, without the topology of the meshes.
  */
 static bool is_outside(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 		       const axis_values *low, const axis_values *high)
@@ -148,7 +150,7 @@ static bool is_outside(struct scene *scene, const struct scene_pair *pair, const
 	       static_query_contained(scene, pair, &home, &point) == INSIDE_NO;
 }
 
-/* A contact shows that no proof is possible, and saves the time of looking for one. */
+/* A contact shows that no proof is possible and saves the search for one. */
 bool reach_search_proves(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
 			 const struct body_pair *bodies)
 {
@@ -192,7 +194,7 @@ static bool is_coarse_apart(struct scene *scene, const struct scene_pair *pair, 
 		static_query_is_outside(scene, pair, shell, &home));
 }
 
-/* What was found last for a piece of this role is looked for first. */
+/* The last result for a piece of this role is tried first. */
 enum reach reach_search_tool(struct reach_search *search, struct scene *scene, const struct scene_pair *pair,
 			     const struct bvh *tree)
 {

@@ -9,21 +9,23 @@
 #include "base/units.h"
 #include "geom/weld.h"
 
-/* mm: coordinates of one place in a mesh file differ by less. */
+/* mm: coordinates of the same place in a mesh file differ by less. */
 static const double SAME = 1e-3;
-/* A circle has at least so many corners, in so many of eight equal parts of the turn: all. */
+/* A circle has at least this number of corners, in each of eight equal parts of the turn. */
 enum { CORNERS_LEAST = 12, PARTS = 8 };
 /* mm: smaller circles are bores for screws, which may be anywhere. */
 static const double RADIUS_LEAST = 20;
-/* The corners of a circle are as far from its middle as its radius within this share of it. */
+/* The distance of a circle's corners from its middle equals the radius to within this share. */
 static const double ROUND = 2e-3;
-/* mm: a circle has its middle on the axis if it is no farther off. */
+/* mm: a circle is on the axis if its middle is within this distance of the axis. */
 static const double MIDDLE_OFF = 0.2;
 
-/* Triangles: a larger mesh would take longer to look at than to read. */
+/* Triangles: testing a larger mesh would take longer than reading it. */
 enum { MESH_MOST = 50000 };
 
-/* A corner in a plane across the axis: the height of the plane, and the place in it, with the axis at 0. */
+/*
+ * A corner in a plane perpendicular to the axis: the height of the plane, and the position in it, with the axis at 0.
+ */
 struct corner {
 	double height, x, y;
 };
@@ -63,7 +65,7 @@ static struct corner corner_of(const struct frame *frame, vec3 off, double heigh
 	return (struct corner){height, vec3_dot(off, frame->across[0]), vec3_dot(off, frame->across[1])};
 }
 
-/* A wall stands on a plane with one edge; triangles that lie in a plane have nothing to say. */
+/* Adds the one edge with which a wall stands on a plane. Triangles that lie in a plane are ignored. */
 static void add_wall(struct rings *rings, const struct frame *frame, const mesh_triangle *triangle)
 {
 	int levels = 0, from = 0, to;
@@ -113,13 +115,15 @@ static int64_t grid(double v)
 	return towards_0 - ((double)towards_0 > place);
 }
 
-/* Corners on one point of a grid are one corner. */
+/* Corners at the same grid point are the same corner. */
 static bool are_one(struct corner p, struct corner q)
 {
 	return grid(p.height) == grid(q.height) && grid(p.x) == grid(q.x) && grid(p.y) == grid(q.y);
 }
 
-/* In the upper half what corners on one point have in common (splitmix64's constants), in the lower half the corner. */
+/*
+ * The upper half is the same for all corners at one grid point (constants of splitmix64); the lower half is the corner.
+ */
 static uint64_t key_of(struct corner at, size_t corner)
 {
 	uint64_t hash = (uint64_t)grid(at.height) * UINT64_C(0x9e3779b97f4a7c15);
@@ -136,7 +140,7 @@ static size_t root_of(size_t *roots, size_t i)
 	return i;
 }
 
-/* The circle through corners that are spread over a whole turn, by least squares (Kasa). False: they are on none. */
+/* The circle through corners that are spread over a whole turn, by least squares (Kasa). False: there is none. */
 static bool fit_circle(const struct corner *corners, size_t count, double *middle, double *radius)
 {
 	double mx = 0, my = 0, xx = 0, xy = 0, yy = 0, xr = 0, yr = 0, sum = 0, determinant, cx, cy;
@@ -184,7 +188,7 @@ static void judge_outline(struct rings *rings, const struct corner *corners, siz
 	rings->diameter = 2 * radius;
 }
 
-/* Joins the edges that share corners; leaves one of each corner in keys[0] to [count - 1] and returns count. */
+/* Joins the edges that share corners; leaves one entry for each corner in keys[0] to [count - 1] and returns count. */
 static size_t join_edges(const struct rings *rings, struct soup *keys, size_t *roots)
 {
 	const size_t all = 2 * rings->count;
@@ -213,13 +217,13 @@ static size_t join_edges(const struct rings *rings, struct soup *keys, size_t *r
 	return count;
 }
 
-/* Joins the edges that share corners to outlines, and looks whether each is a circle. */
+/* Joins the edges that share corners to outlines, and tests whether each is a circle. */
 static void judge_edges(struct rings *rings)
 {
 	const size_t n = rings->count;
 	struct soup keys = {.keys = mem_alloc(2 * n * sizeof(*keys.keys)),
 			    .scratch = mem_alloc(2 * n * sizeof(*keys.scratch))};
-	struct corner *outlines = mem_alloc(2 * n * sizeof(*outlines));	/* the corners of one beside each other */
+	struct corner *outlines = mem_alloc(2 * n * sizeof(*outlines));	/* those of one outline are adjacent */
 	size_t *roots = mem_alloc(n * sizeof(*roots)), *ends = mem_zalloc(n + 2, sizeof(*ends));
 	const size_t count = join_edges(rings, &keys, roots);
 
@@ -227,7 +231,7 @@ static void judge_edges(struct rings *rings)
 		ends[root_of(roots, (uint32_t)keys.keys[i] / 2) + 2]++;
 	for (size_t i = 1; i < n + 2; i++)
 		ends[i] += ends[i - 1];
-	/* ends[i + 1] is where the next corner of outline i belongs; in the end it is where the outline ends. */
+	/* ends[i + 1] is the position of the next corner of outline i; after the loop it is the end of the outline. */
 	for (size_t i = 0; i < count; i++)
 		outlines[ends[root_of(roots, (uint32_t)keys.keys[i] / 2) + 1]++] =
 		    end_of(rings, (uint32_t)keys.keys[i]);
@@ -257,8 +261,8 @@ static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 }
 
 /*
- * Judges the circles of a link about a line, then those of the link that carries it. Fills in the doubt's value and
- * limit with the nearest circle of the link itself; false: a circle has its middle on the line, or nothing can be said.
+ * Judges the circles of a link about a line, then those of the link that carries it. Sets the doubt's value and limit
+ * to the nearest circle of the link itself. False: a circle has its middle on the line, or nothing can be decided.
  */
 static bool lies_beside(const struct scene *scene, int link, vec3 location, vec3 direction, struct doubt *doubt)
 {

@@ -119,8 +119,8 @@ bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *dia
 }
 
 /*
- * The tree of a core or of a tool's piece that is made of sections. Any thread may be the first that needs it: most
- * belong to tools that a program does not use.
+ * The tree of a core or of a tool's piece that is made of sections. The first thread that needs the tree builds it:
+ * most belong to tools that a program does not use.
  */
 static const struct bvh *solid_bvh(struct scene *scene, int body)
 {

@@ -1,4 +1,4 @@
-/* scene_new.c - makes a scene with its pairs. It is a file of its own because pairs.c needs scene.c. */
+/* scene_new.c - makes a scene with its pairs; a separate file because pairs.c needs scene.c. */
 #include "base/mem.h"
 #include "scene/mesh_reading.h"
 #include "scene/pairs.h"
@@ -10,7 +10,7 @@ static void add_bodies(struct scene *scene, const struct body *bodies, size_t co
 		scene->bodies[scene->body_count++] = (struct scene_body){.body = &bodies[i]};
 }
 
-/* Each cutter may have two cores for each part. */
+/* The largest number of cores: two for each cutter and part. */
 static size_t most_cores(const struct scene *scene)
 {
 	size_t cutters = 0, parts = 0;

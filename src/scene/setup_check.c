@@ -9,9 +9,9 @@
 #include "scene/corner_depth.h"
 #include "scene/placed_box.h"
 
-/* mm: a body that is nearer than this to another one is held by it. */
+/* mm: a body within this distance of another one is held by it. */
 static const double HELD_WITHIN = 2;
-/* mm: drawn bodies may overlap by this much (a clamp that presses, a rounded coordinate). */
+/* mm: the largest overlap of drawn bodies that is accepted (a clamp that presses, a rounded coordinate). */
 static const double SUNK_BY = 1;
 /* The size of a part divided by the longest travel of the machine. */
 static const double PART_LEAST = 0.015, PART_MOST = 1.5;
@@ -19,7 +19,9 @@ static const double PART_LEAST = 0.015, PART_MOST = 1.5;
 static const double TOOL_LEAST = 0.02, TOOL_MOST = 1.5;
 /* mm: something is reported only if it is out of reach by more than this. */
 static const double OUT_OF_REACH = 10;
-/* A program zero may be so many mm away from everything that is set up, or this share of its size. */
+/*
+ * The largest distance of a program zero from everything that is set up, in mm and as a share of the size of the setup.
+ */
 static const double ZERO_OFF = 50, ZERO_OFF_SHARE = 0.25;
 
 static bool is_set_up(const struct scene *scene, int body)
@@ -37,7 +39,7 @@ static bool is_table(const struct scene *scene, int body)
 	return b->role == ROLE_MACHINE && b->link == scene->machine->workholding.link;
 }
 
-/* A lower bound on the distance of two bodies on one link, at least 0.9 of it. */
+/* A lower bound of the distance of two bodies on one link, at least 0.9 of the distance. */
 static double distance_apart(struct scene *scene, int a, int b)
 {
 	const struct chain rigid = {0};
@@ -61,7 +63,7 @@ static bool holds(struct scene *scene, int body, int other)
 	return overlap >= -HELD_WITHIN && distance_apart(scene, body, other) <= HELD_WITHIN;
 }
 
-/* Marks bodies that a held body holds, until nothing is added. */
+/* Marks all bodies that are held by a held body, until none is added. */
 static void spread_hold(struct scene *scene, bool *held)
 {
 	bool added = true;
@@ -92,7 +94,7 @@ static void add_floating(struct scene *scene, int body, const bool *held, struct
 	doubts_add(doubts, &doubt);
 }
 
-/* If neither a table nor a fixture is drawn nothing can be said. */
+/* If neither a table nor a fixture is drawn, nothing can be decided. */
 static void check_held(struct scene *scene, struct doubts *doubts)
 {
 	bool *held = mem_zalloc(scene->body_count + 1, sizeof(*held)), any = false;
@@ -186,7 +188,7 @@ static void extent(const struct scene *scene, struct placed_box box, vec3 along,
 	*greatest = at + reach;
 }
 
-/* Checks sideways positions, which do not depend on the tool. */
+/* Checks positions across the spindle, which do not depend on the tool. */
 static void check_beside(const struct scene *scene, struct doubts *doubts)
 {
 	vec3 across[2];
@@ -329,7 +331,7 @@ static void check_offset_travel(const struct scene *scene, size_t item, struct d
 	}
 }
 
-/* The place of the tip at program zero; `lift` is how much longer the tool is than its H. */
+/* The distance of the tip from the box at program zero; `lift`: by how much the tool is longer than its H. */
 static double zero_distance(const struct scene *scene, size_t item, double lift, struct placed_box box)
 {
 	const struct machine *machine = scene->machine;
@@ -342,7 +344,7 @@ static double zero_distance(const struct scene *scene, size_t item, double lift,
 	return placed_box_distance(box, xform_apply(&back, xform_apply(&tool, gauge)));
 }
 
-/* Program zero may be where the work turns, or at the workholding, far from a part that stands on a high fixture. */
+/* Program zero may be where the work rotates, or at the workholding, far from a part that stands on a high fixture. */
 static bool is_at_work_zero(const struct scene *scene, size_t item, double lift)
 {
 	const vec3 holding = scene->machine->workholding.frame.translation;

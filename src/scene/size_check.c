@@ -7,20 +7,19 @@
 #include "scene/placed_box.h"
 
 /*
- * The size of the drawing divided by the longest travel. Outside of this range the units are doubted; real machines
- * have 1 to 8.
+ * The size of the drawing divided by the longest travel. Outside this range the units are doubted; real machines have 1
+ * to 8.
  */
 static const double SIZE_LEAST = 0.1, SIZE_MOST = 25;
 
 /*
  * The size of one body, and of all bodies of a link, divided by the longest travel. Of 1,487 bodies and 615 links of
- * real machines the least are 0.0025 and 0.026. That link is 421 mm large; one of LINK_LARGE mm is never too small.
+ * real machines the smallest values are 0.0025 and 0.026. The smallest of these links measures 421 mm; a link of
+ * LINK_LARGE mm is never too small.
  */
 static const double BODY_LEAST = 0.001, LINK_LEAST = 0.025, LINK_LARGE = 100;
 
-/*
- * A body that is marked checked="" may have any size, and all with it. False: all together are doubted to be too small.
- */
+/* If a body is marked checked="", all bodies may have any size. False: all bodies together may be too small. */
 static bool check_all(const struct scene *scene, struct doubts *doubts)
 {
 	struct placed_box box = placed_box_empty();
@@ -78,7 +77,7 @@ static void check_bodies(const struct scene *scene, struct doubts *doubts)
 
 void size_check(const struct scene *scene, struct doubts *doubts)
 {
-	/* One unit that is wrong for all bodies is one doubt. */
+	/* A wrong unit for all bodies gives one doubt. */
 	if (check_all(scene, doubts) && missing_is_drawn(scene))
 		check_bodies(scene, doubts);
 }

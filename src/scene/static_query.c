@@ -12,7 +12,7 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 	return fabs(off.x) <= bvh->half.x && fabs(off.y) <= bvh->half.y && fabs(off.z) <= bvh->half.z;
 }
 
-/* Two bodies at one pose; a's coordinates are the pair's first body's. */
+/* Two bodies at one pose; the coordinates of a are those of the pair's first body. */
 struct placed_pair {
 	struct box_query boxes;
 	int bodies[2];
@@ -20,8 +20,8 @@ struct placed_pair {
 };
 
 /*
- * One vertex of each component of the body's surface. *own is where a single one can be: `together` says that the
- * components are all inside the other body, or all outside of it.
+ * One vertex of each component of the body's surface; for a single one, *own is its memory. `together`: the components
+ * are either all inside the other body or all outside.
  */
 static const vec3 *component_points(struct scene *scene, int body, bool together, vec3 *own, size_t *count)
 {

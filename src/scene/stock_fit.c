@@ -3,7 +3,7 @@
 #include "scene/corner_depth.h"
 #include "scene/placed_box.h"
 
-/* mm: a finished surface may be that of the blank, whose mesh is round only roughly. */
+/* mm: a finished surface may be a surface of the blank, whose mesh approximates round surfaces only roughly. */
 static const double OUT_BY = 1;
 
 static bool is_part(const struct scene *scene, int body)

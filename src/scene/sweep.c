@@ -9,22 +9,22 @@
 #include "scene/bvh_pair.h"
 #include "scene/coherence.h"
 
-/* More halvings than a double has bits change nothing. */
+/* More halvings than a double has bits have no effect. */
 #define DEPTH_MAX 60
 
 /*
- * The motion is halved if, because the boxes move, their test loses more than this share of the larger subtree's size.
- * Measured: 0.06 to 0.15 perform alike; 0.4 costs four times as much where bodies nearly touch while they turn.
+ * The motion is halved if the box test loses more than this share of the larger subtree's size because the boxes move.
+ * Measured: 0.06 to 0.15 perform alike; 0.4 costs four times as much where bodies nearly touch while they rotate.
  */
 #define LOST 0.1f
 
-/* The most intervals of one walk; a sweep that needs more is done in parts. */
+/* The largest number of intervals in one walk; a sweep that needs more is divided into parts. */
 #define INTERVALS_MAX 4096
 
-/* Halving an interval takes as long as looking at this many node pairs. */
+/* Halving an interval takes as long as visiting this number of node pairs. */
 #define HALVING_VISITS 20
 
-/* Node pairs to look at before the caller is asked again whether to stop: about 100 us. */
+/* The number of node pairs until the caller is asked again whether to stop: about 100 us. */
 #define ASK_VISITS 10000
 
 struct sweep_entry {
@@ -93,7 +93,7 @@ static bool is_final(const struct walk *walk, const struct motion_interval *inte
 /* How a step of a walk ends. */
 enum progress { GOES_ON, FINISHED, TOO_DEEP, TOO_MANY_INTERVALS };
 
-/* Pushes the later half first, so that the earlier one is looked at first. */
+/* Pushes the later half first, so that the earlier one is examined first. */
 static enum progress push_halves(struct walk *walk, const struct sweep_entry *entry)
 {
 	struct interval_pool *pool = &walk->sweep->intervals;
@@ -119,7 +119,7 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 	return GOES_ON;
 }
 
-/* mm: points that are farther apart than this need no closer look in the interval. */
+/* mm: points that are farther apart than this need no closer examination in the interval. */
 static double required_in(const struct walk *walk, const struct motion_interval *interval)
 {
 	return walk->clearance + interval->path;
@@ -174,7 +174,7 @@ static bool apart_by_coherence(const struct walk *walk, const struct sweep_entry
 }
 
 /*
- * If the boxes' test loses much because the boxes move, not because they are large, halving the motion gains more than
+ * If the box test loses much because the boxes move, not because they are large, halving the motion gains more than
  * opening the boxes.
  */
 static bool is_loose(const struct sweep_entry *entry)
@@ -213,13 +213,13 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 	return GOES_ON;
 }
 
-/* Can the entry's interval be skipped: is it after the first contact, or outside of the part to look at? */
+/* Can the entry's interval be skipped, because it is after the first contact or outside the part to examine? */
 static bool is_left_out(const struct walk *walk, const struct motion_interval *interval)
 {
 	return interval->s0 >= walk->contact->s || interval->s1 < walk->from || interval->s0 > walk->to;
 }
 
-/* One step, unless the walk is to stop. */
+/* Makes one step, unless the walk must stop. */
 static enum progress limited_step(struct walk *walk, struct sweep_entry *entry)
 {
 	struct sweep *sweep = walk->sweep;
@@ -233,7 +233,7 @@ static enum progress limited_step(struct walk *walk, struct sweep_entry *entry)
 	return step(walk, entry);
 }
 
-/* Goes on with the contact that was found so far. */
+/* Continues with the contact that was found so far. */
 static enum progress run(struct walk *walk, const struct motion_interval *part)
 {
 	struct sweep *sweep = walk->sweep;
@@ -266,10 +266,10 @@ static enum sweep_answer answer_of(const struct walk *walk, enum progress progre
 }
 
 /*
- * Sweeps the chord from `from` to `to`, in parts if there are too many intervals. Every part begins at the whole chord
- * and halves it in the same way, so the parts together look at the same nodes and triangles over the same intervals as
- * one walk: the limit of intervals changes no result. The recursion ends, because a part of 2^-50 of the chord has a
- * few hundred intervals around it and a thousand in it.
+ * Sweeps the chord from `from` to `to`, in parts if there are too many intervals. Every part begins with the whole
+ * chord and halves it in the same way, so the parts together examine the same nodes and triangles over the same
+ * intervals as one walk: the limit of intervals changes no result. The recursion ends, because a part of 2^-50 of the
+ * chord has a few hundred intervals around it and a thousand in it.
  */
 static enum progress run_part(struct walk *walk, const struct motion_interval *whole, double from, double to)
 {
@@ -314,7 +314,7 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 	return answer_of(walk, run_part(walk, &whole, first, first));
 }
 
-/* The recursion ends: each half has been halved once more, at most DEPTH_MAX times. */
+/* The recursion ends: every half is halved once more, at most DEPTH_MAX times. */
 static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_interval *part)
 {
 	enum progress progress;

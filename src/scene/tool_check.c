@@ -6,15 +6,18 @@
 #include "machine/tool_name.h"
 #include "machine/tool_solid.h"
 
-/* A holder is thickest at its flange, by the gauge line. One that is thinner there than this share is upside down. */
+/*
+ * A holder is thickest at its flange, near the gauge line. If it is thinner there than this share, the holder is upside
+ * down.
+ */
 static const double FLANGE_LEAST = 0.6;
-/* A drawn cutter ends at the tip: within so many mm, or this share of the length. */
+/* A drawn cutter ends at the tip, to within this many mm or this share of the length. */
 static const double TIP_OFF = 1, TIP_OFF_SHARE = 0.01;
 /* A tool without a cutter is drawn over at least this share of its length. */
 static const double DRAWN_LEAST = 0.1;
-/* The middle of a holder is on the spindle's line: within this share of its half width. */
+/* The middle of a holder is on the spindle's line, to within this share of its half width. */
 static const double ASIDE_MOST = 0.5;
-/* A D that is larger than this share of the tool's diameter is no radius. */
+/* A D above this share of the tool's diameter is not a radius. */
 static const double RADIUS_MOST = 0.75;
 
 static void check_holder(const struct body *body, size_t item, struct doubts *doubts)
@@ -33,7 +36,7 @@ static void check_holder(const struct body *body, size_t item, struct doubts *do
 		doubts_add(doubts, &doubt);
 }
 
-/* mm: how far the body reaches from the gauge line toward the tip. A mesh has the gauge point at its origin. */
+/* mm: the extent of the body from the gauge line toward the tip. A mesh has the gauge point at its origin. */
 static double end_of(const struct scene_body *b)
 {
 	double end;
@@ -58,7 +61,7 @@ static void check_aside(const struct scene *scene, int body, size_t item, struct
 		doubts_add(doubts, &doubt);
 }
 
-/* Sections add up to the length, or the file is refused; so only tools with a mesh can end elsewhere. */
+/* The sections must add up to the length, or the file is rejected; so only tools with a mesh can end elsewhere. */
 static void check_end(const struct scene *scene, size_t item, struct doubts *doubts)
 {
 	const struct tool *tool = &scene->setup->tools[item];

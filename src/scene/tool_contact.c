@@ -5,16 +5,16 @@
 #include "machine/motion_bound.h"
 #include "machine/tool_solid.h"
 
-/* mm: a corner is inside only if it is so deep, many times the rounding of a pose. */
+/* mm: a corner counts as inside only at this depth, many times the rounding of a pose. */
 #define DEPTH 0.01
 
-/* Linear axes that are not at right angles need more than one round to bring two points together. */
+/* Linear axes that are not perpendicular need more than one round to bring two points together. */
 enum { ROUNDS = 3 };
 
-/* Corners of the body that are tried, spread over the order of its tree's leaves. */
+/* The number of corners of the body that are tried, spread over the order of its tree's leaves. */
 enum { CORNERS = 128 };
 
-/* How the rotary joints stand while the linear ones look for a contact: shares of their travel. */
+/* The positions of the rotary joints while the linear ones search for a contact: shares of their travel. */
 static const double shares[] = {0.5, 0, 1};
 enum { SHARES = sizeof(shares) / sizeof(*shares) };
 
@@ -24,7 +24,7 @@ struct look {
 	const axis_values *low, *high;
 	xform to_piece;	/* machine coordinates at the zero pose -> the piece's */
 	vec3 middle;	/* of the piece's longest section, in machine coordinates at the zero pose */
-	double radius;	/* mm: all of the piece is within it, around its middle */
+	double radius;	/* mm: the whole piece is within this distance of its middle */
 };
 
 static void set_middle(struct look *look)
@@ -42,16 +42,16 @@ static void set_middle(struct look *look)
 		z -= s->length;
 		look->radius = fmax(look->radius, 0.5 * fmax(s->diameter, s->diameter_end));
 	}
-	/* Nothing of the piece is farther from its middle. */
+	/* No point of the piece is farther from its middle. */
 	look->radius += fmax(solid->top - at, at - z);
 	look->middle = xform_apply(&look->piece->placement, (vec3){0, 0, at});
 }
 
-/* The linear joints about the position `at`, whose rotary joints stay. */
+/* The linear joints at the position `at`, whose rotary joints stay. */
 struct stand {
 	axis_values at;
 	struct chain_state state;
-	vec3 middle;	/* of the piece, as the body sees it */
+	vec3 middle;	/* of the piece, in the body's coordinates */
 };
 
 static struct stand stand_at(const struct look *look, const axis_values *at)
@@ -64,7 +64,7 @@ static struct stand stand_at(const struct look *look, const axis_values *at)
 	return stand;
 }
 
-/* Moves the linear joints so that the piece's middle comes to the corner; mm: how far from it they leave it. */
+/* Moves the linear joints so that the piece's middle comes to the corner; returns the remaining distance in mm. */
 static double approach(const struct look *look, const struct stand *stand, vec3 corner, axis_values *q)
 {
 	const struct chain *chain = look->chain;

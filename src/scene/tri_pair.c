@@ -8,7 +8,7 @@
 #include "geom/separating_axis.h"
 #include "scene/coherence.h"
 
-/* Two triangles at one instant: their distance and the unit direction of it (0 when they meet). */
+/* Two triangles at one instant: their distance and its unit direction (0 if they meet). */
 struct closest {
 	double distance;
 	vec3 direction;
@@ -33,7 +33,7 @@ static void record(struct contact *contact, double s, const axis_values *q, cons
 	*contact = (struct contact){s, *q, n->distance, n->middle, 0};
 }
 
-/* The axis helped, so it is tried first for the neighbours and in the next step. */
+/* The axis proved the triangles apart, so it is tried first for the neighbours and in the next step. */
 static enum tri_pair_answer apart_along(const struct body_pair *pair, vec3 n, const xform *pose)
 {
 	if (pair->coherence)
@@ -42,9 +42,9 @@ static enum tri_pair_answer apart_along(const struct body_pair *pair, vec3 n, co
 }
 
 /*
- * The distance that is proved at least. A gap along the direction of a distance proves less if the triangles are close
- * and long: rounding leaves an error in the direction, and at a far corner the error is that times the corner's
- * distance.
+ * A lower bound of the distance. If the triangles are close and long, the gap along the direction of the distance is
+ * smaller than the distance: rounding causes an error of the direction, and its effect grows with the distance of a
+ * corner.
  */
 static double proven(const struct closest *n, const tri *a, const tri *b)
 {
@@ -57,7 +57,10 @@ struct required {
 	double throughout;	/* at every instant of the interval */
 };
 
-/* The largest value at the triangle's corners, in a's mesh coordinates. No point of the triangle has a larger one. */
+/*
+ * The largest displacement at the triangle's corners, in a's mesh coordinates. No point of the triangle has a larger
+ * one.
+ */
 static double most_displaced(const struct body_pair *pair, const struct chain_state *state, const tri *t,
 			     const axis_values *tolerance)
 {
@@ -88,8 +91,8 @@ static struct required required_of(const struct motion_interval *interval, const
 }
 
 /*
- * The remembered axes depend on what was proved before. Because they must prove the tolerance in addition, they answer
- * only for triangles that no final interval would report. So remembering changes no result.
+ * The remembered axes depend on earlier proofs. Because they must prove the tolerance in addition, they decide only
+ * triangles that no final interval would report. So remembering changes no result.
  */
 static bool apart_by_coherence(const struct motion_interval *interval, const struct body_pair *pair, const tri *a,
 			       const tri *b0, const tri *b1, const struct required *required, double margin)

@@ -109,7 +109,7 @@ void cut_log_add_region(struct cut_log *log, const struct cut_region *region)
 	widen_all(log, region->low, region->high);
 }
 
-/* The place in a chunk behind all cuts that begin before the time. */
+/* The number of cuts of the chunk that begin before the time. */
 static int cuts_before(const struct cut_chunk *chunk, double time)
 {
 	int count = 0;
@@ -123,7 +123,7 @@ uint64_t cut_log_end(const struct cut_log *log, double time)
 {
 	size_t low = 0, high = log->store->count;
 
-	/* The chunks that begin before the time. */
+	/* Find the number of chunks that begin before the time. */
 	while (low < high) {
 		const size_t middle = low + (high - low) / 2;
 
@@ -150,7 +150,7 @@ static bool holds_cube(const struct cut_box *box, const struct cube *cube)
 	return holds(box, vec3_sub(cube->centre, half), vec3_add(cube->centre, half));
 }
 
-/* The number of cuts, places of the log, below a box of this level. */
+/* The number of places of the log, one for each cut, below a box of this level. */
 static uint64_t places_below(int level)
 {
 	uint64_t span = CUT_CHUNK;
@@ -179,7 +179,7 @@ static double search_chunk(const struct cut_log *log, size_t number, const struc
 	return INFINITY;
 }
 
-/* Searches all chunks below a box, earliest first; as deep as the levels. */
+/* Searches all chunks below a box, earliest first; the recursion is as deep as the levels. */
 static double search_box(const struct cut_log *log, int level, size_t number, const struct cube *cube, uint64_t from,
 			 uint64_t end)
 {
@@ -196,7 +196,7 @@ static double search_box(const struct cut_log *log, int level, size_t number, co
 	return found;
 }
 
-/* The lowest level at which few boxes are left. */
+/* The lowest level that has few boxes. */
 static int top_level(const struct cut_log *log)
 {
 	int top = 0;
@@ -220,7 +220,7 @@ double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64
 	return found;
 }
 
-/* A question about a part of a cell. */
+/* A query about a part of a cell. */
 struct part_query {
 	const struct cut_log *log;
 	const struct cell_part *part;
@@ -249,7 +249,7 @@ static bool chunk_removes(const struct part_query *query, size_t number)
 	return false;
 }
 
-/* Looks below a box; as deep as the levels. */
+/* Searches below a box; the recursion is as deep as the levels. */
 static bool box_removes(const struct part_query *query, int level, size_t number)
 {
 	const struct cut_log *log = query->log;
@@ -281,7 +281,7 @@ bool cut_log_removes_part(const struct cut_log *log, const struct cell_part *par
 	return false;
 }
 
-/* A question about a ball. */
+/* A query about a ball. */
 struct ball_query {
 	const struct cut_log *log;
 	vec3 centre;
@@ -298,7 +298,7 @@ static bool touches(const struct cut_box *box, const struct ball_query *query)
 	       c.z + r >= box->low.z && c.z - r <= box->high.z;
 }
 
-/* What the cutter does of the cut from a to b before the time. */
+/* The cutter's part of the way from a to b before the time. */
 static struct cutter_way way_before(const struct cut_end *a, const struct cut_end *b, double time)
 {
 	const double s = b->time > time ? (time - a->time) / (b->time - a->time) : 1;
@@ -323,7 +323,7 @@ static bool chunk_reaches(const struct ball_query *query, size_t number)
 	return false;
 }
 
-/* Looks below a box; as deep as the levels. */
+/* Searches below a box; the recursion is as deep as the levels. */
 static bool box_reaches(const struct ball_query *query, int level, size_t number)
 {
 	const struct cut_log *log = query->log;

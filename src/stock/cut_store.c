@@ -7,7 +7,7 @@
 
 #include "base/mem.h"
 
-/* Chunks that were read are kept in so many slots, each chunk in the one of its number. */
+/* Chunks that were read stay in memory, in this number of slots; a chunk's number determines its slot. */
 #define SLOTS 1024
 
 struct cut_slot {
@@ -35,7 +35,7 @@ static off_t offset_of(const struct cut_store *store, size_t number)
 	return (off_t)((number - store->limit) * sizeof(struct cut_chunk));
 }
 
-/* Writes or reads the whole chunk, as far as there was no fault before. False: there is one. */
+/* Writes or reads the whole chunk, unless there was a fault before. False: there is a fault. */
 static bool transfer(struct cut_store *store, size_t number, struct cut_chunk *chunk, bool to_file)
 {
 	const size_t size = sizeof(*chunk);
@@ -55,7 +55,7 @@ static bool transfer(struct cut_store *store, size_t number, struct cut_chunk *c
 	return !store->fault;
 }
 
-/* Puts the last chunk into the file. */
+/* Writes the last chunk to the file. */
 static void spill(struct cut_store *store)
 {
 	if (!store->fault && !store->file) {

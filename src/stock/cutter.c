@@ -7,10 +7,13 @@
 #include "base/mem.h"
 #include "base/minmax.h"
 
-/* Steps of the search for the time at which the cube is deepest; each leaves 0.62 of the interval. */
+/* Steps of the search for the time at which the cube is deepest; each reduces the interval to 0.62 of its length. */
 #define SEARCH_STEPS 24
 
-/* Halvings at most of the interval in which the cube comes to be inside; until the cutter moves only so much in it. */
+/*
+ * The largest number of halvings of the interval in which the cube enters. They end when the cutter moves by at most
+ * ENTRY_WAY in the interval.
+ */
 #define ENTRY_STEPS 15
 #define ENTRY_WAY 1e-3	/* mm */
 
@@ -48,7 +51,7 @@ static void bounds_at(const struct cutter *cutter, const struct cutter_place *pl
 {
 	const struct revolved *whole = &cutter->whole;
 	const vec3 up = place->up;
-	/* A disc of radius r about the axis reaches this far along each coordinate. */
+	/* The extent of a disc of radius r about the axis along each coordinate. */
 	const vec3 reach = {whole->radius * sqrt(larger(1 - up.x * up.x, 0)),
 			    whole->radius * sqrt(larger(1 - up.y * up.y, 0)),
 			    whole->radius * sqrt(larger(1 - up.z * up.z, 0))};
@@ -70,7 +73,7 @@ struct cutter_place cutter_place_between(const struct cutter_place *from, const 
 	return (struct cutter_place){vec3_lerp(from->origin, to->origin, s), vec3_unit(vec3_lerp(from->up, to->up, s))};
 }
 
-/* The cutter's axis at a time: every point of it between its places at the ends. */
+/* The cutter's axis at a time: each point of it is on the line between its positions at the ends. */
 static struct cutter_place place_at(const struct cutter_way *way, double s)
 {
 	return cutter_place_between(&way->from, &way->to, s);
@@ -85,8 +88,8 @@ static double point_distance(const struct revolved *piece, const struct cutter_p
 }
 
 /*
- * How far the cube's points are inside the piece at least, as a negative distance. A ball about the centre that holds
- * the cube may answer for its corners.
+ * A lower bound of the depth of the cube's points inside the piece, as a negative distance. A ball about the centre
+ * that contains the cube may be tested instead of the corners.
  */
 static double cube_distance(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
 			    double s)
@@ -117,7 +120,7 @@ static bool is_cube_inside(const struct revolved *piece, const struct cutter_way
 	return true;
 }
 
-/* The golden section: each step of a search leaves this share of the interval. */
+/* The golden section: each step of a search reduces the interval to this share. */
 static const double golden = 0.6180339887498949;
 
 /*
@@ -137,7 +140,7 @@ static bool stays_above(const struct section *section, double target)
 	return smaller(section->fa, section->fb) - reach > target;
 }
 
-/* Leaves out the end where the function is larger; gives the new time, and where its value at that time belongs. */
+/* Removes the end where the function is larger; returns the new time, and where to store the value at this time. */
 static double *narrow(struct section *at, double *time)
 {
 	if (at->fa <= at->fb) {
@@ -154,7 +157,7 @@ static double *narrow(struct section *at, double *time)
 	return &at->fb;
 }
 
-/* A time at which a convex function is least, or nearly; INFINITY: it is more than `target` everywhere. */
+/* A time at which a convex function has its minimum, approximately; INFINITY: it is above `target` everywhere. */
 static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point, double change,
 			   double target)
 {
@@ -176,8 +179,8 @@ static double deepest_time(const struct revolved *piece, const struct cutter_way
 }
 
 /*
- * The same for the whole cube, whose corners need not be deepest when its centre is: the first time found at which its
- * distance is `target` or less.
+ * The same for the whole cube, whose corners need not be deepest when its centre is. Returns the first time found at
+ * which its distance is `target` or less.
  */
 static double deep_cube_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
 			     double change, double target)
@@ -196,7 +199,7 @@ static double deep_cube_time(const struct revolved *piece, const struct cutter_w
 	return at.fa <= at.fb ? at.a : at.b;
 }
 
-/* The cube is inside at `inside`: the first time before it from which it is. */
+/* The cube is inside the piece at the time `inside`: returns the first time from which it is, up to then. */
 static double entry_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
 			 double depth, double change, double inside)
 {
@@ -215,10 +218,10 @@ static double entry_time(const struct revolved *piece, const struct cutter_way *
 	return inside;
 }
 
-/* Where the cutter's axis is nearest to a point, as if the cutter did not turn. */
+/* The time at which the cutter's axis is nearest to a point, as if the cutter did not rotate. */
 struct closest {
-	double s;	/* when */
-	double distance2;	/* mm^2: of the point from the axis then */
+	double s;	/* the time */
+	double distance2;	/* mm^2: of the point from the axis at this time */
 };
 
 static struct closest closest_of(const struct cutter_way *way, vec3 point, double latest)
@@ -237,19 +240,21 @@ static double nearest_time(const struct cutter_way *way, vec3 point)
 	return closest_of(way, point, 1).s;
 }
 
-/* mm: how much the distance of any point from the cutter changes at most over the way. */
+/* mm: an upper bound of the change of any point's distance from the cutter over the way. */
 static double change_of(const struct cutter *cutter, const struct cutter_way *way)
 {
 	const struct revolved *whole = &cutter->whole;
 	const double length = larger(fabs(whole->bands[0].top), fabs(whole->bands[whole->count - 1].bottom));
-	/* A point moves with the origin and turns about it: fastest in the middle, where the direction is shortest. */
+	/*
+	 * A point moves with the origin and rotates about it: fastest in the middle, where the direction is shortest.
+	 */
 	const double shortest = larger(0.5 * vec3_norm(vec3_add(way->to.up, way->from.up)), DBL_MIN);
 	const double turn = vec3_norm(vec3_sub(way->to.up, way->from.up)) / shortest;
 
 	return vec3_norm(vec3_sub(way->to.origin, way->from.origin)) + turn * (length + whole->radius);
 }
 
-/* The turn of a piece of the log is small; so little does not matter. */
+/* A piece of the log rotates little; this much does not matter. */
 static bool turns(const struct cutter_way *way)
 {
 	return vec3_dot(way->from.up, way->to.up) < 1 - 1e-12;
@@ -258,13 +263,13 @@ static bool turns(const struct cutter_way *way)
 /* The time at which a point is nearest to the cutter's axis (nearest_time). */
 struct near_time {
 	double s;
-	double gain;	/* mm: at no other time of the way is the point so much deeper inside a piece */
+	double gain;	/* mm: the point is at most this much deeper inside a piece at another time */
 	double change;	/* mm: change_of */
 };
 
 /*
- * A solid of revolution is nowhere deeper at a larger radius. So where the cutter does not turn, only its motion along
- * the axis can bring the point deeper than it is at the smallest radius.
+ * In a solid of revolution, a point at a larger radius is never deeper. So if the cutter does not rotate, only its
+ * motion along the axis can bring the point deeper than at the smallest radius.
  */
 static struct near_time near_time_of(const struct cutter *cutter, const struct cutter_way *way, vec3 point)
 {
@@ -286,7 +291,7 @@ static double piece_removes(const struct revolved *piece, const struct cutter_wa
 
 	if (cube->half + depth > piece->radius)
 		return INFINITY;
-	/* Most cuts end here. */
+	/* This decides most cuts. */
 	if (point_distance(piece, &place, cube->centre) - near.gain > needed)
 		return INFINITY;
 	if (is_cube_inside(piece, way, cube, depth, 1))
@@ -315,8 +320,9 @@ static double whole_removes(const struct revolved *whole, const struct cutter_wa
 		return INFINITY;
 	place = place_at(way, inside);
 	/*
-	 * Along a solid that is not convex the search may miss the deepest place: where a wide cutter has a narrow
-	 * neck, all places below the wide part's top are equally deep. But the end is where cuts meet.
+	 * In a solid that is not convex the search may miss the deepest position: if a wide cutter has a narrow neck,
+	 * all positions below the top of the wide part are equally deep. But at the end of the way the next cut
+	 * continues, so try the end first.
 	 */
 	if (point_distance(whole, &place, cube->centre) > needed) {
 		inside = near.s;
@@ -345,7 +351,10 @@ static double whole_removes(const struct revolved *whole, const struct cutter_wa
 	return inside;
 }
 
-/* Is the cube farther from the way of the cutter's axis than the cutter's radius, or above or below it all the way? */
+/*
+ * Is the cube farther from the path of the cutter's axis than the cutter's radius, or above or below the cutter all the
+ * way?
+ */
 static bool is_beside(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube)
 {
 	const struct revolved *whole = &cutter->whole;
@@ -356,7 +365,7 @@ static bool is_beside(const struct cutter *cutter, const struct cutter_way *way,
 	const double length2 = vec3_norm2(along), room = whole->radius - cube->half;
 	const double s = length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
 
-	/* This quick look is exact for a cutter that does not turn. */
+	/* This quick test is exact for a cutter that does not rotate. */
 	if (turns(way))
 		return false;
 	if (larger(z0, z1) < whole->bands[whole->count - 1].bottom + cube->half ||
@@ -394,7 +403,7 @@ bool cutter_removes_part(const struct cutter *cutter, const struct cutter_way *w
 	const double radius = cutter->whole.radius;
 	struct cutter_place place;
 
-	/* Most cuts end here. Where the cutter turns, this leaves out little. */
+	/* This decides most cuts. If the cutter rotates, the test misses few cuts. */
 	if (closest.distance2 > radius * radius)
 		return false;
 	place = place_at(way, closest.s);
@@ -404,7 +413,7 @@ bool cutter_removes_part(const struct cutter *cutter, const struct cutter_way *w
 	return false;
 }
 
-/* A part of a way, and by how much the distance of a point from the cutter changes at most over the whole way, mm. */
+/* A part of a way, and mm: an upper bound of the change of a point's distance from the cutter over the whole way. */
 struct approach {
 	const struct cutter *cutter;
 	const struct cutter_way *way;

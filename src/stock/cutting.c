@@ -4,7 +4,10 @@
 
 #include "base/minmax.h"
 
-/* A step is cut into no more pieces; with pieces that are still too coarse less is removed for certain. */
+/*
+ * A step is divided into at most this number of pieces. If they are still too coarse, less material is removed for
+ * certain.
+ */
 #define PIECES_MAX 4096
 
 static struct cutter_place place_of(const struct cutting *cutting, const axis_values *q)
@@ -36,11 +39,11 @@ static struct chord_bound bound_of(const struct cutting *cutting, const axis_val
 }
 
 /*
- * mm: how far a point of the true cutter may be from where the cut has it. Each point of the axis stays within
- * `chord_error` of the straight line between its ends. The cut takes the line through those points as its axis and
- * makes the direction a unit vector again, which takes points of the axis nearer to the origin, by the cosine of half
- * the turn. Where both ends of the cutter's axis are off by x or less, its direction is off by 2 x / length, and a
- * point at the radius r by x + r 2 x / length.
+ * mm: the largest distance of a point of the true cutter from its position in the cut. Each point of the axis stays
+ * within `chord_error` of the straight line between its ends. The cut takes the line through those points as its axis
+ * and normalises the direction, which moves points of the axis toward the origin, by the cosine of half the rotation.
+ * If the error of both ends of the cutter's axis is at most x, that of its direction is at most 2 x / length, and that
+ * of a point at the radius r at most x + r 2 x / length.
  */
 static double axis_error(const struct cutter *cutter, const struct cutter_way *way, double chord_error)
 {
@@ -60,7 +63,7 @@ static bool misses_blank(const struct cutting *cutting, vec3 low, vec3 high)
 	       high.y < cutting->low.y || low.z > cutting->high.z || high.z < cutting->low.z;
 }
 
-/* The stock is at rest in view 0 (motion_bound.h), in which the cutter moves. */
+/* The stock is fixed in view 0 (motion_bound.h), in which the cutter moves. */
 static void log_piece(const struct cutting *cutting, struct cut_log *log, double s0, double s1)
 {
 	const axis_values q0 = axis_values_between(&cutting->chord.q0, &cutting->chord.q1, s0);
@@ -90,7 +93,7 @@ void cutting_log(const struct cutting *cutting, struct cut_log *log)
 	const struct chord_bound bound = bound_of(cutting, &cutting->chord.q0, &cutting->chord.q1);
 	const struct cutter_way way = {place_of(cutting, &cutting->chord.q0), place_of(cutting, &cutting->chord.q1)};
 	const double error = axis_error(&log->cutters[cutting->cutter], &way, bound.chord_error[0]);
-	/* The deviation of a chord falls with the square of its length. */
+	/* The deviation of a chord decreases with the square of its length. */
 	const double wanted = ceil(sqrt(error / cutting->chord_error));
 	const int pieces = wanted > PIECES_MAX ? PIECES_MAX : wanted > 1 ? (int)wanted : 1;
 

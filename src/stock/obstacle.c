@@ -6,10 +6,10 @@
 #include "geom/inside.h"
 #include "geom/point_distance.h"
 
-/* mm: too short to tell a direction. */
+/* mm: shorter vectors have no reliable direction. */
 #define TINY 1e-6
 
-/* A computed direction is off by less, as a share: TINY holds the rounding of some 1e-13 mm against it. */
+/* The largest relative error of a computed direction: the rounding of some 1e-13 mm in a vector of at least TINY. */
 #define ROUNDING 1e-6
 
 static double mesh_distance(const struct obstacle *obstacle, vec3 point)
@@ -22,13 +22,17 @@ static double mesh_distance(const struct obstacle *obstacle, vec3 point)
 	if (fabs(off.x) > bvh->half.x || fabs(off.y) > bvh->half.y || fabs(off.z) > bvh->half.z)
 		return distance;
 	side = mesh_inside(bvh, obstacle->topology, point);
-	/* Who comes in passes the surface. A core has no surface of its own: what may be inside counts as inside. */
+	/*
+	 * A body that enters crosses the surface. A core has no surface of its own, so what may be inside counts as
+	 * inside.
+	 */
 	return side == INSIDE_YES || (side == INSIDE_UNKNOWN && obstacle->inset > 0) ? -distance : distance;
 }
 
 /*
- * Where on its way the solid's axis is nearest to the point. At one height the signed distance grows with the distance
- * from the axis, since the solid reaches from the axis to one radius: so there it is least of all.
+ * The vector to the point from the position of the solid's axis, on its way, that is nearest to the point. At a given
+ * height the signed distance increases with the distance from the axis, because the solid extends from the axis to one
+ * radius. So the signed distance is least at this position.
  */
 static void off_axis(const struct obstacle *obstacle, vec3 point, double *dx, double *dy)
 {
@@ -49,7 +53,7 @@ double obstacle_distance(const struct obstacle *obstacle, vec3 point)
 	return revolved_distance(obstacle->revolved, sqrt(dx * dx + dy * dy), point.z) + obstacle->inset;
 }
 
-/* How far the corners of a box reach from its middle along a unit vector of the obstacle's coordinates. */
+/* The extent of a box from its middle along a unit vector of the obstacle's coordinates. */
 static double box_reach(const xform *to_obstacle, vec3 unit, vec3 half)
 {
 	const vec3 along = mat3_apply_transposed(&to_obstacle->rotation, unit);
@@ -59,12 +63,12 @@ static double box_reach(const xform *to_obstacle, vec3 unit, vec3 half)
 }
 
 /*
- * The signed distance to a convex solid is a convex function, also with a straight way: it lies above its tangent
- * plane in a point.
+ * The signed distance to a convex solid is a convex function, also with a straight way, so it is above its tangent
+ * plane at a point.
  */
 struct tangent {
-	double distance;	/* in the point */
-	vec3 out;	/* unit, the obstacle's coordinates: where the distance grows; 0: no direction is known */
+	double distance;	/* at the point */
+	vec3 out;	/* unit, the obstacle's coordinates: the direction in which the distance grows; 0: unknown */
 };
 
 static struct tangent tangent_at(const struct obstacle *obstacle, const struct revolved *piece, vec3 point)
@@ -76,7 +80,7 @@ static struct tangent tangent_at(const struct obstacle *obstacle, const struct r
 	r = sqrt(dx * dx + dy * dy);
 	tangent.distance = revolved_nearest(piece, r, point.z, &out_r, &out_z);
 	length = fabs(tangent.distance);
-	/* Without a direction: on the surface, and on the axis. */
+	/* On the surface and on the axis there is no direction. */
 	if (length < TINY || (r < TINY && fabs(out_r) > 0))
 		return tangent;
 	tangent.out = r < TINY ? (vec3){0, 0, out_z} : (vec3){out_r * dx / r, out_r * dy / r, out_z};
@@ -84,7 +88,7 @@ static struct tangent tangent_at(const struct obstacle *obstacle, const struct r
 	return tangent;
 }
 
-/* Of the points of a box: at least so far from the piece, because the tangent plane is least at a corner. */
+/* A lower bound of the distance of the box's points from the piece: the tangent plane is lowest at a corner. */
 static double piece_distance(const struct tangent *tangent, const xform *to_obstacle, vec3 half)
 {
 	return tangent->distance - (vec3_norm2(tangent->out) > 0 ? box_reach(to_obstacle, tangent->out, half)
@@ -99,7 +103,10 @@ static struct revolved piece_from(const struct obstacle *obstacle, size_t first)
 	return (struct revolved){.bands = &whole->bands[first], .count = revolved_convex_run(whole, first)};
 }
 
-/* Pieces that meet are together deeper inside than each of them, so the core of several is not that of each. */
+/*
+ * A point can be deeper in several touching pieces together than in each of them, so the core of several pieces is not
+ * the union of their cores.
+ */
 static bool has_pieces(const struct obstacle *obstacle)
 {
 	const struct revolved *whole = obstacle->revolved;
@@ -125,7 +132,7 @@ double obstacle_box_distance(const struct obstacle *obstacle, const xform *to_ob
 	return least + obstacle->inset;
 }
 
-/* The points of the box where the tangent plane does not prove more than `within` mm. */
+/* The points of the box for which the tangent plane does not prove more than `within` mm. */
 static struct half_space half_space_of(const struct tangent *tangent, const xform *to_obstacle, vec3 half,
 				       double within)
 {

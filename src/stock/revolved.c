@@ -75,7 +75,7 @@ void revolved_release(struct revolved *revolved)
 	*revolved = (struct revolved){0};
 }
 
-/* The place of the outline that is nearest to a point. */
+/* The point of the outline that is nearest to a point. */
 struct nearest {
 	double r, z;	/* the point */
 	double at_r, at_z;
@@ -116,7 +116,7 @@ static void offer_arc(struct nearest *nearest, const struct revolved_band *band)
 	offer(nearest, band->r_bottom, band->bottom);
 }
 
-/* The level line from r0 to r1. */
+/* Tries the level line from r0 to r1. */
 static void offer_level(struct nearest *nearest, double r0, double r1, double height)
 {
 	offer(nearest, smaller(larger(nearest->r, smaller(r0, r1)), larger(r0, r1)), height);
@@ -162,7 +162,7 @@ double revolved_distance(const struct revolved *revolved, double r, double z)
 	return revolved_nearest(revolved, r, z, &out_r, &out_z);
 }
 
-/* The change of the radius for each mm downwards. */
+/* The growth of the radius per mm downward. */
 static double growth(const struct revolved_band *band)
 {
 	return band->round ? 0 : (band->r_bottom - band->r_top) / (band->top - band->bottom);

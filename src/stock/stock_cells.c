@@ -9,12 +9,12 @@
 #include "geom/point_distance.h"
 #include "geom/tolerance.h"
 
-/* A cell keeps so many bits of the number of a chunk. */
+/* A cell stores this many bits of the number of a chunk. */
 #define CHUNK_MASK ((UINT32_C(1) << 30) - 1)
 
 static const double sqrt3 = 1.7320508075688773;
 
-/* How a cell whose parent is partly in the blank lies in it. */
+/* The position relative to the blank of a cell whose parent is partly in the blank. */
 static enum blank_side side_of(const struct blank *blank, const struct cube *cube)
 {
 	const double radius = sqrt3 * cube->half;
@@ -30,17 +30,17 @@ static enum blank_side side_of(const struct blank *blank, const struct cube *cub
 	return distance > radius + margin + blank->uncertainty ? BLANK_OUTSIDE : BLANK_PARTLY;
 }
 
-/* Only the root is left. */
+/* Removes all cells but the root. */
 static void start_over(struct stock_cells *cells)
 {
-	/* The root is alone in its group. */
+	/* The root is the only cell in its group. */
 	cells->group_count = 1;
 	cells->cells[0] = (struct stock_cell){.removed = INFINITY, .kind = side_of(&cells->blank, &cells->root) & 3u};
 }
 
 /*
- * Cells are answers that were given before, and can be found again: memory does not grow with the program. Called where
- * a question begins.
+ * Cells store earlier answers, which can be computed again: so memory does not grow with the program. Called at the
+ * start of a query.
  */
 static void limit_memory(struct stock_cells *cells)
 {
@@ -106,13 +106,13 @@ static void divide(struct stock_cells *cells, size_t index, const struct cube *c
 	}
 }
 
-/* One question: what is near the obstacle at a time? */
+/* One query: what is near the obstacle at a time? */
 struct search {
 	struct stock_cells *cells;
 	const struct placed_obstacle *placed;
 	double time;
-	uint64_t log_end;	/* the place of the time in the log */
-	double best;	/* mm: distance: so much is proved of all that was left out */
+	uint64_t log_end;	/* the position of the time in the log */
+	double best;	/* mm: distance; everything that was left out is at least this far away */
 	const struct distance_query *distance;
 	double within, finest_half;	/* meet */
 	struct cube *found;
@@ -143,7 +143,7 @@ static bool has_part(const struct stock_cells *cells, const struct cube *cube)
 	       c.z - h < cells->high.z && c.z + h > cells->low.z;
 }
 
-/* What of the cell is within the blank's bounds: the rest does not count. False: nothing is. */
+/* The part of the cell within the blank's bounds; the rest does not count. False: no part is. */
 static bool bounded_box(const struct stock_cells *cells, const struct cube *cube, vec3 *centre, vec3 *half)
 {
 	const vec3 reach = {cube->half, cube->half, cube->half};
@@ -156,8 +156,8 @@ static bool bounded_box(const struct stock_cells *cells, const struct cube *cube
 }
 
 /*
- * Is all of the cell that may be nearer to the obstacle than `within` removed, each part of it by one cut? Beside a
- * wall this says of a large cell what else only many small ones do.
+ * Is all of the cell that may be closer to the obstacle than `within` removed, each part of it by one cut? Beside a
+ * wall this decides a large cell, which would otherwise take many small ones.
  */
 static bool is_cut_near(struct search *search, size_t index, const struct cube *cube, double gap, double within)
 {
@@ -168,7 +168,7 @@ static bool is_cut_near(struct search *search, size_t index, const struct cube *
 	vec3 centre, half;
 	int count;
 
-	/* The part that matters is the whole cell, of which is_there has asked. */
+	/* If the part is the whole cell, is_there has tested it already. */
 	if (within >= gap + 2 * sqrt3 * cube->half)
 		return false;
 	if (!search->log_end || !bounded_box(search->cells, cube, &centre, &half))
@@ -194,7 +194,7 @@ static double gap_of(const struct search *search, const struct cube *cube)
 	return obstacle_box_distance(search->placed->obstacle, &search->placed->to_obstacle, centre, half);
 }
 
-/* The children of a cell in the order of their distances; the first `index` of their group. */
+/* The children of a cell in the order of their distances; `first` is the index of the first of the group. */
 struct children {
 	size_t first;
 	struct cube cubes[8];
@@ -220,12 +220,12 @@ static void look_at_children(struct search *search, size_t index, const struct c
 	}
 }
 
-/* The cell is there and its gap is below `best`. As deep as the cells. */
+/* The cell is there and its gap is below `best`. The recursion is as deep as the cells. */
 static void nearest(struct search *search, size_t index, const struct cube *cube, double gap)
 {
 	struct children children;
 
-	/* Cells that are small against their distance are not worth dividing. */
+	/* Dividing cells that are small compared with their distance does not pay. */
 	if (sqrt3 * cube->half <= search->distance->share * gap || cube->half <= search->cells->least_half) {
 		search->best = gap;
 		return;
@@ -292,7 +292,7 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 	       meets(&search, 0, &cells->root);
 }
 
-/* Is the point certainly in the blank, and has no cutter been there? */
+/* Is the point certainly in the blank, and in none of the cuts? */
 static bool is_surely_there(const struct search *search, vec3 point)
 {
 	const struct blank *blank = &search->cells->blank;
@@ -309,7 +309,7 @@ static bool is_deep_enough(const struct search *search, vec3 point)
 	return obstacle_distance(placed->obstacle, xform_apply(&placed->to_obstacle, point)) <= -search->depth;
 }
 
-/* The cell is there, and some of it may be deep enough. */
+/* The cell is there, and a part of it may be deep enough. */
 static bool proves(struct search *search, size_t index, const struct cube *cube)
 {
 	struct children children;
@@ -345,9 +345,7 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 	limit_memory(cells);
 	if (gap > -depth || !is_there(&search, 0, &cells->root))
 		return false;
-	/*
-	 * Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at.
-	 */
+	/* Coarse cells first: otherwise cells along a surface use up the effort before most of the rest is examined. */
 	search.finest_half = cells->root.half / 8;
 	search.effort = effort;
 	while (!proves(&search, 0, &cells->root)) {

@@ -6,7 +6,7 @@
 #include "base/mem.h"
 #include "base/minmax.h"
 
-/* Cells below a cube of the mesh, as a share of its edge. */
+/* The size of the cells below a cube of the mesh, as a share of its edge. */
 #define FINE 0.125
 
 /* Cubes of the mesh, by their numbers along X, Y and Z from the corner of the root. */
@@ -14,10 +14,10 @@ struct grid {
 	struct stock_cells *cells;
 	double time;
 	double edge;
-	uint64_t most;	/* the log's count of gets at which to give up */
+	uint64_t most;	/* give up when the log's count of gets reaches this */
 	int size;	/* cubes along each side of the root */
 	uint8_t *bits;	/* the cubes of the mesh */
-	uint8_t *sure;	/* those that are certainly there, all of them; or NULL: not asked for */
+	uint8_t *sure;	/* the cubes that are certainly there as a whole; NULL: not wanted */
 	struct mesh *mesh;
 	size_t capacity;
 };
@@ -58,7 +58,10 @@ static struct cube_number number_of(const struct grid *grid, const struct cube *
 	return n;
 }
 
-/* Marks the cubes that a cell holds, as certainly there if it is `whole`; smaller cells mark the cube around them. */
+/*
+ * Marks the cubes that a cell contains, as certainly there if `whole`; a cell smaller than a cube marks the cube around
+ * it.
+ */
 static void fill(struct grid *grid, const struct cube *cell, bool whole)
 {
 	const bool sure = grid->sure && whole && cell->half > 0.4 * grid->edge;
@@ -81,7 +84,7 @@ static bool is_exhausted(const struct grid *grid)
 	return grid->cells->log->store->gets > grid->most;
 }
 
-/* stock_cells_visit_fn: a cell that is there. True: look at its parts. */
+/* stock_cells_visit_fn: a cell that is there. True: visit its parts. */
 static bool take(void *context, const struct cube *cell, bool whole)
 {
 	struct grid *grid = context;
@@ -94,7 +97,7 @@ static bool take(void *context, const struct cube *cell, bool whole)
 	return false;
 }
 
-/* Bounded by the blank, so that a box keeps its faces; what is as good as there is taken there. */
+/* Limited to the blank's bounds, so that a box keeps its faces; values within rounding of a bound are set to it. */
 static double bounded(double x, double low, double high, double rounding)
 {
 	return x < low + 3 * rounding ? low : x > high - 3 * rounding ? high : x;
@@ -123,7 +126,7 @@ static void add_triangle(struct grid *grid, struct cube_number n, int corners[3]
 	mesh->count++;
 }
 
-/* The face of a cube towards `side` along an axis, counter-clockwise seen from outside. */
+/* The face of a cube toward `side` along an axis, counter-clockwise seen from outside. */
 static void add_face(struct grid *grid, struct cube_number n, int axis, int side)
 {
 	const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -162,13 +165,13 @@ static void add_cubes(struct grid *grid)
 					add_faces(grid, (struct cube_number){{x, y, z}});
 }
 
-/* Steps to the neighbours of a cube, in these parts of an edge, rounded up: across a face, an edge, a corner. */
+/* The steps to the neighbours of a cube, in this fraction of an edge, rounded up: across a face, an edge, a corner. */
 #define STEP_PARTS 64
 static const uint16_t step_lengths[] = {0, 64, 91, 111};
 
 /*
- * Shortens the depth of a cube to what its neighbours allow: half of them with each `side`. A point that moves as the
- * steps go ends in a cube that is not there, so it is no deeper below the surface than their length.
+ * Reduces the depth of a cube to what its neighbours permit: half of the neighbours for each `side`. A point that moves
+ * by these steps ends in a cube that is not there, so its depth below the surface is at most their length.
  */
 static uint16_t depth_beside(const struct grid *grid, const uint16_t *depths, struct cube_number n, int side)
 {
@@ -185,7 +188,7 @@ static uint16_t depth_beside(const struct grid *grid, const uint16_t *depths, st
 	return least;
 }
 
-/* mm: how deep below the surface there is a point of a cube that is not certainly there. */
+/* mm: the largest depth below the surface of a point in a cube that is not certainly there. */
 static double deepest_doubt(const struct grid *grid)
 {
 	const int size = grid->size, count = size * size * size;
@@ -221,7 +224,7 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 			    .mesh = mesh};
 	size_t bytes;
 
-	/* Smaller than the smallest cells times 1 / FINE there is nothing to look at. */
+	/* Cubes need not be smaller than the smallest cells times 1 / FINE. */
 	while (grid.edge * parts < longest)
 		grid.edge *= 2;
 	grid.size = (int)(2 * cells->root.half / grid.edge + 0.5);
@@ -242,7 +245,8 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 }
 
 /*
- * Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease; at least so many.
+ * The largest number of cubes along the longest side of the blank, which gives a mesh that other programs handle with
+ * ease, and the smallest.
  */
 enum { REMAINDER_PARTS_MOST = 128, REMAINDER_PARTS_LEAST = 8 };
 
@@ -261,10 +265,10 @@ void stock_remainder_build(struct stock_cells *cells, double time, uint64_t effo
 	}
 }
 
-/* Cubes along the blank's longest side, at most and at least. */
+/* The largest and the smallest number of cubes along the longest side of the blank. */
 enum { VIEW_PARTS_MOST = 128, VIEW_PARTS_LEAST = 8 };
 
-/* Chunks of the log that are looked at for one size of cubes: half a second or so. */
+/* The largest number of chunks of the log examined for one size of cubes: half a second or so. */
 #define VIEW_EFFORT 400000
 
 void stock_view_build(struct stock_cells *cells, struct stock_view *view)

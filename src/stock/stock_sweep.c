@@ -6,10 +6,10 @@
 #include "base/same_double.h"
 #include "stock/passage.h"
 
-/* A chord is not halved more often: then a motion of a kilometre is below a nanometre. */
+/* The largest number of halvings of a chord: then a motion of a kilometre is shorter than a nanometre. */
 #define SWEEP_DEPTH 44
 
-/* Cells that are this much smaller than the motion are divided only when the motion is. */
+/* Cells that are smaller than this share of the motion are divided only after the motion is halved. */
 #define CELL_SHARE 0.125
 
 struct placed_obstacle stock_sweep_place(const struct stock_sweep *sweep, const axis_values *q)
@@ -65,7 +65,7 @@ static void halve_straight(const struct chord *whole, struct chord *first, struc
 	first->q1 = second->q0 = axis_values_between(&whole->q0, &whole->q1, 0.5);
 }
 
-/* How far points may be from where they are in the middle of a piece of motion. */
+/* The largest distance of points from their positions in the middle of a piece of motion. */
 struct spread {
 	double way;	/* mm: by the motion */
 	double error;	/* mm: by the chord error */
@@ -85,7 +85,7 @@ static struct spread spread_of(const struct stock_sweep *sweep, const struct cho
 			       smaller(bound.path[0], bound.path[1])};
 }
 
-/* Cells that one search for a certain place may look at: those that are deep are found first. */
+/* The largest number of cells for one search for a certain position: deep ones are found first. */
 #define PROOF_EFFORT 400
 
 bool stock_sweep_proves(struct stock_sweep *sweep, const struct chord *chord, const axis_values *q, double time)
@@ -98,7 +98,7 @@ bool stock_sweep_proves(struct stock_sweep *sweep, const struct chord *chord, co
 	return stock_cells_prove(sweep->cells, &placed, time, doubt - sweep->clearance, PROOF_EFFORT, &point);
 }
 
-/* The time of a piece of a chord: when it begins and how long it takes, of the whole. */
+/* The time of a piece of a chord: its start and its length, as shares of the whole. */
 struct share {
 	double from, length;
 };
@@ -116,7 +116,7 @@ static bool turns(const struct stock_sweep *sweep, const struct chord *chord)
 	return false;
 }
 
-/* Does the obstacle stay within reach of cells over the chord? `beside` is how far points may be beside the chord. */
+/* Does the obstacle come within reach of cells on the chord? `beside`: how far points may be beside the chord. */
 static bool meets_in_passage(const struct stock_sweep *sweep, const struct passage *passage, double time, double beside,
 			     struct cube *found)
 {
@@ -125,7 +125,7 @@ static bool meets_in_passage(const struct stock_sweep *sweep, const struct passa
 	return stock_cells_meet(sweep->cells, &placed, time, sweep->clearance + beside + passage->error, 0, found);
 }
 
-/* Is there a cell that is not proved apart over the chord? *found is one, perhaps a large one. */
+/* Is there a cell that is not proved apart over the chord? If so, *found is such a cell, perhaps a large one. */
 static bool meets(const struct stock_sweep *sweep, const struct chord *chord, const struct spread *spread, double time,
 		  bool final, struct cube *found)
 {
