@@ -7,7 +7,7 @@
 bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
 		struct body *body)
 {
-	/* The stock has the name of its role unless the file gives another. */
+	/* The stock has the name of its role unless the file gives another one. */
 	if (body_name_is_reserved(described->name) &&
 	    !(described->role == ROLE_STOCK && !strcmp(described->name, body_roles[ROLE_STOCK]))) {
 		description_fault(

@@ -7,13 +7,11 @@
 /* Every name is compared with every other, so the number of bodies is limited. */
 #define BODIES_MAX 4096
 
-/* Fills in the body's name, mesh and place, which `mount` carries. False: the name is reserved, reported. */
+/* Sets the body's name, mesh and placement; `mount` carries it. False, reported: the name is reserved. */
 bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
 		struct body *body);
 
-/*
- * How deep something may enter the body, mm: an attribute that the file may leave out. Reported if it is out of range.
- */
+/* mm: a permitted depth in the body, from an attribute that the file may omit. Reports a value out of range. */
 double body_build_depth(struct description_file *file, const void *at, const char *element, const char *name,
 			struct optional_number described, double fallback);
 

@@ -12,7 +12,7 @@ bool machine_link_is_on(const struct machine *machine, int link, int carrier)
 	return link == carrier;
 }
 
-/* The links from `link` to the base, `link` first; returns how many, the base not counted. */
+/* The links from `link` to the base, `link` first; returns their number, without the base. */
 static size_t ancestors(const struct machine *machine, int link, int out[SLOT_COUNT])
 {
 	size_t count = 0;
@@ -28,7 +28,7 @@ void chain_init(struct chain *chain, const struct machine *machine, int fixed, i
 	size_t ndown = ancestors(machine, fixed, down);
 	size_t nup = ancestors(machine, moved, up);
 
-	/* A link that carries both moves neither against the other. */
+	/* A link that carries both does not move them relative to each other. */
 	while (ndown && nup && down[ndown - 1] == up[nup - 1]) {
 		ndown--;
 		nup--;

@@ -12,10 +12,10 @@
 /* The pose of a link's zero-pose geometry when the axes are at q (mm, radians). */
 xform machine_pose(const struct machine *machine, int link, const axis_values *q);
 
-/* Is the link the carrier, or carried by it, directly or not? Everything is on link 0, the base. */
+/* Is the link the carrier, or carried by it, directly or indirectly? Every link is on link 0, the base. */
 bool machine_link_is_on(const struct machine *machine, int link, int carrier);
 
-/* One joint of a chain; the direction is that of the motion, so the sense of the axis is included. */
+/* One joint of a chain; the direction is that of the motion, so it includes the sign of the axis. */
 struct joint {
 	int slot;
 	bool rotary;
@@ -24,8 +24,8 @@ struct joint {
 };
 
 /*
- * The joints on the way from a fixed link to a moved one, the fixed link's
- * first: pose(moved in fixed) = E1(q1) E2(q2) ... En(qn).
+ * The joints between a fixed link and a moved one, starting at the fixed link: pose(moved in fixed) = E1(q1) E2(q2) ...
+ * En(qn).
  */
 struct chain {
 	size_t count;

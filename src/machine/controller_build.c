@@ -43,7 +43,7 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 /* 840D sl: names of programs. */
 #define MACRO_NAME_MAX 32
 
-/* In upper case, as controls keep names; '$' begins that of a setting. NULL: it is no name. */
+/* The name in upper case, as controls store names; '$' begins the name of a setting. NULL: it is not a name. */
 static const char *macro_name(struct arena *arena, const char *given)
 {
 	char *name = arena_strdup(arena, given);
@@ -65,7 +65,7 @@ static bool is_same_name(const struct builder_macro *one, const struct builder_m
 	return one->name && other->name && !strcmp(one->name, other->name);
 }
 
-/* Is it clear which of the builder's macros is meant? False: reported. */
+/* Does the description identify one of the builder's macros? False: reported. */
 static bool names_macro(struct description_file *file, const struct macro_description *described, bool names,
 			const struct builder_macro *macro)
 {
@@ -98,7 +98,7 @@ static bool names_macro(struct description_file *file, const struct macro_descri
 	return true;
 }
 
-/* X, Y and Z of action="around", and of no other one. */
+/* Reads X, Y and Z of action="around"; an error for any other action. */
 static void read_around(struct description_file *file, const struct macro_description *described,
 			struct builder_macro *macro)
 {
@@ -125,7 +125,7 @@ static void read_around(struct description_file *file, const struct macro_descri
 		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
 }
 
-/* Has one of those before the same name, number or code? Reports it. */
+/* Does one of the earlier macros have the same name, number or code? If so, reports it. */
 static bool is_given_twice(struct description_file *file, const struct macro_description *described,
 			   const struct builder_macro *macro, const struct builder_macro *macros, size_t count)
 {
@@ -146,7 +146,7 @@ static bool is_given_twice(struct description_file *file, const struct macro_des
 	return false;
 }
 
-/* `names`: the control calls the builder's programs by their names, too. */
+/* `names`: the control also calls the builder's programs by name. */
 static void build_macro(struct description_file *file, const struct macro_description *described, struct arena *arena,
 			bool names, struct builder_macro *macros, size_t *count)
 {
@@ -163,10 +163,10 @@ static void build_macro(struct description_file *file, const struct macro_descri
 		macros[(*count)++] = macro;
 }
 
-/* An answer to a question that a control does not have. */
+/* A setting that this control does not have. */
 struct needless {
 	bool given;
-	const char *name, *why;	/* the attribute; what the control, as a subject, does instead */
+	const char *name, *why;	/* the attribute; and what the control does instead */
 };
 
 #define NO_PARAMETER "has no such parameter"
@@ -183,7 +183,7 @@ static void refuse(struct description_file *file, const struct controller_descri
 
 #define REFUSE(file, described, answers) refuse(file, described, answers, sizeof(answers) / sizeof((answers)[0]))
 
-/* Questions of a control whose programs have frames, edges of tools, and planes that a cycle or a PLANE swivels. */
+/* Settings of a control whose programs have frames, tool edges, and planes that a cycle or a PLANE swivels. */
 static void check_frames(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->told.dialect];
@@ -219,7 +219,7 @@ static void check_frames(struct description_file *file, const struct controller_
 	REFUSE(file, described, answers);
 }
 
-/* Questions of a control whose builder has set parameters. */
+/* Settings of a control with parameters that the builder sets. */
 static void check_parameters(struct description_file *file, const struct controller_description *described)
 {
 	const struct controller *told = &described->told;
@@ -255,7 +255,7 @@ static void check_parameters(struct description_file *file, const struct control
 	REFUSE(file, described, others);
 }
 
-/* Refuses settings for which, by the dialect's row, the control has no parameter. */
+/* Rejects settings for which the control has no parameter, according to the dialect's row. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->told.dialect];
@@ -272,7 +272,7 @@ static void check_dialect(struct description_file *file, const struct controller
 	check_parameters(file, described);
 }
 
-/* What the file does not say, the manual of the control's generation may. */
+/* A setting that the file omits may be in the manual of the control's generation. */
 static void apply_preset(struct description_file *file, const struct controller_description *described,
 			 struct controller *controller)
 {
@@ -431,7 +431,7 @@ static void build_place(struct description_file *file, const struct place_descri
 		build_value(file, described, machine, slot, place);
 		any = any || place->has[slot];
 	}
-	/* A <tool_change> without positions means: the tool is changed where the spindle is. */
+	/* A <tool_change> without positions: the tool is changed at the current position of the spindle. */
 	if (!any && (!described->tool_change || described->order))
 		description_fault(file, described->at, NULL, "<%s> gives no position", element_of(described));
 	else if (described->order)

@@ -1,4 +1,7 @@
-/* controller_build.h - checks what a machine file says about the control and its fixed positions, and builds it. */
+/*
+ * controller_build.h - checks the description of the control and its fixed positions in a machine file, and builds
+ * both.
+ */
 #ifndef FIVECHECK_MACHINE_CONTROLLER_BUILD_H
 #define FIVECHECK_MACHINE_CONTROLLER_BUILD_H
 

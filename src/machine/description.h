@@ -1,6 +1,6 @@
 /*
  * description.h - the contents of a machine, setup or waivers file as plain data. Readers of file formats fill it in;
- * machine_build, setup_build and waivers_build judge what it means.
+ * machine_build, setup_build and waivers_build check it.
  */
 #ifndef FIVECHECK_MACHINE_DESCRIPTION_H
 #define FIVECHECK_MACHINE_DESCRIPTION_H
@@ -50,7 +50,7 @@ void description_fault(struct description_file *file, const void *at, const char
 struct quotation description_quote(const struct description_file *file, const void *at, const char *attribute);
 struct srcloc description_place(const struct description_file *file, const void *at);
 
-/* A number that the file may leave out. */
+/* A number that the file may omit. */
 struct optional_number {
 	bool given;
 	double value;	/* 0 if not given */
@@ -89,7 +89,7 @@ struct place_description {
 
 struct controller_description {
 	const void *at;	/* NULL: the file has no such element */
-	struct controller told;	/* the simple attributes; the members below are not in it yet */
+	struct controller told;	/* the simple attributes; does not include the members below */
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
 	struct optional_number overrun;	/* of G60 */
@@ -105,7 +105,7 @@ struct controller_description {
 	size_t place_count;
 };
 
-/* How the mesh of the stock is given. */
+/* The way in which the mesh of the stock is given. */
 enum stock_shape { STOCK_MESH, STOCK_BOX, STOCK_CYLINDER };
 
 struct body_description {
@@ -115,7 +115,7 @@ struct body_description {
 	double scale;	/* mm per unit of the mesh */
 	xform frame;	/* the mesh's origin on its link or on the workholding */
 	enum body_role role;
-	/* of a part: how deep a cutter may enter it; the first also of the stock */
+	/* of a part: the permitted depths of a cutter; the first one also of the stock */
 	struct optional_number rapid_allowance, gouge;
 	enum stock_shape shape;	/* of the stock; the origin of a box or cylinder is the middle of its lower face */
 	vec3 size;	/* mm: of the box; of the cylinder: diameter, 0, height */
@@ -186,7 +186,7 @@ struct machine_description {
 	struct setup_description *setup;	/* from inside the machine's file, or NULL */
 };
 
-/* The pieces of a tool, from the gauge line down. */
+/* The pieces of a tool, from the gauge line downward. */
 enum tool_piece { PIECE_HOLDER, PIECE_SHANK, PIECE_CUTTER, TOOL_PIECES };
 
 struct section_description {
@@ -233,12 +233,12 @@ struct work_offset_description {
 	struct optional_number value[SLOT_COUNT];
 };
 
-/* <offset>: the H and the D of a number. */
+/* <offset>: the H and the D of one number. */
 struct length_offset_description {
 	const void *at;
 	long number;
 	struct optional_number length, radius;	/* at least one of them */
-	bool d_of_control;	/* the radius may be a diameter: the control's cutter_comp_d says which */
+	bool d_of_control;	/* the radius may be a diameter, depending on the control's cutter_comp_d */
 	bool of_tool;	/* both are the control's only values for the tool with this number */
 };
 
@@ -246,7 +246,7 @@ struct length_offset_description {
 struct library_description {
 	const void *at;
 	const char *path;	/* as it can be opened */
-	double unit;	/* mm per unit of length, if the file does not say its own */
+	double unit;	/* mm per unit of length, if the file does not give its own */
 	const char *numbers;	/* as in "1 3 10-20", or NULL: all */
 };
 

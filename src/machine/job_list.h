@@ -1,4 +1,4 @@
-/* job_list.h - the file that names several checks: each a machine, a setup and programs. */
+/* job_list.h - the file that lists several checks: each has a machine, a setup and programs. */
 #ifndef FIVECHECK_MACHINE_JOB_LIST_H
 #define FIVECHECK_MACHINE_JOB_LIST_H
 
@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 
-/* Paths are as they can be opened. */
+/* Paths can be opened as they are. */
 struct job_item {
 	const char *name;	/* letters, digits and "._-"; unique */
 	const char *machine;
@@ -20,7 +20,7 @@ struct job_item {
 };
 
 struct job_list {
-	struct arena arena;	/* owns all that is below */
+	struct arena arena;	/* owns everything below */
 	const char *path;	/* borrowed */
 	struct job_item *items;
 	size_t count;	/* at least 1 */

@@ -8,10 +8,10 @@
 /* Cosines. Directions within 10 degrees count as one line; directions more than 60 degrees apart count as different. */
 static const double ONE_LINE = 0.985;
 static const double RATHER_ALONG = 0.5;
-/* Slanted beds and nutating axes lie between two letters, so only a clear case is doubted. */
+/* Slanted beds and nutating axes are between two letters, so only a clear case is doubted. */
 static const double CLEARLY_ALONG = 0.9;
 
-/* The directions in the drawing that the letters X Y Z A B C U V W name. */
+/* The directions of the letters X Y Z, A B C and U V W in the drawing. */
 static const vec3 drawing[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static int letter_of(const struct axis *axis)
@@ -38,7 +38,7 @@ vec3 kinematics_direction(const struct machine *machine, const struct axis *axis
 	return vec3_scale(kinematics_side(machine, axis), axis->direction);
 }
 
-/* The letter whose direction is nearest to `v`, in either sense. */
+/* The letter whose direction is nearest to that of `v` or of -v. */
 static int nearest_letter(vec3 v)
 {
 	int nearest = 0;
@@ -50,10 +50,10 @@ static int nearest_letter(vec3 v)
 	return nearest;
 }
 
-/* The machine's X Y Z, by which its rotary axes are named. */
+/* The machine's X Y Z, which determine the letters of its rotary axes. */
 struct frame {
 	bool whole;	/* all three axes move the tool or the work; else the vectors are the drawing's */
-	bool checked;	/* one of them is */
+	bool checked;	/* one of them is marked checked="" */
 	vec3 v[3];
 };
 
@@ -77,7 +77,7 @@ static double hand(const struct frame *frame)
 	return vec3_dot(frame->v[0], vec3_cross(frame->v[1], frame->v[2]));
 }
 
-/* Are the axes right-handed and at right angles, but along other lines than the drawing's letters? */
+/* Are the axes right-handed and perpendicular, but along other lines than the drawing's letters? */
 static bool is_turned(const struct frame *frame)
 {
 	bool other = false;
@@ -113,7 +113,7 @@ static void check_parallel(const struct machine *machine, struct doubts *doubts)
 	}
 }
 
-/* If the machine's frame is turned, its letters count; else the drawing's. */
+/* If the machine's frame is rotated, its letters are used; else the drawing's. */
 static void check_axis(const struct machine *machine, const struct axis *axis, const struct frame *frame,
 		       struct doubts *doubts)
 {
@@ -135,7 +135,7 @@ static void check_axis(const struct machine *machine, const struct axis *axis, c
 	doubts_add(doubts, &doubt);
 }
 
-/* X, Y and Z are there to move the tool relative to the work; U, V and W may move a magazine or a tailstock. */
+/* X, Y and Z must move the tool relative to the work; U, V and W may move a magazine or a tailstock. */
 static void check_idle(const struct machine *machine, struct doubts *doubts)
 {
 	for (int slot = SLOT_X; slot <= SLOT_Z && machine->spindle.present && machine->workholding.present; slot++) {
@@ -146,10 +146,10 @@ static void check_idle(const struct machine *machine, struct doubts *doubts)
 	}
 }
 
-/* mm: the spindle's line and an axis' are one line if the gauge point is no farther from it. */
+/* mm: the spindle's line and an axis' line are the same if the gauge point is within this distance of the axis. */
 static const double ON_LINE = 0.01;
 
-/* Of the rotary axes that carry a tool, the one next to it must turn its direction, or shift it. */
+/* Of the rotary axes that carry a tool, the one next to it must change its direction, or shift it. */
 static void check_next_to_tool(const struct machine *machine, struct doubts *doubts)
 {
 	const struct spindle *spindle = &machine->spindle;
@@ -226,7 +226,9 @@ double kinematics_longest_travel(const struct machine *machine)
 	return longest;
 }
 
-/* The rotary axes are at 0. The work must be drawn in front of the tool there, even if turning could bring it there. */
+/*
+ * The rotary axes are at 0. There the work must be drawn in front of the tool, even if a rotation could bring it there.
+ */
 static void check_places(const struct machine *machine, struct doubts *doubts)
 {
 	const vec3 tip = machine->spindle.direction;
@@ -244,7 +246,7 @@ static void check_places(const struct machine *machine, struct doubts *doubts)
 		double room;
 
 		kinematics_range(machine, sideways[k], &least, &greatest);
-		/* The origin of the workholding may lie at the edge of a table; such a distance is no mistake. */
+		/* The origin of the workholding may be at the edge of a table; such a distance is not a mistake. */
 		room = fmax(100, 0.5 * (greatest - least));
 		worst = fmax(worst, fmax(least, -greatest) > room ? fmax(least, -greatest) : 0);
 	}

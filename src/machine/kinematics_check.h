@@ -12,8 +12,8 @@
 int kinematics_side(const struct machine *machine, const struct axis *axis);
 
 /*
- * The unit direction along or about which a positive value moves the tool relative to the work, with all axes at 0.
- * Only for an axis whose side is not 0.
+ * The unit direction along which, or about which, a positive value moves the tool relative to the work, with all axes
+ * at 0. Only for an axis whose side is not 0.
  */
 vec3 kinematics_direction(const struct machine *machine, const struct axis *axis);
 
@@ -27,12 +27,12 @@ void kinematics_range(const struct machine *machine, vec3 along, double *least, 
 /* mm: the longest limited travel of a linear axis that moves tool or work; 0: none is limited. */
 double kinematics_longest_travel(const struct machine *machine);
 
-/* Two directions at right angles to the spindle and to each other. */
+/* Two directions perpendicular to the spindle and to each other. */
 void kinematics_sideways(const struct machine *machine, vec3 out[2]);
 
 /*
- * Appends the doubts in the order of enum doubt_kind. Elements that the file marks checked="" are left out. The letters
- * are compared with the drawing's X Y Z.
+ * Appends the doubts in the order of enum doubt_kind. Elements marked checked="" are left out. The letters are compared
+ * with the drawing's X Y Z.
  */
 void kinematics_check(const struct machine *machine, struct doubts *doubts);
 

@@ -46,7 +46,7 @@ axis_values machine_home(const struct machine *machine)
 	return home;
 }
 
-/* At most so many unknown names are listed. */
+/* At most this number of unknown names is listed. */
 #define UNKNOWN_MAX 20
 
 struct body_list {

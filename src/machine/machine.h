@@ -14,7 +14,7 @@
 
 /*
  * Everything is in machine coordinates at the zero pose (every axis at 0), in mm, radians and seconds. Link 0 is the
- * base; link i + 1 is carried by axes[i].
+ * base; axes[i] carries link i + 1.
  */
 
 struct axis {
@@ -28,14 +28,14 @@ struct axis {
 	double limit_min, limit_max;	/* mm or radians; -INFINITY, INFINITY: unlimited */
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
-	const char *checked;	/* why it is right though it looks wrong; or NULL */
+	const char *checked;	/* why the axis is right although it looks wrong; or NULL */
 	enum wrap wrap;
 	int half_turn;	/* 1 or -1: the direction of half a turn, if both directions are equally long; 0: not known */
 	long line;	/* in the XML file */
 };
 
 /* <pair>: the user's rule about two bodies, roles or links. */
-enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
+enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to specific */
 
 struct pair_name {
 	enum pair_name_kind kind;
@@ -57,21 +57,21 @@ struct spindle {
 	int link;
 	vec3 location;	/* the gauge point */
 	vec3 direction;	/* unit, from the gauge point to the tool tip */
-	const char *checked;	/* why it is right though it looks wrong; or NULL */
+	const char *checked;	/* why the spindle is right although it looks wrong; or NULL */
 };
 
 struct workholding {
 	bool present;
 	int link;
 	xform frame;
-	const char *checked;	/* why it is right though it looks wrong; or NULL */
+	const char *checked;	/* why the workholding is right although it looks wrong; or NULL */
 };
 
 struct setup;
 
 struct machine {
-	struct arena arena;	/* owns all that is below */
-	const char *path;	/* as the user named it */
+	struct arena arena;	/* owns everything below */
+	const char *path;	/* as given by the user */
 	const char *name;	/* title of the machine; may be empty */
 	struct controller controller;
 	struct axis axes[SLOT_COUNT];	/* in file order: an axis before those that it carries */
@@ -81,7 +81,7 @@ struct machine {
 	struct pair_rule *rules;	/* in file order; scene finds the bodies in machine and setup */
 	size_t rule_count;
 	double adjacent_within;	/* mm */
-	const char *base_checked;	/* why the base is right though it looks wrong; or NULL */
+	const char *base_checked;	/* why the base is right although it looks wrong; or NULL */
 	struct spindle spindle;
 	struct workholding workholding;
 	struct setup *setup;	/* the <setup> inside <machine>, or NULL; owned */
@@ -95,14 +95,14 @@ struct machine *machine_load_within(const char *path, const char *root, struct d
 
 /*
  * Is the <controller> of a machine file valid for its dialect? The text is that of a whole file; the rest of it is not
- * judged. False: reported, without a file.
+ * checked. False: reported, without the name of a file.
  */
 bool machine_check_controller(const char *text, struct diag *diag);
 
 void machine_free(struct machine *machine);
 
 /*
- * Reports names in <pair> that are no body of the machine, of its own setup or of `setup` (which may be NULL). These
+ * Reports names in <pair> that are not bodies of the machine, of its own setup or of `setup` (which may be NULL). These
  * are errors; without any setup they are warnings, because a setup may contain the body.
  */
 bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
@@ -110,7 +110,7 @@ bool machine_check_rules(const struct machine *machine, const struct setup *setu
 /* The axis on a slot, or NULL. */
 const struct axis *machine_axis(const struct machine *machine, int slot);
 
-/* Is the position (mm, radians) within the limits, or nearer to them than LIMIT_TOLERANCE? */
+/* Is the position (mm, radians) within the limits, or less than LIMIT_TOLERANCE outside? */
 bool axis_allows(const struct axis *axis, double position);
 
 /* "base" or the axis' name. */

@@ -13,11 +13,10 @@
 #define RATE_MIN 1e-6
 #define RATE_MAX 1e9
 /*
- * mm: bodies of two neighbouring links that are nearer than this at home are taken for a guideway
- * (fivecheck-machine(5)).
+ * mm: two bodies of neighbouring links within this distance at home are regarded as a guideway (fivecheck-machine(5)).
  */
 #define ADJACENT_WITHIN 5.0
-/* The range of lengths of a vector that can be a direction. */
+/* The permitted lengths of a vector that gives a direction. */
 #define DIRECTION_MIN 1e-6
 #define DIRECTION_MAX 1e6
 
@@ -234,7 +233,7 @@ static void build_pairs(struct machine_description *described, struct machine *m
 		build_pair(file, &described->pairs[i], machine, &machine->rules[machine->rule_count++]);
 }
 
-/* The order matters: pairs and places name axes, and setups are mounted on the spindle and the workholding. */
+/* The order matters: pairs and places use names of axes, and setups are mounted on the spindle and the workholding. */
 struct machine *machine_build(struct machine_description *described, struct diag *diag)
 {
 	struct machine *machine = mem_zalloc(1, sizeof(*machine));

@@ -6,8 +6,8 @@
 #include "machine/machine.h"
 
 /*
- * Takes over the description's arena, and that of its setup. NULL: the description contradicts itself or describes no
- * possible machine; every fault was reported.
+ * Takes over the description's arena, and that of its setup. NULL: the description contradicts itself or describes an
+ * impossible machine; every fault was reported.
  */
 struct machine *machine_build(struct machine_description *described, struct diag *diag);
 

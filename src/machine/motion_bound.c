@@ -17,7 +17,7 @@ static double distance_to_axis(const struct joint *joint, vec3 point)
 void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
 		      const struct ball *fixed, const struct ball *moved)
 {
-	xform motions[SLOT_COUNT];	/* of linear joints the translation alone */
+	xform motions[SLOT_COUNT];	/* of linear joints the translation only */
 	bool turned = false;
 	vec3 at;
 
@@ -123,7 +123,7 @@ static size_t stages_of(const struct chain *chain, int view, struct stage out[SL
 	return count;
 }
 
-/* How one stage moves the points that it carries. */
+/* The motion of the points that one stage carries. */
 struct share {
 	double angle;	/* |dq| of a rotary joint, radians */
 	double way;	/* u, mm */
@@ -133,7 +133,7 @@ struct share {
 };
 
 /*
- * Fills in the shares, beginning at the moving body: the later stages change a point's distance to an axis. Every
+ * Computes the shares, beginning at the moving body: the later stages change a point's distance from an axis. Every
  * instant is within half of the motion of one of the two ends, where rho is known.
  */
 static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
@@ -189,7 +189,7 @@ void chord_bound_init(struct chord_bound *bound, const struct joint_chord *chord
 			bound->path_growth[view] += share->path_growth;
 		}
 		/*
-		 * By the length alone: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
+		 * From the length only: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
 		 */
 		bound->chord_error[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
@@ -216,8 +216,8 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 }
 
 /*
- * At least the sine of y, 0 to PI / 2: the first terms of its series, of which the last one is added. At most 4e-6 of
- * it too large. A bound needs no more, and this takes a tenth of the time of math_sin.
+ * An upper bound of the sine of y, from 0 to PI / 2: the first terms of its series, the last of which is added. It is
+ * too large by at most 4e-6. A bound needs no more, and this takes a tenth of the time of math_sin.
  */
 static double sine_at_most(double y)
 {
@@ -226,7 +226,7 @@ static double sine_at_most(double y)
 	return y * (1 - yy / 6 * (1 - yy / 20 * (1 - yy / 42 * (1 - yy / 72)))) * (1 + 8 * DBL_EPSILON);
 }
 
-/* A turn by at most `angle` moves a point at distance rho by at most the chord of that circular arc. */
+/* A rotation by at most `angle` moves a point at distance rho by at most the chord of the arc. */
 static double turn_of(double angle, double rho)
 {
 	return angle >= PI ? 2 * rho : 2 * sine_at_most(angle / 2) * rho;
@@ -268,7 +268,7 @@ double box_path_displacement(const struct chain *chain, const struct chain_state
 		size_t count = stages_of(chain, view, stages);
 		double later = 0;
 
-		/* The later joints alone change a point's distance to an axis. */
+		/* Only the later joints change a point's distance from an axis. */
 		for (size_t n = count; n-- > 0;) {
 			size_t i = stages[n].first;
 			int slot = chain->joints[i].slot;

@@ -6,8 +6,8 @@
 #include "machine/chain.h"
 
 /*
- * Two views of one relative motion. In view 0 the chain's fixed link is at rest and the moved link's body moves; in
- * view 1 it is the other way round. Each view gives its own bounds, and both hold for the distance between the bodies.
+ * Two views of one relative motion. In view 0 the chain's fixed link does not move and the moved link's body does; in
+ * view 1 it is the other way round. Each view gives its own bounds, and both are valid for the distance of the bodies.
  */
 enum { VIEWS = 2 };
 
@@ -45,11 +45,11 @@ struct joint_chord {
  * the motion is divided into pieces.
  */
 struct chord_bound {
-	double length;	/* L: no point moves farther, without chord errors (the better of both views) */
-	double chord_error[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
-	double displacement[VIEWS];	/* d: the chord errors move no point by more */
-	double path[VIEWS];	/* no point's path displacement is larger, at any instant */
-	double path_growth[VIEWS];	/* no point's path displacement exceeds the larger one at the ends by more */
+	double length;	/* L: bounds the way of any point, without chord errors (the better of both views) */
+	double chord_error[VIEWS];	/* k: bounds the distance of any point's path from the chord between its ends */
+	double displacement[VIEWS];	/* d: bounds the displacement of any point by the chord errors */
+	double path[VIEWS];	/* bounds any point's path displacement, at any instant */
+	double path_growth[VIEWS];	/* bounds the growth of any point's path displacement over that at the ends */
 };
 
 void chord_bound_init(struct chord_bound *bound, const struct joint_chord *chord);
@@ -75,15 +75,16 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
 		    const axis_values *half);
 
 /*
- * mm: no point's path displacement (chord_bound) is larger at any position where each joint is within `half` of the
- * state's, in the better view.
+ * mm: an upper bound of the path displacement (chord_bound) of any point, for all positions at which each joint is
+ * within `half` of the state's, in the better view.
  */
 double box_path_displacement(const struct chain *chain, const struct chain_state *state, const axis_values *half,
 			     const axis_values *tolerance);
 
 /*
- * mm: the farthest that the linear joints first..last-1 can move a point when each moves by at most amount[slot]. With
- * signs s, |sum s a d|^2 <= sum over pairs of a_i a_j |d_i . d_j|, which is the vector norm for orthogonal directions.
+ * mm: an upper bound of the way of a point if each of the linear joints first..last-1 moves by at most amount[slot].
+ * With signs s, |sum s a d|^2 <= sum over pairs of a_i a_j |d_i . d_j|, which is the vector norm for orthogonal
+ * directions.
  */
 double linear_displacement(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
 

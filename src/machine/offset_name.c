@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The whole number from least to most that the text is, or -1. Leading zeros are no part of it. */
+/* The whole number from least to most in the text, or -1. Leading zeros are not permitted. */
 static int read_number(const char *text, int least, int most)
 {
 	const size_t digits = strspn(text, "0123456789");
@@ -16,7 +16,7 @@ static int read_number(const char *text, int least, int most)
 	return number >= least && number <= most ? number : -1;
 }
 
-/* The number behind the code and its P: 7 of "G54.1 P7" and "G54.1P7". -1: it is none of them. */
+/* The number after the code and its P: 7 of "G54.1 P7" and "G54.1P7". -1: the name has another form. */
 static int read_p(const char *name, const char *code, int most)
 {
 	const size_t length = strlen(code);
@@ -28,7 +28,7 @@ static int read_p(const char *name, const char *code, int most)
 	return *rest == 'P' ? read_number(rest + 1, 1, most) : -1;
 }
 
-/* P of G54.1, in any of its spellings, or -1. */
+/* P of G54.1, in any spelling, or -1. */
 static int read_additional(const char *name)
 {
 	static const char *const codes[] = {"G54.1", "G54", "G154"};

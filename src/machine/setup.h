@@ -29,7 +29,7 @@ struct setup {
 	/* fixtures, parts and the stock in file order, then each tool's holder, shank, cutter */
 	struct body *bodies;
 	size_t body_count;
-	/* What the controller's say and what the setup says; NULL: it says nothing. */
+	/* The variables of the controller and of the setup; NULL: there are none. */
 	struct control_variable *variables;
 	size_t variable_count;
 	const char **libraries;	/* the files that <tools> names, as they can be opened */

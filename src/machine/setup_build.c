@@ -79,7 +79,7 @@ static bool is_given_before(const struct setup *setup, long number)
 	return false;
 }
 
-/* A control's D may count as a diameter; a 0 is one either way. False: reported. */
+/* A control's D may be a diameter; for a value of 0 this does not matter. False: reported. */
 static bool find_radius(struct description_file *file, const struct length_offset_description *described,
 			const struct machine *machine, double *radius)
 {
@@ -166,7 +166,7 @@ static void add_tool_lengths(struct setup *setup)
 	}
 }
 
-/* Allocates room for everything; false: there is too much, reported. */
+/* Allocates memory for everything; false, reported: there is too much. */
 static bool make_room(struct setup_description *described, struct setup *setup)
 {
 	const size_t mounted = described->body_count, tools = described->tool_count, lengths = described->length_count;
@@ -186,7 +186,7 @@ static bool make_room(struct setup_description *described, struct setup *setup)
 	return true;
 }
 
-/* One message is enough: it is reported at the first body and the first tool only. */
+/* One message is enough: reported at the first body and the first tool only. */
 static void check_mounts(struct setup_description *described, const struct machine *machine)
 {
 	if (described->body_count > 0 && !machine->workholding.present)

@@ -6,7 +6,7 @@
 #include "machine/body_build.h"
 #include "machine/tool_solid.h"
 
-/* A corner of a box that stands on the origin, by the bits of its number. */
+/* A corner of a box that stands on the origin, selected by the bits of its number. */
 static vec3 box_corner(vec3 size, int number)
 {
 	return (vec3){number & 1 ? size.x / 2 : -size.x / 2, number & 2 ? size.y / 2 : -size.y / 2,
@@ -40,7 +40,7 @@ static void make_cylinder(vec3 size, struct arena *arena, struct mesh *mesh)
 	tool_solid_mesh(&solid, arena, mesh);
 }
 
-/* The triangles of a box or a cylinder enclose it as tools' triangles do, so their sizes have the same limits. */
+/* The triangles of a box or a cylinder enclose it as those of a tool do, so the limits of its size are the same. */
 static bool has_size(struct description_file *file, const struct body_description *described)
 {
 	const vec3 size = described->size;

@@ -5,7 +5,7 @@
 #include "machine/description.h"
 #include "machine/setup.h"
 
-/* Completes the body, with the triangles of a box or a cylinder. Faults are counted in the file. */
+/* Completes the body and makes the triangles of a box or a cylinder. Faults are counted in the file. */
 void stock_build(struct description_file *file, const struct body_description *described, struct setup *setup,
 		 struct body *body);
 

@@ -22,9 +22,9 @@ struct piece {
 	const struct piece_description *described;
 	bool cutter;
 	const char *name;
-	struct tool_solid solid;	/* without sections: it is a mesh, or there is no such piece */
+	struct tool_solid solid;	/* without sections: the piece is a mesh, or there is none */
 	double length;	/* of its sections */
-	double flutes;	/* mm from the cutter's end: the part of it that cuts; 0: all of it */
+	double flutes;	/* mm from the cutter's end: the length of the part that cuts; 0: all of it */
 };
 
 /* --------------------------------------------------------------- sections */
@@ -190,7 +190,7 @@ static void build_piece(struct tool_builder *builder, struct piece *piece)
 	}
 }
 
-/* Sections are placed downwards from a known height, or upwards from one. */
+/* Places sections downward or upward from a known height. */
 static void stack(struct tool_builder *builder, const struct tool_description *described,
 		  struct piece pieces[TOOL_PIECES])
 {
@@ -223,7 +223,7 @@ static void stack(struct tool_builder *builder, const struct tool_description *d
 /* ----------------------------------------------------------------- bodies */
 
 /*
- * The pose that moves the gauge point from the origin to the spindle, and turns the tip from -Z to the spindle's
+ * The pose that moves the gauge point from the origin to the spindle, and rotates the tip from -Z to the spindle's
  * direction.
  */
 static xform tool_placement(const struct spindle *spindle)
@@ -308,7 +308,7 @@ static void add_bodies(struct tool_builder *builder, const struct tool *tool, co
 	}
 }
 
-/* The cutter's greatest diameter; of a mesh, what the file says, if anything. */
+/* The cutter's greatest diameter; for a mesh, the value in the file, if any. */
 static double build_tool_diameter(struct description_file *file, const struct tool_description *described,
 				  const struct piece *cutter)
 {

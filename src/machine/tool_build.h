@@ -14,7 +14,7 @@
 /* The largest number of a tool or an H: controls have T and H words of eight digits. */
 #define TOOL_NUMBER_MAX 99999999
 
-/* The most triangles of all tools of a setup together. */
+/* The largest number of triangles of all tools of a setup together. */
 #define TOOL_TRIANGLES_MAX ((size_t)10 * 1000 * 1000)
 
 /* The tools of one setup are built one after another. */

@@ -22,13 +22,13 @@ struct frustum {
 struct eroder {
 	const struct frustum *frustums;	/* from the top down, without gaps */
 	size_t count;
-	double bottom;	/* of the solid: everything nearer to it than depth is removed */
+	double bottom;	/* of the solid: everything within `depth` of it is removed */
 	double depth;
-	double *cuts;	/* heights, falling: between two of them one line bounds the core */
+	double *cuts;	/* descending heights: between two of them one line bounds the core */
 	size_t cut_count;
 };
 
-/* A straight bound on the radius between two heights. */
+/* A straight bound of the radius between two heights. */
 struct line {
 	double r_top, r_bottom;
 };
@@ -38,7 +38,7 @@ static double slope(const struct frustum *f)
 	return (f->r_top - f->r_bottom) / (f->top - f->bottom);
 }
 
-/* How far below its foot point on a frustum's side a point lies that is `depth` away along the normal. */
+/* How far a point at the distance `depth`, along the normal of a frustum's side, is below its foot point. */
 static double foot_above(const struct frustum *f, double depth)
 {
 	return -depth * slope(f) / math_hypot(1, slope(f));
@@ -50,7 +50,7 @@ static double radius_at(const struct frustum *f, double h)
 }
 
 /*
- * The sections as frustums. A cone becomes a frustum of its own; a rounded tip counts as its cylinder. Returns their
+ * The sections as frustums. A cone becomes a separate frustum; a rounded tip counts as its cylinder. Returns their
  * number.
  */
 static size_t frustums_of(const struct tool_solid *solid, struct frustum *out)
@@ -93,8 +93,8 @@ static struct line below_edge(const struct eroder *e, double edge, double r, dou
 }
 
 /*
- * The bound from a frustum. If the foot points are on its side, it is the side moved inwards along its normal. At the
- * frustum's own heights it is the side moved by depth along the radius, which is less sharp.
+ * The bound from a frustum. If the foot points are on its side, the bound is the side moved inward along its normal. At
+ * the frustum's own heights the bound is the side moved by `depth` along the radius, which is less sharp.
  */
 static struct line below_side(const struct eroder *e, const struct frustum *f, double top, double bottom)
 {
@@ -142,7 +142,7 @@ static int descending(const void *a, const void *b)
 	return (x < y) - (x > y);
 }
 
-/* The heights at which another bound may become the lowest, or at which the radius may become 0. */
+/* The heights at which another bound may become the lowest, or the radius may become 0. */
 static void make_cuts(struct eroder *e)
 {
 	e->cuts = mem_zalloc(9 * e->count + 3, sizeof(*e->cuts));
@@ -165,7 +165,7 @@ static void make_cuts(struct eroder *e)
 	qsort(e->cuts, e->cut_count, sizeof(*e->cuts), descending);
 }
 
-/* The largest radius that the bounds allow between two heights; there may be cuts between them. */
+/* The largest radius that the bounds permit between two heights; there may be cuts between them. */
 static double largest_bound(const struct eroder *e, double top, double bottom)
 {
 	double most = 0;
@@ -182,7 +182,7 @@ static double largest_bound(const struct eroder *e, double top, double bottom)
 	return most;
 }
 
-/* The first cut that is below h, but not below `end`. */
+/* The first cut below h, but not below `end`. */
 static double next_cut(const struct eroder *e, double h, double end)
 {
 	for (size_t i = 0; i < e->cut_count; i++)
@@ -192,8 +192,8 @@ static double next_cut(const struct eroder *e, double h, double end)
 }
 
 /*
- * Makes the sections of the core from its top to `end`, without sections of radius 0 below the last other one. Where
- * cuts are close together one cylinder holds several pieces, so that no section is too short.
+ * Makes the sections of the core from its top to `end`, without sections of radius 0 at the lower end. If cuts are
+ * close together one cylinder encloses several pieces, so that no section is too short.
  */
 static size_t erode(const struct eroder *e, double end, struct tool_section *sections)
 {
@@ -219,7 +219,7 @@ static size_t erode(const struct eroder *e, double end, struct tool_section *sec
 	return kept;
 }
 
-/* Does the tip stay round, with a radius smaller by depth? */
+/* Does the tip remain round, with a radius smaller by `depth`? */
 static bool keeps_round_tip(const struct tool_solid *solid, double depth)
 {
 	const struct tool_section *last = &solid->sections[solid->count - 1];
@@ -228,7 +228,7 @@ static bool keeps_round_tip(const struct tool_solid *solid, double depth)
 	       last->diameter / 2 > depth + TOOL_SECTION_MIN;
 }
 
-/* If nothing is left at this depth, the core has no sections. */
+/* If no point is this deep, the core has no sections. */
 static struct tool_solid make_core(struct eroder *eroder, const struct tool_solid *solid, struct arena *arena)
 {
 	struct tool_solid core = {.top = solid->top, .tip = TIP_FLAT};
@@ -236,7 +236,7 @@ static struct tool_solid make_core(struct eroder *eroder, const struct tool_soli
 	double tip;
 
 	make_cuts(eroder);
-	/* Between two cuts at most one section of its own, and one that reaches beyond. */
+	/* Between two cuts there is at most one section, and one that continues. */
 	sections = arena_alloc(arena, 2 * eroder->cut_count * sizeof(*sections));
 	core.sections = sections;
 	if (keeps_round_tip(solid, eroder->depth)) {

@@ -18,7 +18,7 @@ static bool is_digit(char byte)
 	return byte >= '0' && byte <= '9';
 }
 
-/* The decimal number at *at, with a point or a comma; *at goes behind it. */
+/* The decimal number at *at, with a point or a comma; *at moves past it. */
 static double read_decimal(const char **at)
 {
 	const char *text = *at;

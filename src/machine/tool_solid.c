@@ -33,7 +33,7 @@ struct plan {
 	size_t arc;	/* chords of the tip's quarter circle */
 };
 
-/* The least number of tangents over `angle` that leave a circle of radius r by at most `error`. */
+/* The least number of tangents over `angle` whose distance from a circle of radius r is at most `error`. */
 static size_t tangents(double r, double angle, double error)
 {
 	/* r / cos(x) - r = error, with x half the angle of one tangent. */
@@ -144,7 +144,7 @@ static void add_corner(struct outline *outline, double r, double z)
 	outline->corners[outline->count++] = (struct corner){r, z};
 }
 
-/* The change of the radius downwards: 1 grows, -1 shrinks. */
+/* The change of the radius downward: 1 it grows, -1 it shrinks. */
 static int slope(double above, double below)
 {
 	return (below > above) - (below < above);
@@ -209,7 +209,7 @@ static void add_tip(struct outline *outline, const struct tool_solid *solid, dou
 		add_corner(outline, r + plan->margin, z - plan->margin);
 		break;
 	case TIP_CONE:
-		/* Decimal rounding can make a height too large by a tiny amount; it must not rise above its section. */
+		/* Decimal rounding may make a height slightly too large; the tip must not exceed its section. */
 		add_corner(outline, r + plan->margin,
 			   z + fmin(tool_solid_tip_height(solid), last->length) - plan->margin);
 		add_corner(outline, plan->margin, z - plan->margin);
@@ -247,7 +247,7 @@ struct vertex {
 	float p[3];
 };
 
-/* Leaves out triangles that rounding has made a line; their other two edges cancel each other. */
+/* Leaves out triangles that rounding has made lines; their other two edges cancel each other. */
 static void add_triangle(struct mesh *mesh, struct vertex a, struct vertex b, struct vertex c)
 {
 	const struct vertex corners[3] = {a, b, c};
@@ -312,7 +312,7 @@ static void add_band(struct mesh *mesh, const struct vertex *upper, const struct
 	}
 }
 
-/* A fan at either end, and two triangles a vertex between rings. */
+/* A fan at each end, and two triangles per vertex between rings. */
 static size_t most_triangles(const struct plan *plan, const struct outline *outline)
 {
 	return 2 * plan->ring * outline->count;

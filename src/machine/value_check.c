@@ -6,11 +6,11 @@
 #include "base/units.h"
 
 /*
- * mm and degrees a minute: the rapids of real machines start at 600 and 1,800. What is slower may be meant in metres a
- * minute or in turns a minute.
+ * mm and degrees a minute: the rapids of real machines start at 600 and 1,800. A lower value may be in metres or turns
+ * a minute.
  */
 static const double LINEAR_LEAST = 100, ROTARY_LEAST = 60;
-/* Degrees: two turns (-360 to 360), given in radians, are a travel of so many degrees. */
+/* Degrees: a travel of two turns (-360 to 360), given in radians, looks like this number of degrees. */
 static const double TWO_TURNS = 4 * PI;
 
 static void check_rate(const struct axis *axis, int place, struct doubts *doubts)
@@ -22,7 +22,7 @@ static void check_rate(const struct axis *axis, int place, struct doubts *doubts
 			   &(struct doubt){.kind = DOUBT_RATE_LOW, .axis = place, .value = 60 * axis->rate_max});
 }
 
-/* A travel of 0 is that of an axis which is clamped. */
+/* A travel of 0 belongs to an axis that is clamped. */
 static void check_travel(const struct axis *axis, int place, struct doubts *doubts)
 {
 	const double travel = axis->limit_max - axis->limit_min;
@@ -32,8 +32,8 @@ static void check_travel(const struct axis *axis, int place, struct doubts *doub
 }
 
 /*
- * Degrees: directions are straight, or belong to a slanted bed or a nutating axis. What is between is an angle in
- * radians with few digits (1.57 is 0.046 degrees off), or a slip.
+ * Degrees: directions are either exact, or belong to a slanted bed or a nutating axis. An angle between these limits is
+ * given in radians with few digits (1.57 is 0.046 degrees off), or is a mistake.
  */
 static const double TILT_LEAST = 0.03, TILT_MOST = 10;
 

@@ -10,7 +10,7 @@
 /* Elements of an array along one dimension. */
 #define SIZE_MAX_EACH 32767
 
-/* "10" or "3,4". False: it is something else. */
+/* "10" or "3,4". False: the text has another form. */
 static bool read_sizes(const char *text, struct control_variable *variable)
 {
 	for (;; text++) {
@@ -42,7 +42,7 @@ static bool is_axis(const char *text)
 	return text[0] && !text[1] && strchr(AXIS_LETTERS, text[0]);
 }
 
-/* An element as it is printed to be filled in is not filled in yet. */
+/* An empty value, as in the element that messages print, was not filled in yet. */
 static void check_value(struct description_file *file, const struct variable_description *described,
 			const struct control_variable *variable)
 {
@@ -63,7 +63,7 @@ static void check_value(struct description_file *file, const struct variable_des
 				  description_quote(file, described->at, "value").text);
 }
 
-/* "#500", in one spelling: what programs read has no other name there. */
+/* "#500", in one spelling: programs that are read use no other name for this variable. */
 static bool is_numbered(const char *name)
 {
 	return name[0] == '#' && name[1] >= '1' && name[1] <= '9' && !name[1 + strspn(name + 1, "0123456789")];
@@ -118,7 +118,7 @@ static void build_one(struct description_file *file, const struct variable_descr
 		variables[(*count)++] = variable;
 }
 
-/* Fills `variables`, which has room for all of them; returns how many it has then. */
+/* Fills `variables`, which has room for all of them; returns the new count. */
 static size_t build_all(struct description_file *file, const struct variable_description *described, size_t given,
 			const struct dialect_row *row, struct arena *arena, struct control_variable *variables)
 {
@@ -146,8 +146,8 @@ void variable_build(struct machine_description *described, struct machine *machi
 }
 
 /*
- * A name with a type makes a variable, and without one it has a value: a value does not replace the type. What makes an
- * array anew leaves nothing of the elements that it had.
+ * A name with a type makes a variable; without a type it sets a value, which does not replace the type. A new
+ * definition of an array removes all of its earlier elements.
  */
 static bool replaces(const struct control_variable *own, const struct control_variable *other)
 {

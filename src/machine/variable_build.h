@@ -1,4 +1,4 @@
-/* variable_build.h - judges the <variable> elements of a described controller or setup and keeps what they say. */
+/* variable_build.h - checks the <variable> elements of a described controller or setup and stores their contents. */
 #ifndef FIVECHECK_MACHINE_VARIABLE_BUILD_H
 #define FIVECHECK_MACHINE_VARIABLE_BUILD_H
 
@@ -10,8 +10,8 @@
 void variable_build(struct machine_description *described, struct machine *machine);
 
 /*
- * Fills the setup's variables, if it has any: those of the machine, and its own, which replace those of the same name.
- * Faults are reported.
+ * Fills the setup's variables, if it has any: those of the machine, and its own, which replace variables of the same
+ * name. Faults are reported.
  */
 void variable_build_setup(struct setup_description *described, const struct machine *machine, struct setup *setup);
 

@@ -14,20 +14,20 @@
 enum { DATE_SIZE = 11 };
 
 /*
- * Names one finding. The same bodies with every axis at the same position are the same contact. The text of the block
- * is compared, too, so that a waiver accepts little else.
+ * Identifies one finding. The same bodies with every axis at the same position are the same contact. The text of the
+ * block is compared, too, so that a waiver accepts little else.
  */
 struct waiver {
-	const char *program;	/* as the command line names it */
+	const char *program;	/* as on the command line */
 	const char *kind;	/* of the finding */
 	const char *a, *b;	/* bodies, in either order; NULL for a limit */
 	int slot;	/* of a limit */
 	const char *block;	/* its text */
 	axis_values axes;	/* mm and radians */
-	double within;	/* mm and degrees: how far each axis may be from there */
-	int times;	/* how many findings of one run of the program it accepts */
+	double within;	/* mm and degrees: the permitted difference of each axis from its position */
+	int times;	/* the number of findings of one run of the program that it accepts */
 	const char *reason;
-	char expires[DATE_SIZE];	/* the last day on which it counts, UTC */
+	char expires[DATE_SIZE];	/* the last day on which it is valid, UTC */
 	long line;
 };
 
@@ -35,16 +35,16 @@ struct waivers {
 	struct arena arena;
 	const char *path;
 	/*
-	 * The machine and the setup file for which the waivers hold: SHA-256 in hexadecimal digits, "none" for no
+	 * The machine and the setup file for which the waivers are valid: SHA-256 in hexadecimal digits, "none" for no
 	 * setup; NULL: any file.
 	 */
 	const char *machine_sha256, *setup_sha256;
-	long line;	/* where that is said */
+	long line;	/* the line of these in the file */
 	struct waiver *items;
 	size_t count;
 };
 
-/* Is the text a date like "2026-12-31" that exists? */
+/* Is the text an existing date like "2026-12-31"? */
 bool waivers_is_date(const char *text);
 
 /* Reads a file for this machine. NULL: faults were reported. */

@@ -87,7 +87,7 @@ static void build_subject(struct description_file *file, const struct waiver_des
 				  description_quote(file, described->at, "axis").text);
 }
 
-/* A blank text is none. */
+/* A blank text counts as missing. */
 static const char *build_text(struct description_file *file, const void *at, const char *name, const char *text)
 {
 	if (!text || text[strspn(text, " \t\r\n")])

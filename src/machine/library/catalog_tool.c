@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "machine/tool_solid.h"
 
-/* mm: catalogues round to this. */
+/* mm: the rounding of catalogues. */
 #define ROUNDED 0.011
 
 struct catalog_tool catalog_tool_empty(struct srcloc at)
@@ -44,7 +44,7 @@ void catalog_tool_leave_out(struct tool_library *tools, const struct catalog_too
 	tools->left_out++;
 	if (tools->counts_left_out)
 		return;
-	/* A string of a catalogue may hold anything, line breaks too. */
+	/* A string of a catalogue may contain anything, even line breaks. */
 	strbuf_add_visible(&name, tool->name ? tool->name : "");
 	strbuf_add_visible(&reason, why);
 	diag_warning(diag, tool->at, "the tool '%.60s' is left out: %s", strbuf_text(&name), strbuf_text(&reason));
@@ -52,13 +52,13 @@ void catalog_tool_leave_out(struct tool_library *tools, const struct catalog_too
 	strbuf_release(&reason);
 }
 
-/* Catalogues write 0 where something is not there. */
+/* Catalogues write 0 for a missing value. */
 static double given(double value)
 {
 	return value > 0 ? value : 0;
 }
 
-/* Why the sizes are not those of a tool; NULL: they are. */
+/* Why these cannot be the sizes of a tool; NULL: they can. */
 static const char *judge(const struct catalog_tool *t)
 {
 	const double radius = t->diameter / 2;
@@ -75,7 +75,7 @@ static const char *judge(const struct catalog_tool *t)
 		return "its corner is larger than half of its diameter";
 	if (given(t->corner_radius) > 0 && given(t->chamfer_width) > 0)
 		return "its corner has both a radius and a chamfer";
-	/* At other angles it matters along which side the width is measured, and catalogues do not say that. */
+	/* At other angles the side along which the width is measured matters, and catalogues do not give it. */
 	if (given(t->chamfer_width) > 0 && !(fabs(t->chamfer_angle - 45) <= ROUNDED))
 		return "the chamfer of its corner is not said to be one of 45 degrees";
 	if (given(t->chamfer_width) > t->cutting_length)
@@ -93,7 +93,7 @@ static const char *judge(const struct catalog_tool *t)
 	return NULL;
 }
 
-/* The corner of a mill, and the cutter up to the end of the edges. */
+/* Adds the corner of a mill, and the cutter up to the end of the edges. */
 static void add_cutter(struct tool_outline *tool, const struct catalog_tool *t)
 {
 	const double radius = t->diameter / 2, width = given(t->chamfer_width);
@@ -119,8 +119,8 @@ static void add_cutter(struct tool_outline *tool, const struct catalog_tool *t)
 }
 
 /*
- * Between the edges and the shank the tool is a neck or runs out to the shank: its neck counts only as far as it is
- * known to go, and not into the shank. What lies between is taken as thick as the thicker of cutter and shank.
+ * Between the edges and the shank the tool has a neck or a transition to the shank. The neck is used only as far as its
+ * length is known, and not inside the shank. Between neck and shank the larger diameter of cutter and shank is used.
  */
 static void add_shank(struct tool_outline *tool, const struct catalog_tool *t)
 {

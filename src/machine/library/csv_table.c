@@ -41,7 +41,7 @@ static bool put(const struct csv_table *table, char *cell, size_t *length, char 
 	return true;
 }
 
-/* A cell in quotation marks, which may have separators, ends of lines and doubled marks in it. */
+/* Reads a cell in quotation marks, which may contain separators, line ends and doubled marks. */
 static bool read_quoted(struct csv_table *table, char *cell)
 {
 	size_t length = 0;

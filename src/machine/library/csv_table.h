@@ -9,7 +9,7 @@
 
 enum { CSV_COLUMNS_MAX = 100, CSV_CELL_MAX = 200 };
 
-/* Begin with csv_table_begin. */
+/* Initialise it with csv_table_begin. */
 struct csv_table {
 	const char *next;
 	struct srcloc at;	/* the current row */

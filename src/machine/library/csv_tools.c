@@ -20,7 +20,7 @@ enum column {
 	COLUMN_LENGTH_OFFSET, COLUMN_RADIUS_OFFSET, COLUMNS
 };
 
-/* Letters and digits alone, in lower case. */
+/* Letters and digits only, in lower case. */
 static const char *const column_names[COLUMNS] = {
 	[COLUMN_NUMBER] = "number", [COLUMN_NAME] = "name", [COLUMN_UNITS] = "units", [COLUMN_TYPE] = "type",
 	[COLUMN_LENGTH] = "length", [COLUMN_DIAMETER] = "diameter", [COLUMN_CORNER] = "cornerradius",
@@ -72,9 +72,7 @@ static int find_column(const char *cell)
 	return -1;
 }
 
-/*
- * Is it the name of a measure with its unit, as in "Diameter (mm)"? Without that column the tool would be another one.
- */
+/* Is it the name of a measure with its unit, as in "Diameter (mm)"? Without that column the tool would be wrong. */
 static bool is_nearly_known(const char *cell)
 {
 	static const char *const units[] = {"mm", "in", "inch", "deg"};
@@ -122,7 +120,7 @@ static bool has(const struct reading *r, enum column column)
 	return r->place[column] >= 0;
 }
 
-/* The text of a cell; "" if the table has no such column or the row ends before it. */
+/* The text of a cell; "" if the table has no such column or the row ends earlier. */
 static const char *cell_of(const struct reading *r, enum column column)
 {
 	return has(r, column) && (size_t)r->place[column] < r->table.count ? r->table.cells[r->place[column]] : "";
@@ -144,7 +142,7 @@ bool csv_tools_is(const char *text)
 
 /* ----------------------------------------------------------------- rows */
 
-/* A decimal comma is a point where commas do not separate. */
+/* A decimal comma is a point if commas are not the separator. */
 static bool read_value(struct reading *r, enum column column, double *value)
 {
 	char text[CSV_CELL_MAX + 1];
@@ -206,7 +204,7 @@ static double or_else(double value, double fallback)
 	return isnan(value) ? fallback : value;
 }
 
-/* Has the row a type, and is it this one or begins with it? */
+/* Does the row have a type that is this word or begins with it? */
 static bool is_type(const char *type, const char *word)
 {
 	return !strncasecmp(type, word, strlen(word));
@@ -240,7 +238,7 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 			   type);
 		return false;
 	}
-	/* Only these are pointed: with another type one of the two cells is wrong. */
+	/* Only these have a point: with another type one of the two cells is wrong. */
 	if (point > 0 && tool->tip != TIP_CONE && !is_type(type, "chamfer"))
 		return fault(r, "only a drill or a chamfer mill has a point_angle: correct the type, or leave the cell "
 				"empty");
@@ -251,7 +249,7 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 	return true;
 }
 
-/* A chamfer mill: a frustum from its tip diameter up, with the full angle of its point. */
+/* A chamfer mill: a frustum from its tip diameter upward, with the full angle of its point. */
 static bool add_chamfer(struct reading *r, const struct row *row, struct tool_outline *tool, double top)
 {
 	const double point = or_else(row->value[COLUMN_POINT], 0), tip = or_else(row->value[COLUMN_TIP_DIAMETER], 0);
@@ -276,7 +274,7 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	const double flutes = fmin(or_else(row->value[COLUMN_FLUTES], stickout), stickout);
 	const double shank = or_else(row->value[COLUMN_SHANK], tool->diameter);
 
-	/* A thin stem of a probe may be taken as thick as its ball: it cuts nothing. */
+	/* A thin stem of a probe may be as thick as its ball: it cuts nothing. */
 	if (isnan(row->value[COLUMN_FLUTES]) &&
 	    row->value[COLUMN_SHANK] > (tool->kind == TOOL_PROBES ? tool->diameter : 0))
 		return fault(r, "the tool has a shank_diameter, but no flute_length that says where the shank begins");

@@ -9,10 +9,10 @@
 #include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
-/* More codes than a tool has; and levels of elements between a tool and its codes. */
+/* More codes than a tool has; and the levels of elements between a tool and its codes. */
 enum { CODES_MAX = 400, DEPTH_MAX = 8 };
 
-/* What is known of one tool. */
+/* The values of one tool. */
 struct record {
 	struct srcloc at;
 	size_t count;
@@ -28,7 +28,7 @@ static const char *value_of(const struct record *record, const char *code)
 	return "";
 }
 
-/* The first value of a code counts. Names (J) may differ, sizes may not. */
+/* The first value of a code is used. Different names (J) are permitted, different sizes are not. */
 static void note_code(struct record *record, const char *code, const char *value)
 {
 	const char *before = value_of(record, code);
@@ -55,10 +55,10 @@ static const struct {
 	{"DIN4000-81", "1", CATALOG_DRILL},
 };
 
-/* Codes of shapes that these classes do not have otherwise: profiles, steps, threads, inserts. */
+/* Codes of shapes that do not belong to these classes: profiles, steps, threads, inserts. */
 static const char *const strange_codes[] = {"G5", "G6", "A11_2", "B2_2", "D31", "D32"};
 
-/* A number with a decimal point or comma. False: it is something else. */
+/* A number with a decimal point or comma. False: it is not a number. */
 static bool read_number(const char *text, double *value)
 {
 	char number[40];
@@ -76,7 +76,7 @@ static bool read_number(const char *text, double *value)
 	return decimal_read(number, strlen(number), value) && isfinite(*value);
 }
 
-/* The first of the codes that has a value above 0 gives it. */
+/* The size is that of the first code with a value above 0. */
 static const char *read_size(const struct record *record, const char *const codes[3], double *size)
 {
 	static const char not_a_number[] = "one of its sizes is not a number";
@@ -96,7 +96,7 @@ static const char *read_size(const struct record *record, const char *const code
 	return NULL;
 }
 
-/* Why the sizes cannot be taken; NULL: they are read. */
+/* Why the sizes cannot be used; NULL: they are read. */
 static const char *read_sizes(const struct record *record, struct catalog_tool *tool)
 {
 	const bool drill = tool->shape == CATALOG_DRILL;
@@ -131,7 +131,7 @@ static const char *read_sizes(const struct record *record, struct catalog_tool *
 	return why;
 }
 
-/* Is the class spelled like this? Blanks do not count. */
+/* Is this the name of the class? Blanks do not matter. */
 static bool is_class(const char *text, const char *name)
 {
 	for (; *text; text++) {
@@ -177,14 +177,14 @@ static void read_code(struct reading *r, const xmlNode *node, struct record *rec
 {
 	const xmlNode *name = foreign_child(node, "PropertyName");
 
-	/* The same tool may be described by another standard, too. */
+	/* Another standard may describe the same tool, too. */
 	while (name && foreign_attribute(name, "source") && !foreign_attribute_is(name, "source", "din_mk"))
 		name = foreign_next(name, "PropertyName");
 	if (name)
 		note_code(record, foreign_text(&r->arena, name), foreign_text(&r->arena, foreign_child(node, "Value")));
 }
 
-/* All codes below the element. */
+/* Reads all codes below the element. */
 static void read_codes(struct reading *r, const xmlNode *parent, struct record *record, int depth)
 {
 	for (const xmlNode *at = foreign_child(parent, NULL); at && depth < DEPTH_MAX; at = foreign_next(at, NULL)) {

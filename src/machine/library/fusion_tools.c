@@ -8,10 +8,10 @@
 #include "machine/library/json_file.h"
 #include "machine/tool_solid.h"
 
-/* mm: sizes in a library are rounded, and a difference below this is none. */
+/* mm: sizes in a library are rounded, so smaller differences do not matter. */
 #define ROUNDED 0.005
 
-/* What a type of tool is below its shank. */
+/* The shape of a tool below its shank. */
 enum shape {
 	SHAPE_CYLINDER,
 	SHAPE_BALL,
@@ -84,7 +84,7 @@ static double unit_of(const json_t *object, double fallback)
 	return !strcmp(unit, "inches") ? MM_PER_INCH : 0;
 }
 
-/* A number times scale; where it is missing or null, the fallback. False: it is something else, or not finite. */
+/* A number times scale; if it is missing or null, the fallback. False: the value is not a finite number. */
 static bool read_number(const json_t *object, const char *name, double scale, double fallback, double *value)
 {
 	double number = NAN;
@@ -115,7 +115,7 @@ static bool read_geometry(const json_t *geometry, double unit, struct geometry *
 	       read_number(geometry, "assemblyGaugeLength", unit, 0, &g->gauge);
 }
 
-/* Adds the frustums of "segments" from the height on upwards, and raises it. */
+/* Adds the frustums of "segments" from the height upward, and raises the height. */
 static bool add_segments(const json_t *part, double unit, struct tool_profile *profile, double *height)
 {
 	const json_t *list = json_object_get(part, "segments"), *segment;
@@ -146,7 +146,7 @@ static double cone_height(double from, double to, double half_degrees)
 	return (to - from) / 2 / math_tan(half_degrees * math_acos(-1) / 180);
 }
 
-/* Why there is no cone of this half angle, degrees, between the diameters of tip and cutter; NULL: it was added. */
+/* Why no cone with this half angle (degrees) fits between the diameters of tip and cutter; NULL: it was added. */
 static const char *add_cone(struct tool_outline *tool, const struct geometry *g, double half, const char *why)
 {
 	const double r = g->diameter / 2;
@@ -155,7 +155,7 @@ static const char *add_cone(struct tool_outline *tool, const struct geometry *g,
 	if (!(half >= 1 && half <= 89) || g->tip_diameter < 0 || g->tip_diameter > g->diameter)
 		return why;
 	cone = cone_height(g->tip_diameter, g->diameter, half);
-	/* Some engraving tools end within the cone: above their flutes they are a shank. */
+	/* Some engraving tools end within the cone: above the flutes they have a shank. */
 	if (g->flutes > 0 && g->flutes < cone) {
 		tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, g->flutes,
 				 g->tip_diameter / 2 + (r - g->tip_diameter / 2) * g->flutes / cone);
@@ -167,8 +167,8 @@ static const char *add_cone(struct tool_outline *tool, const struct geometry *g,
 }
 
 /*
- * The cone has the diameter DC in the plane of the tip, as if it had no corner radius, which rounds it tangentially:
- * where both tips meet in the axis, the tip is a ball.
+ * The cone has the diameter DC in the plane of the tip, as if it had no corner radius. The corner radius rounds the
+ * cone tangentially; if both roundings meet on the axis, the tip is a ball.
  */
 static const char *add_taper(struct tool_outline *tool, const struct geometry *g)
 {
@@ -189,7 +189,7 @@ static const char *add_taper(struct tool_outline *tool, const struct geometry *g
 	return NULL;
 }
 
-/* A face mill whose sides lead from DC to its greatest diameter over the height of its flutes. */
+/* A face mill whose sides go from DC to its greatest diameter over the height of its flutes. */
 static bool is_tapered_face(const struct geometry *g, enum shape shape)
 {
 	const double top = g->diameter + 2 * g->flutes * math_tan(radians(g->taper_angle));
@@ -208,7 +208,7 @@ static const char *add_dovetail(struct tool_outline *tool, const struct geometry
 	return NULL;
 }
 
-/* A ball as far as its neck, which is as thick as the shoulder. */
+/* Adds a ball up to its neck, which is as thick as the shoulder. */
 static void add_sphere(struct tool_outline *tool, const struct geometry *g)
 {
 	const double r = g->diameter / 2, neck = fmin(g->shoulder_diameter / 2, r);
@@ -217,7 +217,7 @@ static void add_sphere(struct tool_outline *tool, const struct geometry *g)
 	tool_profile_add_arc(&tool->cutter, r, r, r + sqrt(r * r - neck * neck), neck, r, 0, true);
 }
 
-/* Why the shape cannot be taken over; NULL: it was. */
+/* Why the shape cannot be used; NULL: it was added. */
 static const char *add_cutter(struct tool_outline *tool, const struct geometry *g, enum shape shape)
 {
 	double r = g->diameter / 2;
@@ -266,7 +266,7 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 	return NULL;
 }
 
-/* Above the flutes: the shoulder and the shank, or what "shaft" says of them. */
+/* Above the flutes: the shoulder and the shank, or the segments of "shaft". */
 static bool add_shank(struct tool_outline *tool, const json_t *shaft, const struct geometry *g, double unit)
 {
 	double top = tool_profile_top(&tool->cutter), shoulder = fmax(g->shoulder, top);
@@ -289,8 +289,8 @@ static bool add_shank(struct tool_outline *tool, const json_t *shaft, const stru
 }
 
 /*
- * The holder stands at LB above the tip; its own gaugeLength says how far above its lower end its gauge line is.
- * *known_to is the height up to which the library describes the tool.
+ * The holder is at LB above the tip; its own gaugeLength is the height of its gauge line above its lower end. *known_to
+ * is the height up to which the library describes the tool.
  */
 static bool add_holder(struct tool_outline *tool, const json_t *holder, const struct geometry *g, double unit,
 		       double *known_to)
@@ -319,10 +319,10 @@ static const struct type_row *find_type(const char *name)
 	return NULL;
 }
 
-/* Sizes that no tool has. NULL: they are as they should be. */
+/* Why no tool has these sizes; NULL: they are possible. */
 static const char *judge(const struct geometry *g, enum shape shape, const struct tool_outline *tool)
 {
-	/* The corner of a tapered mill may be rounder than its tip is wide. */
+	/* The corner radius of a tapered mill may be larger than that of its tip. */
 	const bool rounded = shape != SHAPE_TAPER && g->corner > g->diameter / 2;
 
 	if (!(g->diameter > 0))
@@ -350,7 +350,7 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 		return fault(r, "the unit must be millimeters or inches");
 	if (!read_geometry(json_object_get(item, "geometry"), unit, &g))
 		return fault(r, "a value of the geometry is not a number");
-	/* A ball stands on a neck, which older libraries give as the shank. */
+	/* A ball has a neck, which older libraries give as the shank. */
 	if (type->shape == SHAPE_SPHERE && !json_object_get(json_object_get(item, "geometry"), "shoulder-diameter"))
 		g.shoulder_diameter = g.shank_diameter;
 	why = add_cutter(&tool, &g, type->shape);

@@ -7,11 +7,11 @@
 #include "machine/library/tool_library.h"
 
 /*
- * A tool becomes one of the setup by the number of its post-process properties. Taken over are: of the geometry DC, RE,
- * SIG, TA and tip-diameter as the cutter's shape, LCF, shoulder-length, shoulder-diameter, SFDM and LB as its shank;
- * the segments of shaft and holder; the gauge line from assemblyGaugeLength, else from the holder, else where the
- * holder would begin. Tools of shapes that a setup cannot have are left out with a warning each, and so are holders and
- * the tools of lathes. False, reported: the file is faulty.
+ * A tool becomes one of the setup, with the number of its post-process properties. The reader uses: of the geometry DC,
+ * RE, SIG, TA and tip-diameter for the cutter's shape, LCF, shoulder-length, shoulder-diameter, SFDM and LB for its
+ * shank; the segments of shaft and holder; the gauge line from assemblyGaugeLength, else from the holder, else from
+ * where the holder would begin. A tool with a shape that a setup cannot describe is left out with a warning; so are
+ * holders and lathe tools. False, reported: the file is faulty.
  */
 bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag *diag);
 

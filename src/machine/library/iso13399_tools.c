@@ -10,16 +10,16 @@
 #include "machine/library/catalog_tool.h"
 #include "machine/library/step_entities.h"
 
-/* The schema is told in the header. */
+/* The header names the schema. */
 #define HEAD_MAX 8192
 
 struct reading {
 	struct step_entities entities;
 	struct arena arena;
-	struct strbuf why;	/* why the tool is left out; empty: it is not */
+	struct strbuf why;	/* why the tool is left out; empty: it is not left out */
 };
 
-/* Sizes that are no part of a catalog_tool. */
+/* Sizes that are not in a catalog_tool. */
 struct limits {
 	double largest_diameter, body_diameter, usable_length, edge_angle, lead_angle, taper, flute_length;
 };
@@ -34,7 +34,7 @@ bool iso13399_tools_is(const char *text)
 	return schema && schema - start < HEAD_MAX;
 }
 
-/* The first reason counts. */
+/* Only the first reason is kept. */
 static void leave_out(struct reading *r, const char *format, const char *what)
 {
 	if (!r->why.length)
@@ -43,7 +43,7 @@ static void leave_out(struct reading *r, const char *format, const char *what)
 
 /* -------------------------------------------------------------------- values */
 
-/* Lengths and angles that do not say what shape a mill or a drill has. */
+/* Lengths and angles that do not affect the shape of a mill or a drill. */
 static const char *const harmless[] = {
 	"FHA", "flute helix angle", "LF", "functional length", "LPR", "protruding length", "tool assembly length",
 	"OHX", "overhang maximum", "OHN", "overhang minimum", "LSCMS", "clamping length machine side",
@@ -148,7 +148,7 @@ static const char *name_of(struct reading *r, const struct step_entity *item)
 	return *name ? name : step_entity_argument(item, 1, &r->arena);
 }
 
-/* What the values are of is not looked up: a file with several products is left out. */
+/* The item to which a value belongs is not examined: a file with several products is left out. */
 static void read_items(struct reading *r, struct catalog_tool *tool)
 {
 	size_t items = 0;
@@ -176,7 +176,7 @@ static void read_items(struct reading *r, struct catalog_tool *tool)
 		leave_out(r, "the file does not say that it is a tool item", "");
 }
 
-/* Sizes by which the tool is no plain mill or drill. */
+/* Leaves out tools with sizes that a plain mill or drill does not have. */
 static void judge(struct reading *r, const struct catalog_tool *tool, const struct limits *l)
 {
 	if (fabs(l->largest_diameter - tool->diameter) > 0.001)

@@ -16,9 +16,9 @@ json_t *json_file_read(const char *path, struct diag *diag)
 
 	if (!file_bytes_read(&file, path, diag))
 		return NULL;
-	/* Running out of memory ends the program, as everywhere. */
+	/* When memory runs out the program ends, as everywhere. */
 	json_set_alloc_funcs(mem_alloc, free);
-	/* A byte order mark may come first. */
+	/* The file may begin with a byte order mark. */
 	mark = file.count >= 3 && !memcmp(file.bytes, "\xef\xbb\xbf", 3) ? 3 : 0;
 	root = json_loadb(file.bytes + mark, file.count - mark, JSON_REJECT_DUPLICATES, &error);
 	file_bytes_release(&file);

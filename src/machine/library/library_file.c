@@ -14,10 +14,10 @@
 #include "machine/library/vericut_text.h"
 #include "machine/library/vericut_tools.h"
 
-/* What stands between the start of an XML file and its root element is short. */
+/* The text between the start of an XML file and its root element is short. */
 #define HEAD_MAX 4096
 
-/* Is the root element of the XML file the one of this name? */
+/* Does the root element of the XML file have this name? */
 static bool is_root(const char *text, const char *name)
 {
 	const size_t length = strlen(name);
@@ -30,7 +30,7 @@ static bool is_root(const char *text, const char *name)
 
 enum library_kind library_kind_of(const char *text)
 {
-	/* A byte order mark may come first. */
+	/* The file may begin with a byte order mark. */
 	const char *at = text + strspn(text, " \t\r\n\xef\xbb\xbf");
 
 	if (*at == '<')
@@ -84,7 +84,7 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	return false;
 }
 
-/* Is the file packed, a document, or in an encoding that has NUL bytes? */
+/* Is the file an archive, a document, or in an encoding that has NUL bytes? */
 static bool is_no_text(const struct file_bytes *file, const char *path, struct diag *diag)
 {
 	const char *advice = file_signature_advice(file->bytes, file->count);
@@ -98,7 +98,7 @@ static bool is_no_text(const struct file_bytes *file, const char *path, struct d
 	return true;
 }
 
-/* Text behind a NUL byte would not be read. */
+/* Text after a NUL byte would not be read. */
 static bool has_nul(const struct file_bytes *file, const char *path, struct diag *diag)
 {
 	const char *bytes = file->bytes;

@@ -1,4 +1,4 @@
-/* library_file.h - reads a tool library, a tool table or an offset listing; its content tells which of them it is. */
+/* library_file.h - reads a tool library, a tool table or an offset listing; the content determines the kind. */
 #ifndef FIVECHECK_MACHINE_LIBRARY_LIBRARY_FILE_H
 #define FIVECHECK_MACHINE_LIBRARY_LIBRARY_FILE_H
 
@@ -18,15 +18,18 @@ enum library_kind {
 	LIBRARY_LISTING	/* offset_listing.h */
 };
 
-/* What the text of a file is. `text` ends with a NUL. */
+/* The kind of a file with this text, which ends with a NUL. */
 enum library_kind library_kind_of(const char *text);
 
 struct library_options {
 	double unit;	/* mm per unit of length, for files that do not say theirs */
-	bool number_all;	/* give tools without a number one, where the file has names of tools instead */
+	bool number_all;	/* assign numbers to tools without one, in files that have tool names instead */
 };
 
-/* Adds what the file holds to the library. False, reported: it cannot be read, or is faulty, or none of these kinds. */
+/*
+ * Adds the contents of the file to the library. False, reported: the file cannot be read, is faulty, or is of no known
+ * kind.
+ */
 bool library_file_read(struct tool_library *tools, const char *path, const struct library_options *options,
 		       struct diag *diag);
 

@@ -11,10 +11,10 @@
 #include "machine/library/text_lines.h"
 #include "machine/tool_build.h"
 
-/* A program that only writes offsets begins to do so soon. */
+/* A program that only writes offsets begins to write them within these lines. */
 enum { FIRST_LINES = 50, WORK_OFFSETS = 6, EXTENDED_WORK_OFFSETS = 300 };
 
-/* What the registers of a number hold, in mm. */
+/* The values of the registers of a number, in mm. */
 struct registers {
 	long number;
 	bool given[4];
@@ -68,7 +68,7 @@ static bool is_given(const struct line *line, char letter)
 	return !isnan(given(line, letter));
 }
 
-/* A whole number between two, or -1. */
+/* A whole number from low to high, or -1. */
 static long whole(const struct line *line, char letter, long low, long high)
 {
 	double value = given(line, letter);
@@ -178,7 +178,7 @@ static bool take_values(struct reading *r, const struct line *line, struct work_
 					"to each of them");
 		if (offset && offset->value[slot].given)
 			return fault(r, "this work offset is given twice");
-		/* Listings have a 0 for every axis that the control knows, whether the machine has it or not. */
+		/* Listings have a 0 for every axis that the control knows, even if the machine does not have it. */
 		if (offset && fabs(value) > 0)
 			offset->value[slot] = (struct optional_number){
 				true, slot_is_rotary(slot) ? radians(value) : r->unit * value};
@@ -216,7 +216,9 @@ static bool take_g(struct reading *r, struct line *line, double code)
 	return true;
 }
 
-/* What may stand in the line beside G10: the number of the line or program, and the end of the program. */
+/*
+ * Letters that are permitted besides those of an offset: the number of the line or program, and the end of the program.
+ */
 static bool is_frame(char letter)
 {
 	return letter == 'N' || letter == 'O' || letter == 'M';
@@ -247,7 +249,7 @@ static bool take_words(struct reading *r, const struct text_lines *lines, struct
 	return found == 0 || *at == '%' || *at == ':' || fault(r, "this is no line of a listing of offsets");
 }
 
-/* Has the line nothing but its number, that of the program, and the end of the program? */
+/* Does the line contain only its number, the program's number, or the end of the program? */
 static bool is_empty(const struct line *line)
 {
 	double end = given(line, 'M');

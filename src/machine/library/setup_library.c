@@ -59,7 +59,7 @@ static bool read_numbers(struct setup_description *described, const struct libra
 	return false;
 }
 
-/* A number that the library has not was written by mistake. */
+/* A number that is not in the library was a mistake. */
 static void check_used(struct setup_description *described, const struct library_description *library,
 		       const struct tool_library *tools)
 {
@@ -87,7 +87,7 @@ static double cutter_diameter(const struct tool_description *tool)
 	return largest;
 }
 
-/* The control's values for a tool. Its diameter is told by its shape; the control may know another one. */
+/* Sets the control's values for a tool. Its diameter follows from its shape; the control may have another one. */
 static void set_values(struct setup_description *described, struct tool_description *tool,
 		       const struct length_offset_description *values, struct diag *diag)
 {
@@ -114,7 +114,7 @@ static struct tool_description *find_tool(struct setup_description *described, l
 	return NULL;
 }
 
-/* Values of tools go to the tools, also to those of other libraries; what is left stays an offset. */
+/* Sets the values of tools, also of those from other libraries; the remaining values stay offsets. */
 static void spread_values(struct setup_description *described, struct diag *diag)
 {
 	size_t kept = 0;
@@ -133,7 +133,7 @@ static void spread_values(struct setup_description *described, struct diag *diag
 
 /* ------------------------------------------------------------------ joining */
 
-/* Both arrays, one behind the other, in the arena. */
+/* Both arrays, one after the other, in the arena. */
 static void *join(struct arena *arena, const void *first, size_t first_count, const void *second, size_t second_count,
 		  size_t size)
 {
@@ -146,7 +146,7 @@ static void *join(struct arena *arena, const void *first, size_t first_count, co
 	return both;
 }
 
-/* Everything of a library has its place at the <tools> that names it. */
+/* The place of everything in a library is the <tools> that names it. */
 static void set_places(struct setup_description *from, const void *at)
 {
 	for (size_t i = 0; i < from->tool_count; i++) {

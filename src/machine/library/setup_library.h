@@ -6,10 +6,10 @@
 #include "machine/description.h"
 
 /*
- * Reads each library of the description and adds what it holds behind what the setup itself has. The values of a tool
- * table become those of the tools with their numbers. A fault inside of a library is reported at its own place, and
- * then at the <tools> that names the library. A library outside of the folder `root` is an error and not opened; NULL:
- * it may be anywhere.
+ * Reads each library of the description and appends its contents to the setup's own tools and offsets. The values of a
+ * tool table become those of the tools with their numbers. A fault inside a library is reported at its own place, and
+ * then at the <tools> that names the library. A library outside the folder `root` is an error and not opened; NULL: any
+ * folder is permitted.
  */
 void setup_library_add(struct setup_description *described, const char *root, struct diag *diag);
 

@@ -6,7 +6,7 @@
 
 #include "base/mem.h"
 
-/* Larger numbers of entities are not read. */
+/* Entities with larger numbers are not read. */
 #define NUMBER_MAX 999999999
 
 struct scan {
@@ -35,7 +35,7 @@ static void step(struct scan *scan)
 	scan->at++;
 }
 
-/* To after white space and comments. */
+/* Skips white space and comments. */
 static void skip_space(struct scan *scan)
 {
 	for (;;) {
@@ -49,7 +49,7 @@ static void skip_space(struct scan *scan)
 	}
 }
 
-/* To after a string, of which the opening quote is here; a doubled quote is one of two strings without a gap. */
+/* Skips a string that begins here; a doubled quote is read as two adjacent strings. */
 static void skip_string(struct scan *scan)
 {
 	step(scan);
@@ -58,7 +58,7 @@ static void skip_string(struct scan *scan)
 	scan->at += *scan->at == '\'';
 }
 
-/* To one of the bytes of `stops` outside of strings and of parentheses that open here; or to the end. */
+/* Skips to one of the bytes of `stops` outside strings and parentheses that open here, or to the end. */
 static void skip_to(struct scan *scan, const char *stops)
 {
 	long depth = 0;
@@ -124,7 +124,7 @@ bool step_entities_read(struct step_entities *entities, const char *text, const 
 {
 	struct scan scan = {.at = text, .line = 1, .place = {.file = path}, .diag = diag};
 
-	/* Other statements are those of the header, and the words around the sections. */
+	/* Other statements belong to the header or enclose the sections. */
 	for (skip_space(&scan); *scan.at; skip_space(&scan)) {
 		if (*scan.at != '#') {
 			skip_to(&scan, ";");
@@ -162,7 +162,7 @@ bool step_entity_is(const struct step_entity *entity, const char *name)
 	return entity->name_length == strlen(name) && !strncmp(entity->name, name, entity->name_length);
 }
 
-/* The place of the n-th argument in the text, and its length. False: there is none. */
+/* The position of the n-th argument in the text, and its length. False: there is none. */
 static bool find_argument(const struct step_entity *entity, int n, const char **start, size_t *length)
 {
 	struct scan scan = {.at = entity->arguments};

@@ -11,11 +11,11 @@
 /* #12 = NAME (arguments); - pieces of the file's text. */
 struct step_entity {
 	long number, line;
-	const char *name, *arguments, *end;	/* end: of the arguments, without the parenthesis */
+	const char *name, *arguments, *end;	/* end: of the arguments, without the closing parenthesis */
 	size_t name_length;
 };
 
-/* All zero is empty. */
+/* All zero is an empty list. */
 struct step_entities {
 	struct step_entity *items;
 	size_t count, capacity;
@@ -24,8 +24,8 @@ struct step_entities {
 void step_entities_release(struct step_entities *entities);
 
 /*
- * Reads the data sections of the text, which must outlive the entities. Entities of several types at once have an empty
- * name. False, reported: something else stands where an entity must be.
+ * Reads the data sections of the text, which must outlive the entities. An entity of several types has an empty name.
+ * False, reported: the text is not a list of entities.
  */
 bool step_entities_read(struct step_entities *entities, const char *text, const char *path, struct diag *diag);
 
@@ -37,7 +37,7 @@ bool step_entity_is(const struct step_entity *entity, const char *name);
 /* The text of the n-th argument, from 0, without quotes, in the arena; "" if there is none or it is $. */
 const char *step_entity_argument(const struct step_entity *entity, int n, struct arena *arena);
 
-/* The number of the entity that the n-th argument refers to; 0: none. */
+/* The number of the entity that the n-th argument refers to; 0: it is not a reference. */
 long step_entity_reference(const struct step_entity *entity, int n);
 
 #endif

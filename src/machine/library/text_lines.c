@@ -10,7 +10,7 @@ bool text_lines_next(struct text_lines *lines)
 {
 	if (!*lines->next)
 		return false;
-	/* A byte order mark is no part of the first line. */
+	/* A byte order mark is not part of the first line. */
 	if (!lines->number && !strncmp(lines->next, "\xef\xbb\xbf", 3))
 		lines->next += 3;
 	lines->line = lines->next;

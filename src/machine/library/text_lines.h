@@ -5,15 +5,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Begin with {.next = text}. */
+/* Initialise it with {.next = text}. */
 struct text_lines {
 	const char *next;
-	const char *line;	/* the current one; it is not ended by a NUL */
+	const char *line;	/* the current one, not terminated by a NUL */
 	size_t length;	/* without the end of the line */
 	long number;	/* of the line, from 1 */
 };
 
-/* Goes on to the next line. False: there is none. */
+/* Advances to the next line. False: there is none. */
 bool text_lines_next(struct text_lines *lines);
 
 struct letter_word {
@@ -23,8 +23,8 @@ struct letter_word {
 };
 
 /*
- * Reads the next word at *at, before `end`, and moves *at past it. Blanks and comments in parentheses before it are
- * passed over. The result is -1 for something else, with *at there; 0 where no word is left, a semicolon included.
+ * Reads the next word between *at and `end`, and moves *at past it. Skips blanks and comments in parentheses before it.
+ * Returns -1 if something else is there, with *at at its start; 0 at the end of the words, or at a semicolon.
  */
 int letter_word_next(const char **at, const char *end, struct letter_word *word);
 

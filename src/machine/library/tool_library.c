@@ -8,7 +8,7 @@
 #include "machine/tool_build.h"
 #include "machine/tool_solid.h"
 
-/* mm: heights that differ by less are one. */
+/* mm: heights that differ by less are the same. */
 #define SAME_HEIGHT TOOL_SECTION_MIN
 enum { NAME_BYTES_MAX = 120 };
 
@@ -52,7 +52,7 @@ static bool is_known(const struct tool_library *tools, long number)
 }
 
 /*
- * The piece between two heights, if there is room for it. Where the outline has nothing the tool is as thick as its
+ * The piece between two heights, if there is room for it. Where the outline has a gap the piece is as thick as the
  * cutter.
  */
 static void add_piece(struct tool_library *tools, struct piece_description *piece, const struct tool_profile *profile,
@@ -61,7 +61,7 @@ static void add_piece(struct tool_library *tools, struct piece_description *piec
 	if (high - low < SAME_HEIGHT)
 		return;
 	tool_profile_sections(profile, low, high, gap, &tools->setup.arena, piece);
-	/* Any place will do: it says that the piece is there. */
+	/* Any pointer will do: it only shows that the piece exists. */
 	piece->at = piece->sections;
 }
 
@@ -70,7 +70,7 @@ static struct optional_number given_if(bool given, double value)
 	return (struct optional_number){.given = given, .value = value};
 }
 
-/* The lowest height of an outline, but 0 at least; `top` if it is empty. */
+/* The lowest height of an outline, at least 0; `top` if the outline is empty. */
 static double bottom_of(const struct tool_profile *profile, double top)
 {
 	double low = top;
@@ -81,9 +81,9 @@ static double bottom_of(const struct tool_profile *profile, double top)
 }
 
 /*
- * The pieces of a setup do not overlap, those of a library may: a cutter stands in its holder. A height belongs to the
- * lower piece as long as that hides the upper one; above, all that is there counts as the upper piece, which may touch
- * less. So nothing of the tool is lost, and nothing cuts that should not.
+ * The pieces of a setup do not overlap; those of a library may: a cutter is inside its holder. A height belongs to the
+ * lower piece as long as this hides the upper one. Above, everything belongs to the upper piece, which has stricter
+ * rules. So no part of the tool is lost, and no part cuts that must not cut.
  */
 static void add_pieces(struct tool_library *tools, struct tool_description *tool, const struct tool_outline *outline)
 {
@@ -97,7 +97,7 @@ static void add_pieces(struct tool_library *tools, struct tool_description *tool
 	holder_low = outline->holder.count ? fmin(holder_low, length) : length;
 	shank_low = tool_profile_hides(&outline->cutter, &outline->shank, bottom_of(&outline->shank, holder_low));
 	shank_low = outline->shank.count ? fmin(shank_low, holder_low) : holder_low;
-	/* Slivers that no section can have belong to the piece above. */
+	/* Slices too thin for a section belong to the piece above. */
 	if (length - holder_low < SAME_HEIGHT)
 		holder_low = length;
 	if (holder_low - shank_low < SAME_HEIGHT)
@@ -125,7 +125,7 @@ static void add_tip(struct piece_description *cutter, const struct tool_outline 
 					outline->flute_length);
 }
 
-/* A name that a setup may have: without control characters, and cut where it is too long. NULL: there is none. */
+/* A name that a setup may have: without control characters, and shortened if it is too long. NULL: there is none. */
 static const char *make_name(struct arena *arena, const char *text)
 {
 	char name[NAME_BYTES_MAX + 1];
@@ -133,7 +133,7 @@ static const char *make_name(struct arena *arena, const char *text)
 
 	for (; text && text[length] && length < NAME_BYTES_MAX; length++)
 		name[length] = (unsigned char)text[length] < 0x20 || text[length] == 0x7f ? ' ' : text[length];
-	/* Do not cut a character of UTF-8. */
+	/* Do not divide a character of UTF-8. */
 	while (length && text[length] && ((unsigned char)text[length] & 0xc0) == 0x80)
 		length--;
 	name[length] = '\0';

@@ -1,4 +1,4 @@
-/* tool_library.h - what a tool library or an offset listing of another program holds, as parts of a setup. */
+/* tool_library.h - the contents of a tool library or an offset listing of another program, as parts of a setup. */
 #ifndef FIVECHECK_MACHINE_LIBRARY_TOOL_LIBRARY_H
 #define FIVECHECK_MACHINE_LIBRARY_TOOL_LIBRARY_H
 
@@ -12,28 +12,28 @@
 /* The numbers from `first` to `last`. */
 struct number_range {
 	long first, last;
-	bool used;	/* a tool or an offset had one of them */
+	bool used;	/* a tool or an offset had a number in the range */
 };
 
-/* Lengths in mm. The description's arena has the texts and sections; its arrays are owned by the library. */
+/* Lengths in mm. The texts and sections are in the description's arena; the library owns its arrays. */
 struct tool_library {
 	struct setup_description setup;	/* tools, length offsets and work offsets; everything else is empty */
 	size_t tool_capacity, length_capacity, offset_capacity;
-	size_t left_out;	/* tools of the library that were not taken over */
+	size_t left_out;	/* tools of the library that were left out */
 	bool counts_left_out;	/* without a warning for each */
 	struct number_range *wanted;	/* only these numbers are added; NULL: all */
 	size_t wanted_count;
 };
 
-/* All zero is empty. */
+/* All zero is an empty library. */
 void tool_library_release(struct tool_library *tools);
 
-/* Is a tool or an offset of this number to be added? */
+/* Must a tool or an offset of this number be added? */
 bool tool_library_wants(struct tool_library *tools, long number);
 
 /*
- * A tool as libraries describe it: heights above its tip, in outlines of its cutter, its shank and its holder that may
- * stand in each other. The gauge line is at `length`.
+ * A tool as libraries describe it: heights above its tip; the outlines of its cutter, shank and holder, which may
+ * overlap. The gauge line is at `length`.
  */
 struct tool_outline {
 	long number;
@@ -42,27 +42,27 @@ struct tool_outline {
 	enum tool_hand hand;
 	double length;
 	struct tool_profile cutter, shank, holder;
-	bool has_tip;	/* the lowest part of the cutter has this shape, which the profile has as a cylinder */
+	bool has_tip;	/* the lowest part of the cutter has this shape; in the outline it is a cylinder */
 	enum tool_tip tip;
 	double corner, angle;	/* mm; radians */
-	double flute_length;	/* mm; 0: not known */
+	double flute_length;	/* mm; 0: unknown */
 	double diameter;	/* mm, of the cutter */
 };
 
 void tool_outline_release(struct tool_outline *outline);
 
-/* Adds the tool. False, reported: its number is taken, or it has no length. */
+/* Adds the tool. False, reported: its number is already used, or it has no length. */
 bool tool_library_add(struct tool_library *tools, const struct tool_outline *outline, struct srcloc at,
 		      struct diag *diag);
 
 /*
- * Adds the values that the control has for H and D of a number. False, reported: the number is taken, or none that a
- * setup can have.
+ * Adds the control's values for H and D of a number. False, reported: the number is already used, or not possible in a
+ * setup.
  */
 bool tool_library_add_offset(struct tool_library *tools, const struct length_offset_description *offset,
 			     struct srcloc at, struct diag *diag);
 
-/* The work offset of this name, which is made if it is not there yet; valid until the next one is made. */
+/* The work offset of this name; it is made if it does not exist. Valid until the next one is made. */
 struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name);
 
 #endif

@@ -7,11 +7,11 @@
 #include "base/mem.h"
 #include "machine/tool_solid.h"
 
-/* mm: how far frustums may leave an arc that they enclose. */
+/* mm: the largest deviation of frustums from an arc that they enclose. */
 #define ARC_DEVIATION 0.005
-/* mm: heights nearer than this are one; the sections of a setup are at least this long. */
+/* mm: heights that differ by less are the same; the sections of a setup are at least this long. */
 #define SAME_HEIGHT TOOL_SECTION_MIN
-/* mm: how far rounding may move a point that lies on a line. */
+/* mm: the largest displacement, by rounding, of a point on a line. */
 #define SAME_LINE 1e-9
 enum { ARC_STEPS_MAX = 256 };
 
@@ -33,7 +33,7 @@ void tool_profile_add(struct tool_profile *profile, double z0, double r0, double
 
 /* --------------------------------------------------------------------- arcs */
 
-/* The angle that the arc turns, in (0, 2 pi], with the sign of its sense. */
+/* The angle of the arc, in (0, 2 pi], with the sign of its direction. */
 static double turn_of(double from, double to, bool left)
 {
 	const double full = 2 * math_acos(-1);
@@ -44,7 +44,10 @@ static double turn_of(double from, double to, bool left)
 	return left ? turn : -turn;
 }
 
-/* So many steps that tangents at their ends meet no farther than the deviation outside: r (1 / cos(h / 2) - 1). */
+/*
+ * The number of steps for which tangents at their ends meet within the deviation outside the arc: r (1 / cos(h / 2) -
+ * 1).
+ */
 static int steps_of(double radius, double turn)
 {
 	for (int n = 1; n < ARC_STEPS_MAX; n++) {
@@ -64,7 +67,7 @@ void tool_profile_add_arc(struct tool_profile *profile, double z0, double r0, do
 	double turn = turn_of(from, math_atan2(z1 - center_z, r1 - center_r), left);
 	int n = steps_of(radius, turn);
 	double step = turn / n, outer = radius / math_cos(step / 2);
-	/* The middle of a bulge is farther out than its chord; the chords of a hollow are outside of it already. */
+	/* The middle of a convex arc is outside its chord; the chords of a concave arc are outside the arc already. */
 	bool bulges = center_r + radius * math_cos(from + turn / 2) > (r0 + r1) / 2;
 	double z = z0, r = r0;
 
@@ -103,7 +106,7 @@ static double radius_at(const struct profile_piece *p, double z)
 	return p->radius_low + (p->radius_high - p->radius_low) * (z - p->low) / (p->high - p->low);
 }
 
-/* The outermost piece in the middle of an interval that no end or crossing is inside of; NULL: there is none. */
+/* The outermost piece in the middle of an interval without an end or crossing inside; NULL: there is none. */
 static const struct profile_piece *outermost(const struct tool_profile *profile, double low, double high)
 {
 	double middle = (low + high) / 2;
@@ -131,7 +134,7 @@ static void add_height(struct heights *heights, double low, double high, double 
 	heights->z[heights->count++] = z;
 }
 
-/* The height at which two pieces have the same radius, if it is inside of both. */
+/* Adds the height at which two pieces have the same radius, if it is inside both. */
 static void add_crossing(struct heights *heights, const struct profile_piece *a, const struct profile_piece *b)
 {
 	double low = fmax(a->low, b->low), high = fmin(a->high, b->high), below, above;
@@ -151,7 +154,9 @@ static int by_value(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The heights at which the outline may change, from low to high, both included, none nearer than SAME_HEIGHT. */
+/*
+ * The heights at which the outline may change, from low to high, including both; they differ by at least SAME_HEIGHT.
+ */
 static void find_heights(struct heights *heights, const struct tool_profile *profile, double low, double high)
 {
 	size_t kept = 0;
@@ -210,7 +215,7 @@ static struct optional_number given(double value)
 	return (struct optional_number){.given = true, .value = value};
 }
 
-/* The largest radii of all pieces at the ends of an interval: no outline between them is outside of the frustum. */
+/* The largest radii of all pieces at the ends of an interval: every outline between them is inside the frustum. */
 static struct section_description section_between(const struct tool_profile *profile, double low, double high,
 						  double gap)
 {
@@ -227,7 +232,7 @@ static struct section_description section_between(const struct tool_profile *pro
 		.length = high - low, .diameter = 2 * at_high, .diameter_end = given(2 * at_low)};
 }
 
-/* Does the joint of two sections lie on the line from the top of the upper one to the end of the lower one? */
+/* Is the joint of two sections on the line from the top of the upper one to the end of the lower one? */
 static bool is_straight(const struct section_description *upper, const struct section_description *lower)
 {
 	const double share = upper->length / (upper->length + lower->length);
@@ -237,8 +242,8 @@ static bool is_straight(const struct section_description *upper, const struct se
 }
 
 /*
- * Adds a section below the others, or makes the last one longer: an outline that other pieces only touch from inside
- * is cut at their ends, too.
+ * Adds a section below the others, or makes the last one longer: heights where other pieces only touch the outline from
+ * inside divide it, too.
  */
 static void add_section(struct piece_description *out, struct section_description section)
 {

@@ -39,7 +39,7 @@ static bool fault(const struct reading *r, const char *what)
 	return false;
 }
 
-/* One word of a line. */
+/* Reads one word of a line. */
 static bool take(const struct reading *r, const struct letter_word *word, struct length_offset_description *offset)
 {
 	switch (word->letter) {

@@ -1,4 +1,7 @@
-/* tool_table_file.h - reads the tool table of LinuxCNC, once EMC (tool.tbl): lines like "T1 P1 Z+85.2 D6 ;end mill". */
+/*
+ * tool_table_file.h - reads the tool table of LinuxCNC, formerly EMC (tool.tbl): lines like "T1 P1 Z+85.2 D6 ;end
+ * mill".
+ */
 #ifndef FIVECHECK_MACHINE_LIBRARY_TOOL_TABLE_FILE_H
 #define FIVECHECK_MACHINE_LIBRARY_TOOL_TABLE_FILE_H
 
@@ -11,9 +14,9 @@
 bool tool_table_file_is(const char *text);
 
 /*
- * Adds the length of each tool (Z) and half of its diameter (D) as offsets of its number: the table tells the shape of
- * no tool. `unit` is mm per unit of length. Pockets (P) and what only lathes use (I, J, Q) are not needed. An offset in
- * another axis than Z is an error: no setup has it. False: reported.
+ * Adds the length of each tool (Z) and half of its diameter (D) as offsets of its number: the table has no shapes of
+ * tools. `unit` is mm per unit of length. Pockets (P) and values for lathes (I, J, Q) are not needed. An offset in
+ * another axis than Z is an error: setups cannot have it. False: reported.
  */
 bool tool_table_file_read(struct tool_library *tools, const char *text, const char *path, double unit,
 			  struct diag *diag);

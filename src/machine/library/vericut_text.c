@@ -3,7 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* The version of a file is told in its first lines. */
+/* The first lines of a file give its version. */
 #define HEAD_MAX 4096
 
 static const struct {
@@ -20,7 +20,9 @@ static bool ends_with(const char *path, const char *end)
 	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
 }
 
-/* XML and JSON begin otherwise, and other programs give some of these names to them. Text has no control characters. */
+/*
+ * XML and JSON begin differently, and files of other programs have some of these names. Text has no control characters.
+ */
 static bool is_plain_text(const char *text)
 {
 	const char *start = text + strspn(text, " \t\r\n\xef\xbb\xbf");

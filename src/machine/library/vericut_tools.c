@@ -15,17 +15,18 @@ struct reading {
 	struct xml_reader xml;
 	struct diag *diag;
 	bool number_all;
-	long next_number;	/* the least that no tool read so far has */
+	long next_number;	/* the smallest number that no tool read so far has */
 	size_t unnumbered, unknown_shape;	/* tools that were left out */
 };
 
-/* A tool that cannot be taken over is no fault of the file. */
+/* A tool that cannot be used is not a fault of the file. */
 enum taken { TAKEN, LEFT_OUT, FAULTY };
 
 /* ---------------------------------------------------------------- outlines */
 
 /*
- * <Origin><Z>: how high a piece stands, mm. What is missing is 0; one that stands aside is no outline about the axis.
+ * <Origin><Z>: the height of a piece, mm. A missing value is 0; a piece beside the axis is not an outline about the
+ * axis.
  */
 static enum taken read_origin(struct reading *r, const xmlNode *parent, double *height)
 {
@@ -60,8 +61,8 @@ static bool read_point(struct reading *r, const xmlNode *node, double *radius, d
 }
 
 /*
- * The points of an outline, with arcs between them: <Arc> has a center, and CW if it turns clockwise; its ends are the
- * points before and behind it.
+ * The points of an outline, with arcs between them: <Arc> has a center, and CW for clockwise; its ends are the points
+ * before and after it.
  */
 static enum taken read_outline(struct reading *r, const xmlNode *sor, double base, struct tool_profile *profile)
 {
@@ -173,7 +174,7 @@ static enum taken read_group(struct reading *r, const xmlNode *group, struct too
 
 /* ------------------------------------------------------------------- tools */
 
-/* The whole number that an ID is; 0: it is none. */
+/* The whole number in an ID; 0: it is not a number. */
 static long number_of(const char *id)
 {
 	long number = 0;
@@ -195,7 +196,7 @@ static double largest_diameter(const struct tool_profile *profile)
 	return 2 * radius;
 }
 
-/* <GagePoint><Z>: the gauge line above the tip. Without it the top of the tool is taken. */
+/* <GagePoint><Z>: the height of the gauge line above the tip. Without it the top of the tool is used. */
 static enum taken read_length(struct reading *r, const xmlNode *node, struct tool_outline *tool)
 {
 	const xmlNode *gauge = foreign_child(node, "GagePoint"), *z = gauge ? foreign_child(gauge, "Z") : NULL;
@@ -223,7 +224,7 @@ static enum taken read_shape(struct reading *r, const xmlNode *node, struct tool
 	taken = worse(taken, read_length(r, node, tool));
 	if (!(tool->diameter > 0))
 		tool->diameter = largest_diameter(&tool->cutter);
-	/* Headings of the library have no shape at all. */
+	/* Headings of the library have no shape. */
 	return tool->cutter.count ? taken : worse(taken, LEFT_OUT);
 }
 
@@ -271,7 +272,7 @@ static bool read_tool(struct reading *r, const xmlNode *node)
 	return taken != FAULTY;
 }
 
-/* Numbers that the library gives itself are not given again. */
+/* Numbers that the library itself uses are not assigned. */
 static void find_free_number(struct reading *r, const xmlNode *list)
 {
 	r->next_number = 1;

@@ -7,10 +7,10 @@
 #include "machine/library/tool_library.h"
 
 /*
- * A tool becomes one of the setup if its ID is a whole number; if `number_all`, those of other IDs get the numbers that
- * are free, in the order of the library. Cutters and holders are taken over as outlines (SOR) or as the shapes of APT
- * that a setup knows (flat, ball, bull, drill). What cannot be taken over, such as inserts of lathe tools, is left out
- * with a warning, and the whole tool with it. False, reported: the file is faulty.
+ * A tool becomes one of the setup if its ID is a whole number; if `number_all`, tools with other IDs get the free
+ * numbers, in the order of the library. Cutters and holders are read as outlines (SOR) or as the shapes of APT that a
+ * setup can describe (flat, ball, bull, drill). A tool with any part that cannot be read, such as an insert of a lathe
+ * tool, is left out with a warning. False, reported: the file is faulty.
  */
 bool vericut_tools_read(struct tool_library *tools, const char *path, bool number_all, struct diag *diag);
 

@@ -22,7 +22,7 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, void *contex
 	xml_read_nothing(xml, node);
 }
 
-/* What the name of a program begins with. */
+/* May the name of a program begin with this byte? */
 static bool is_letter(char byte)
 {
 	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
@@ -91,16 +91,16 @@ static void read_swivel_retract(struct xml_reader *xml, const xmlNode *node, voi
 	xml_read_nothing(xml, node);
 }
 
-/* The number of the attribute's word among those that follow, from 1 on; 0: it is not given. */
+/* The position of the attribute's word among those that follow, from 1; 0: it is not given. */
 #define ANSWER(attribute, ...) (xml_choice(xml, node, attribute, (const char *const[]){__VA_ARGS__, NULL}, -1) + 1)
 
-/* The first rotary slot, or the second or third, by the place of its word; 0: it is not given. */
+/* The first rotary slot, or the second or third, by the position of its word; 0: it is not given. */
 static int rotary_slot(int answer)
 {
 	return answer ? SLOT_A + answer - 1 : 0;
 }
 
-/* What holds at the start of each program. */
+/* The modes at the start of each program. */
 static void read_power_on(struct xml_reader *xml, const xmlNode *node, struct controller *told)
 {
 	told->power_on_units = ANSWER("power_on_units", "mm", "inch");
@@ -110,7 +110,7 @@ static void read_power_on(struct xml_reader *xml, const xmlNode *node, struct co
 	told->power_on_work_offset = ANSWER("power_on_work_offset", "G500", "G54", "G55", "G56", "G57");
 }
 
-/* The answers of a control that has parameters for them. */
+/* The settings of a control that has parameters for them. */
 static void read_parameters(struct xml_reader *xml, const xmlNode *node, struct controller *told)
 {
 	told->length_moves = ANSWER("length_offset_moves", "yes", "no");
@@ -128,10 +128,10 @@ static void read_parameters(struct xml_reader *xml, const xmlNode *node, struct 
 	told->comp_corner = ANSWER("cutter_comp_corner", "linear", "circular");
 }
 
-/* The answers of a control whose programs have frames, edges of tools and planes that a cycle swivels. */
+/* The settings of a control whose programs have frames, tool edges, and planes that a cycle swivels. */
 static void read_frames(struct xml_reader *xml, const xmlNode *node, struct controller *told)
 {
-	/* The place of each word is its number. */
+	/* The position of each word is its number. */
 	told->comp_idle_blocks = ANSWER("cutter_comp_idle_blocks", "1", "2", "3", "4", "5", "6", "7", "8", "9");
 	told->rotation_order = ANSWER("rotation_order", "rpy", "euler");
 	told->cycle_19_angles = ANSWER("cycle_19_angles", "spatial", "axes");
@@ -154,7 +154,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->plane_retract = ANSWER("plane_retract", "always", "turning");
 }
 
-/* Room for all that the element holds of its tables. */
+/* Allocates memory for all tables of the element. */
 static void make_room(const xmlNode *node, struct arena *arena, struct controller_description *controller)
 {
 	const size_t places =

@@ -48,7 +48,7 @@ bool foreign_attribute_is(const xmlNode *node, const char *name, const char *val
 	return text && !strcasecmp(text, value);
 }
 
-/* The text of an element with only text in it; a file without entities has it in one node. */
+/* The text of an element that contains only text; in a file without entities it is one node. */
 static const char *raw_text(const xmlNode *node)
 {
 	const xmlNode *text = node ? node->children : NULL;

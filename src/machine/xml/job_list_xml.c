@@ -11,7 +11,7 @@
 
 static const char *const elements[] = {"jobs", "job", "program", NULL};
 
-/* What stands between the start of the file and its root element is short. */
+/* The text between the start of the file and its root element is short. */
 enum { HEAD_BYTES = 4096 };
 
 bool job_list_is(const char *path)
@@ -34,7 +34,7 @@ bool job_list_is(const char *path)
 	       strchr(" \t\r\n/>", at[sizeof(root) - 1]);
 }
 
-/* The list whose jobs are being read, and the job whose programs are. */
+/* The list whose jobs are being read, and the current job. */
 struct reading {
 	struct job_list *list;
 	struct job_item *job;
@@ -49,7 +49,7 @@ static void read_program(struct xml_reader *xml, const xmlNode *node, void *cont
 	xml_read_nothing(xml, node);
 }
 
-/* Names of jobs become parts of names of files. */
+/* Job names become parts of file names. */
 static bool is_plain(const char *name)
 {
 	for (const char *at = name; *at; at++)

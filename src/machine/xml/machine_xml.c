@@ -17,7 +17,7 @@ static const char *const elements[] = {
 
 /* ------------------------------------------------------------------- links */
 
-/* What hangs on one link. */
+/* Everything that is mounted on one link. */
 struct link_context {
 	struct machine_description *described;
 	int link;

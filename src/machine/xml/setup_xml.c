@@ -110,7 +110,7 @@ static void read_section(struct xml_reader *xml, const xmlNode *node, void *cont
 	xml_read_nothing(xml, node);
 }
 
-/* The tool whose pieces are being read, and where its strings go. */
+/* The tool whose pieces are being read, and the arena for its strings. */
 struct tool_context {
 	struct tool_description *tool;
 	struct arena *arena;
@@ -130,7 +130,7 @@ static void read_piece(struct xml_reader *xml, const xmlNode *node, struct piece
 	xml_read_children(xml, node, children, piece);
 }
 
-/* An edge of a tool beside its first. */
+/* An additional edge of a tool. */
 static void read_edge(struct xml_reader *xml, const xmlNode *node, void *context)
 {
 	const struct tool_context *tool = context;

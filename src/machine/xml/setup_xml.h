@@ -1,10 +1,10 @@
-/* setup_xml.h - reads a <setup> element, from its own file or from within a machine's. */
+/* setup_xml.h - reads a <setup> element from its own file or from inside a machine's file. */
 #ifndef FIVECHECK_MACHINE_XML_SETUP_XML_H
 #define FIVECHECK_MACHINE_XML_SETUP_XML_H
 
 #include "machine/xml/xml_reader.h"
 
-/* The elements that a setup may hold, itself first; for tables of elements. */
+/* The elements that a setup may contain, itself first; for tables of elements. */
 #define SETUP_XML_ELEMENTS                                                                                             \
 	"setup", "work_offset", "fixture", "part", "stock", "tool", "tools", "edge", "offset", "holder", "shank",      \
 	    "cutter", "section", "variable"

@@ -1,4 +1,4 @@
-/* variable_xml.h - <variable> of a machine file or a setup: what the control holds when a program begins. */
+/* variable_xml.h - <variable> of a machine file or a setup: a value in the control when a program begins. */
 #ifndef FIVECHECK_MACHINE_XML_VARIABLE_XML_H
 #define FIVECHECK_MACHINE_XML_VARIABLE_XML_H
 

@@ -13,7 +13,7 @@
 
 /* -------------------------------------------------------------- attributes */
 
-/* Remembers the attributes that were asked for, to suggest one for a misspelt name. */
+/* Remembers the requested attributes, to suggest one for a misspelt name. */
 static void note_question(struct xml_reader *xml, const xmlNode *node, const char *name)
 {
 	if (xml->asked_of != node) {

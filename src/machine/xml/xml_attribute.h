@@ -19,12 +19,12 @@ const char *xml_attribute(struct xml_reader *xml, const xmlNode *node, const cha
 /* Reports each of the named attributes that is missing; NULL ends the names. */
 void xml_require(struct xml_reader *xml, const xmlNode *node, ...) __attribute__((sentinel));
 
-/* Reports attributes that the reader did not ask for. Call it after all attributes of the element were asked for. */
+/* Reports attributes that the reader did not request. Call it after the last request for the element. */
 void xml_attributes_end(struct xml_reader *xml, const xmlNode *node);
 
 /*
- * Typed values: decimal numbers, with white space around them at most, whatever the locale. An absent attribute gives
- * the fallback; so does a faulty one, which is reported.
+ * Typed values: decimal numbers, in any locale; white space around them is permitted. An absent attribute gives the
+ * fallback; so does a faulty one, which is reported.
  */
 double xml_number(struct xml_reader *xml, const xmlNode *node, const char *name, double fallback);
 double xml_length(struct xml_reader *xml, const xmlNode *node, const char *name, double fallback);	/* mm */
@@ -48,14 +48,14 @@ void xml_axis_values(struct xml_reader *xml, const xmlNode *node, struct optiona
 /* `location` and `rotation` as a pose: R = Rz Ry Rx. */
 xform xml_frame(struct xml_reader *xml, const xmlNode *node);
 
-/* The index of the value in the list, which NULL ends; the fallback if the attribute is absent. */
+/* The index of the value in the list of words, which NULL ends; the fallback if the attribute is absent. */
 int xml_choice(struct xml_reader *xml, const xmlNode *node, const char *name, const char *const *words, int fallback);
 
 /* mm per unit, from the attribute `units`; the fallback if it is absent. xml_file_units knows mm and inch only. */
 double xml_file_units(struct xml_reader *xml, const xmlNode *node, double fallback);
 double xml_mesh_units(struct xml_reader *xml, const xmlNode *node, double fallback);
 
-/* A printable copy in the arena, or NULL if absent or faulty. xml_name: not empty either. */
+/* A printable copy in the arena, or NULL if absent or faulty. xml_name: an empty text is faulty, too. */
 const char *xml_label(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena);
 const char *xml_name(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena);
 

@@ -8,9 +8,9 @@
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_file.h"
 
-/* The deepest nesting: more than any chain of nine axes needs. */
+/* The deepest permitted nesting: more than any chain of nine axes needs. */
 #define DEPTH_MAX 64
-/* The most children of an element. Lists are searched for duplicates, so they are limited. */
+/* The largest permitted number of children of an element. Lists are searched for duplicates, so they are limited. */
 #define CHILDREN_MAX 20000
 
 static bool is_named(const xmlNode *node, const char *name)
@@ -136,7 +136,7 @@ void xml_read_nothing(struct xml_reader *xml, const xmlNode *node)
 /* Numbers the elements in the order of their tags. */
 static size_t number_elements(xmlNode *node, size_t number)
 {
-	/* A number is all that has to be kept. NOLINTNEXTLINE(performance-no-int-to-ptr) */
+	/* Only a number must be stored. NOLINTNEXTLINE(performance-no-int-to-ptr) */
 	node->_private = (void *)(uintptr_t)++number;
 	for (xmlNode *child = node->children; child; child = child->next)
 		if (child->type == XML_ELEMENT_NODE)
@@ -177,7 +177,7 @@ static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 	return true;
 }
 
-/* A file of another kind or of a later version gets one plain message. */
+/* A file of another kind or of a later version gets one clear message. */
 static bool check_root(struct xml_reader *xml, const char *root, bool own)
 {
 	const xmlNode *node = xml_root(xml);
@@ -206,7 +206,7 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 	return true;
 }
 
-/* The reader is set up, but for what it has to read from the file or text. */
+/* The reader is set up, except for the contents of the file or text. */
 static bool open_reader(struct xml_reader *xml)
 {
 	if (xml_file_parse(xml)) {

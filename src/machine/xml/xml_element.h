@@ -26,8 +26,8 @@ bool xml_open(struct xml_reader *xml, const char *path, const char *const *eleme
 bool xml_open_text(struct xml_reader *xml, const char *text, const char *const *elements, struct diag *diag);
 
 /*
- * The same for a file of another program: its version is its own affair, and it may name a document type that is
- * defined elsewhere, which is not read.
+ * The same for a file of another program: its version is not checked, and it may name a document type that is defined
+ * elsewhere, which is not read.
  */
 bool xml_open_foreign(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
 
@@ -39,7 +39,7 @@ const xmlNode *xml_root(const struct xml_reader *xml);
 size_t xml_count(const xmlNode *parent, const char *name);
 
 /*
- * Reads the children of an element. Call it after all of its attributes were asked for. Reports unknown attributes,
+ * Reads the children of an element. Call it after the last request for its attributes. Reports unknown attributes,
  * text, and unknown, repeated and missing children. An entry without a name ends the table.
  */
 void xml_read_children(struct xml_reader *xml, const xmlNode *node, const struct xml_child *children, void *context);

@@ -12,7 +12,7 @@
 #include "base/mem.h"
 #include "machine/xml/xml_scan.h"
 
-/* The largest file. A machine takes kilobytes; the limit also keeps checks of all pairs of names fast. */
+/* The largest permitted file. A machine has kilobytes; the limit also keeps checks of all pairs of names fast. */
 #define FILE_SIZE_MAX ((size_t)4 * 1024 * 1024)
 
 #if LIBXML_VERSION >= 21200
@@ -74,7 +74,7 @@ static void capture_end(struct capture *capture)
 	xmlSetGenericErrorFunc(capture->old_generic_context, capture->old_generic);
 }
 
-/* Reads a descriptor to its end; the caller frees. NULL: reported. */
+/* Reads a descriptor to its end; the caller frees the result. NULL: reported. */
 static char *read_all(struct xml_reader *xml, int fd, size_t *length)
 {
 	char *bytes = mem_alloc(FILE_SIZE_MAX + 1);
@@ -133,7 +133,7 @@ static char *read_file(struct xml_reader *xml, size_t *length)
 	return bytes;
 }
 
-/* Reports the fault where the parser is, and ends it. */
+/* Reports the fault at the parser's position, and stops the parser. */
 static void stop_parser(xmlParserCtxt *parser, const char *fault)
 {
 	struct capture *capture = parser->_private;
@@ -145,8 +145,8 @@ static void stop_parser(xmlParserCtxt *parser, const char *fault)
 }
 
 /*
- * Called at the declaration, before any entity of it is defined. A definition elsewhere is never read, so that files of
- * other programs may name one.
+ * Called at the declaration, before its entities are defined. A definition elsewhere is never read, so files of other
+ * programs may refer to one.
  */
 static void judge_doctype(void *context, const xmlChar *name, const xmlChar *public_id, const xmlChar *system_id)
 {

@@ -23,7 +23,7 @@ void xml_reader_release(struct xml_reader *xml)
 
 /* ----------------------------------------------------------------- places */
 
-/* NULL: it is not known where the element starts. */
+/* NULL: the start of the element is unknown. */
 static const struct xml_tag *tag_of(const struct xml_reader *xml, const xmlNode *node)
 {
 	size_t number = (size_t)(uintptr_t)node->_private;
@@ -31,7 +31,7 @@ static const struct xml_tag *tag_of(const struct xml_reader *xml, const xmlNode 
 	return number > 0 && number <= xml->tag_count ? &xml->tags[number - 1] : NULL;
 }
 
-/* The offset of an attribute's name in its well-formed tag; the tag's own if it has none of that name. */
+/* The offset of an attribute's name in its well-formed tag; that of the tag if it has no such attribute. */
 static size_t attribute_offset(const char *bytes, size_t tag, const char *name)
 {
 	static const char space[] = " \t\r\n";
@@ -175,7 +175,7 @@ struct quotation xml_quote(const char *text)
 		quote.text[length] = control ? '?' : text[length];
 	}
 	if (text[length]) {
-		/* Do not cut a character of UTF-8. */
+		/* Do not divide a character of UTF-8. */
 		while (length && ((unsigned char)text[length] & 0xc0) == 0x80)
 			length--;
 		memcpy(quote.text + length, "...", 4);

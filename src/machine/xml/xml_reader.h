@@ -22,19 +22,19 @@ struct xml_tag {
 
 struct xml_reader {
 	const char *path;	/* borrowed */
-	const char *text;	/* what is read in place of the file; NULL: the file is read; borrowed */
+	const char *text;	/* read instead of the file; NULL: the file is read; borrowed */
 	struct diag *diag;
 	size_t errors;
 	double unit;	/* mm per unit of length of the file */
-	const char *root;	/* libraries outside of this folder are not read; NULL: all are; borrowed */
-	/* Of another program: a document type is passed over if it is only a name and where it is defined. */
+	const char *root;	/* libraries outside this folder are not read; NULL: all are; borrowed */
+	/* A file of another program: a document type is ignored if it has only a name and a place of definition. */
 	bool foreign;
 	const char *const *elements;	/* all elements that such a file may have; NULL ends them */
 	xmlDoc *doc;
 	char *bytes;	/* of the file, ended by a NUL byte */
 	struct xml_tag *tags;	/* the n-th belongs to the n-th element of the document */
 	size_t tag_count, tag_capacity;
-	const xmlNode *asked_of;	/* the element whose attributes were asked for last, */
+	const xmlNode *asked_of;	/* the last element whose attributes were requested, */
 	const char *asked[XML_ASKED_MAX];	/* and their names */
 	size_t asked_count;
 };
@@ -52,7 +52,7 @@ void xml_error(struct xml_reader *xml, const xmlNode *node, const char *attribut
 /* Reports an error at a line of the file; 0: at no line. */
 void xml_error_at(struct xml_reader *xml, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Were so many errors reported that further ones are only counted? */
+/* Have so many errors been reported that further ones are only counted? */
 bool xml_is_full(const struct xml_reader *xml);
 
 /* The line in which the element starts. */

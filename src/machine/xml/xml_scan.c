@@ -6,7 +6,7 @@
 #include "base/file_signature.h"
 #include "base/mem.h"
 
-/* Of them in a tag: one for each attribute, and some in the values. */
+/* The largest number of '=' in a tag: one for each attribute, and some in the values. */
 #define EQUALS_MAX 1000
 
 struct scan {
@@ -27,7 +27,7 @@ static void step(struct scan *scan)
 	scan->at++;
 }
 
-/* Skips to after the text, or to the end. */
+/* Skips past the text, or to the end of the file. */
 static void skip_past(struct scan *scan, const char *text)
 {
 	while (scan->at < scan->end && !looking_at(scan, text))
@@ -37,8 +37,8 @@ static void skip_past(struct scan *scan, const char *text)
 }
 
 /*
- * The number of '=' from a '<' to the next one. A well-formed tag contains no '<', even in quotes, and the parser
- * accepts no other.
+ * The number of '=' between a '<' and the next one. A well-formed tag contains no '<', even in quotes, and the parser
+ * accepts no other tag.
  */
 static size_t count_equals(struct scan *scan)
 {
@@ -57,7 +57,7 @@ static void note_tag(struct xml_reader *xml, const struct scan *scan, const char
 	xml->tags[xml->tag_count++] = (struct xml_tag){.offset = (size_t)(scan->at - bytes), .line = scan->line};
 }
 
-/* Encodings in which every ASCII byte means that ASCII character. */
+/* Encodings in which every ASCII byte is the same ASCII character. */
 static bool extends_ascii(const char *name)
 {
 	static const char *const starts[] = {"UTF-8", "US-ASCII", "ASCII", "ISO-8859-", "windows-125"};
@@ -68,7 +68,7 @@ static bool extends_ascii(const char *name)
 	return false;
 }
 
-/* In <?xml version="1.0" encoding="NAME"?>; absent is UTF-8. */
+/* Checks the encoding in <?xml version="1.0" encoding="NAME"?>; without one it is UTF-8. */
 static bool check_encoding(struct xml_reader *xml, const struct scan *start)
 {
 	struct scan scan = *start, declaration = *start;
@@ -129,7 +129,7 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 		} else if (looking_at(&scan, "<?")) {
 			skip_past(&scan, "?>");
 		} else {
-			/* Text may stand here, behind a comment. */
+			/* The position may be text after a comment. */
 			if (*scan.at == '<' && !looking_at(&scan, "</") && !looking_at(&scan, "<!"))
 				note_tag(xml, &scan, bytes);
 			if (count_equals(&scan) > EQUALS_MAX) {
