@@ -37,7 +37,7 @@ enum {
 	G28_1 = 281,
 	G30 = 300,
 	G30_1 = 301,
-	G31 = 310,	/* skip function: stops where a signal comes */
+	G31 = 310,	/* skip function: stops at a signal */
 	G31_3 = 313,
 	G33 = 330,
 	G33_1 = 331,
@@ -122,8 +122,8 @@ enum {
 };
 
 /*
- * Modal groups: NIST RS274/NGC interpreter version 3, table 4; LinuxCNC's
- * manual, "G Code Modal Groups". Of each group a block may hold one code.
+ * Modal groups: NIST RS274/NGC interpreter version 3, table 4; LinuxCNC's manual, "G Code Modal Groups". A block may
+ * contain one code of each group.
  */
 enum g_group {
 	G_NONMODAL,
@@ -138,40 +138,40 @@ enum g_group {
 	G_RETRACT,
 	G_SYSTEM,
 	G_PATH,
-	G_CONTOUR,	/* how exactly the control keeps to the path: G5.1, G8, G187 */
+	G_CONTOUR,	/* path accuracy: G5.1, G8, G187 */
 	G_SPINDLE,
 	G_ROTATION,
 	G_DYNAMIC,	/* G254, G255 */
 	G_MIRROR,	/* G50.1, G51.1; G100, G101 */
 	G_POLAR,	/* G15, G16 */
 	G_SCALING,	/* G50, G51 */
-	G_APPROACH,	/* G60, which holds for its block */
-	G_EXACT,	/* G9, which holds for its block and stops where G61 would */
+	G_APPROACH,	/* G60, valid for its block */
+	G_EXACT,	/* G9, an exact stop like G61, valid for its block */
 	G_GROUPS
 };
 
 enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_MODES, M_TCP, M_GROUPS };
 
-/* A code that is refused, or that changes nothing which is followed here: it may stand beside any other. */
+/* A code that is refused, or that has no effect on the check: it may be combined with any other code. */
 #define GROUP_NONE (-1)
-/* A statement of its own, which is read before the block is, such as a macro call. */
+/* A separate statement, which is read before the words of the block, such as a macro call. */
 #define GROUP_STATEMENT (-2)
-/* An M-code of no group that has words of its own, as the machine's own M-codes have: P, Q and the like. */
+/* An M-code without a group that takes words such as P and Q, like the machine builder's M-codes. */
 #define GROUP_OUTPUT (-3)
 
-/* What becomes of a code or of a word of a language: fivecheck-gcode(5) and --explain tell it. */
+/* How the program treats a code or a word of a language: fivecheck-gcode(5) and --explain show it. */
 enum code_state {
 	CODE_READ,	/* followed exactly */
-	CODE_IGNORED,	/* moves no axis and changes nothing that a check depends on */
-	CODE_BOUNDED,	/* its motion is known as a set only, and all of the set is proved */
-	CODE_REFUSED	/* an error at its place */
+	CODE_IGNORED,	/* moves no axis and has no effect on the check */
+	CODE_BOUNDED,	/* its motion is known only as a set of paths, and the whole set is proved */
+	CODE_REFUSED	/* an error at the place of the code */
 };
 
 struct code {
 	short number;	/* tenths for G codes */
 	short group;	/* enum g_group or m_group, or one of the GROUP_... above */
 	enum code_state state;
-	const char *what;	/* a few words, as the manual calls it: "fine boring cycle" */
+	const char *what;	/* a few words, with the manual's term: "fine boring cycle" */
 };
 
 /* Rows sorted by number. */
@@ -184,29 +184,29 @@ struct code_set {
 #define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0]), 0}
 #define CODE_RUN(row, last) {&(row), 1, (last)}
 
-/* A word or a statement of a language beside its numbered codes, as programs write it: "TRAORI", "CYCL DEF 200". */
+/* A word or a statement of a language besides its numbered codes, as programs write it: "TRAORI", "CYCL DEF 200". */
 struct code_word {
 	const char *word;
 	enum code_state state;
 	const char *what;
 };
 
-/* Rows in the order in which manuals tell of them. */
+/* Rows in the order of the manuals. */
 struct word_set {
 	const struct code_word *rows;
 	size_t count;
 };
 
-/* The sets that a dialect can have of a kind. */
+/* The most sets of one kind that a dialect can have. */
 #define CODE_SETS_MAX 4
 
-/* The row of the number in sets[0] to the last that is not NULL; NULL: there is none. */
+/* Looks the number up in sets[0] to the last set that is not NULL. NULL: no set has the number. */
 const struct code *code_find(const struct code_set *const sets[CODE_SETS_MAX], int number);
 
-/* A canned cycle: it drills, taps or bores where the block's axis words lead. */
+/* Is the code a canned cycle? It drills, taps or bores at the position of the block's axis words. */
 bool code_is_cycle(int number);
 
-/* Is it a tilted working plane (G68.2, or G68.4, which tilts it on)? */
+/* Does the code tilt the working plane (G68.2, or G68.4, which tilts the plane in force further)? */
 bool code_tilts(int number);
 
 #endif

@@ -1,4 +1,4 @@
-/* config.h - what the interpreter is told of the control, the machine and the setup. */
+/* config.h - the control, machine and setup data that the interpreter needs. */
 #ifndef FIVECHECK_GCODE_CONFIG_H
 #define FIVECHECK_GCODE_CONFIG_H
 
@@ -13,18 +13,18 @@
 #include "gcode/read_options.h"
 #include "geom/vec3.h"
 
-/* Borrowed, and constant while a program runs. Lengths in mm, angles in radians. */
+/* All pointers are borrowed; the data is constant while a program runs. Lengths in mm, angles in radians. */
 struct gcode_config {
 	const struct dialect *dialect;
 	struct controller controller;
 	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
 	enum wrap wrap[SLOT_COUNT];
-	int half_turn[SLOT_COUNT];	/* with WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
-	axis_values home;	/* where the program starts; the first two reference positions in want of others */
+	int half_turn[SLOT_COUNT];	/* with WRAP_SHORTEST: 1 or -1, the direction of half a turn; 0: not known */
+	axis_values home;	/* the start of the program; also the default of the first two reference positions */
 	bool has_setup;	/* tools, lengths and offsets are known; else any T is accepted, and an H is an error */
 	/*
-	 * Without a setup, where a program is only read and its path does not count (fivecheck scan): every tool and
-	 * edge that no table has, of any number or name; or NULL.
+	 * Without a setup, if a program is only read and its path does not matter (fivecheck scan): stands for every
+	 * tool and edge that is in no table, whatever its number or name; or NULL.
 	 */
 	const struct tool *any_tool;
 	int initial_tool;
@@ -38,10 +38,10 @@ struct gcode_config {
 	size_t length_count;
 	const struct radius_offset *radii;
 	size_t radius_count;
-	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
-	double length_change;	/* mm: added to every length offset that the program starts with */
+	vec3 work_change;	/* mm: added to the initial value of every work offset, named or not */
+	double length_change;	/* mm: added to the initial value of every length offset */
 	struct read_options read;
-	/* keeps the names of the program's files; NULL: they live as long as the interpreter */
+	/* owns the names of the program's files; NULL: the names live as long as the interpreter */
 	struct file_names *names;
 };
 

@@ -18,12 +18,10 @@ struct interp *interp_new(const struct gcode_config *config, const struct kinema
 void interp_free(struct interp *interp);
 
 /*
- * Carries out the program that `in` holds, to its end; `name` stands in the
- * messages, and its folder is where subprograms in files of their own are
- * looked for, unless it is "<stdin>". Memory does not grow with the length of
- * the program, but with its labels and named parameters, up to a limit. False:
- * a fault was reported, at its place and with the calls that led there, or the
- * sink said stop.
+ * Carries out the whole program in `in`. Messages call the program `name`; its subprograms in separate files are
+ * searched in the folder of `name`, unless `name` is "<stdin>". Memory grows with the labels and named parameters of
+ * the program, up to a limit, but not with its length. False: a fault was reported, with its place and the calls that
+ * led there, or the sink stopped the interpreter.
  */
 bool interp_run(struct interp *interp, FILE *in, const char *name);
 

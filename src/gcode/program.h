@@ -1,4 +1,4 @@
-/* program.h - where in its files a program is being carried out: the line in hand, jumps, starting anew. */
+/* program.h - the present place of a program in its files: the current line, jumps, restarts. */
 #ifndef FIVECHECK_GCODE_PROGRAM_H
 #define FIVECHECK_GCODE_PROGRAM_H
 
@@ -8,23 +8,23 @@
 #include "gcode/text/fault.h"
 #include "gcode/text/source.h"
 
-/* Blocks in loops and calls, if the configuration sets no other limit. */
+/* The most blocks in loops and calls, if the configuration sets no other limit. */
 #define PROGRAM_BLOCKS_MAX 100000000LL
 
-/* The same behind a fault, after which a loop may lack what ends it. */
+/* The same after a fault, because the condition that ends a loop may then be missing. */
 #define PROGRAM_FAULTY_BLOCKS_MAX 100000LL
 
 /* All zero before program_open. */
 struct program {
 	struct sources sources;
-	struct source *source;	/* that the line in hand comes from */
-	struct position start;	/* of the first line, behind a byte order mark; no source before it was read */
-	unsigned long lines;	/* that were begun, again and again in loops */
-	long long blocks;	/* that were counted in loops and calls */
-	long long faulty_from;	/* the count at the first fault, of a program that is read on */
+	struct source *source;	/* of the current line */
+	struct position start;	/* of the first line, after a byte order mark; no source before it was read */
+	unsigned long lines;	/* started so far, each time that a loop repeats them */
+	long long blocks;	/* counted in loops and calls */
+	long long faulty_from;	/* value of `blocks` at the first fault, if the program is read on */
 	bool faulty;
-	bool repeated;	/* it has been started anew */
-	struct strbuf last_pass;	/* what it left behind then */
+	bool repeated;	/* the program has been restarted */
+	struct strbuf last_pass;	/* the state at the end of the last pass */
 };
 
 void program_release(struct program *program);
@@ -37,16 +37,16 @@ static inline long program_lines(const struct program *program)
 	return sources->count ? sources->items[0]->reader.furthest : 0;
 }
 
-/* The next line in hand is the one at `to`. False: reported at the column. */
+/* Jumps to the line at `to`. False: reported at the column. */
 bool program_jump(struct program *program, const struct position *to, const struct line_place *at, int column);
 
 /* Counts a block of a loop or a call against the limit; 0: the default. False: reported. */
 bool program_count(struct program *program, long long limit, const struct line_place *at);
 
 /*
- * Starts the program anew, unless `pass` is what the pass before left behind,
- * too: then this one would make the same moves for ever, and *same is true.
- * Takes over the storage of `pass`. False: reported at the column.
+ * Restarts the program. If `pass` equals the state at the end of the pass before, all further passes would make the
+ * same moves: then *same is true and the program is not restarted. Takes over the storage of `pass`. False: reported at
+ * the column.
  */
 bool program_restart(struct program *program, struct strbuf *pass, const struct line_place *at, int column,
 		     bool *same);

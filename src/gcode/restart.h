@@ -1,4 +1,4 @@
-/* restart.h - M99 and its like at the end of a main program: it begins again. */
+/* restart.h - restarts a main program that ends with M99 or the like. */
 #ifndef FIVECHECK_GCODE_RESTART_H
 #define FIVECHECK_GCODE_RESTART_H
 
@@ -9,8 +9,8 @@
 struct interp;
 
 /*
- * Starts the program anew, or ends it where all further passes would be equal.
- * The dialect gives the bytes of its own variables, whose storage is taken over. False: reported at the M-code.
+ * Restarts the program, or ends it if all further passes would be equal. `variables` has the bytes of the dialect's own
+ * variables; its storage is taken over. False: reported at the M-code.
  */
 bool restart_program(struct interp *interp, struct strbuf *variables);
 
