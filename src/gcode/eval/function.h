@@ -1,4 +1,4 @@
-/* function.h - the functions of expressions that every dialect computes alike. Angles are in degrees. */
+/* function.h - the functions of expressions that are the same in every dialect. Angles are in degrees. */
 #ifndef FIVECHECK_GCODE_EVAL_FUNCTION_H
 #define FIVECHECK_GCODE_EVAL_FUNCTION_H
 
@@ -15,22 +15,21 @@ enum function {
 
 /* A row of a dialect's table. */
 struct function_name {
-	const char *lower, *upper;	/* as lexer_keyword takes it, and as messages call it */
+	const char *lower, *upper;	/* for lexer_keyword, and for messages */
 	enum function function;
-	bool refused;	/* another control has it, and this one does not */
+	bool refused;	/* a function of another control, which this control does not have */
 };
 
-/* Takes the name of a function if one comes next; NULL: nothing was taken. */
+/* Reads the name of a function if one comes next; NULL: nothing was consumed. */
 const struct function_name *function_read(struct lexer *lexer, const struct function_name *names, size_t count);
 
-/* The same by the first two letters of the name, with the bracket `open` behind them, which is not taken. */
+/* The same for the first two letters of the name, followed by the bracket `open`, which is not consumed. */
 const struct function_name *function_read_short(struct lexer *lexer, const struct function_name *names, size_t count,
 						char open);
 
 /*
- * ABS, ACOS (0 to 180), ASIN (-90 to 90), COS, EXP, LN, SIN, SQRT or TAN. The
- * others have rules of their own in each dialect. False: *value has no result,
- * which was reported at the column.
+ * Computes ABS, ACOS (0 to 180), ASIN (-90 to 90), COS, EXP, LN, SIN, SQRT or TAN; the other functions have different
+ * rules in each dialect. False: the function has no result for *value, which was reported at the column.
  */
 bool function_compute(const struct line_place *at, int column, const struct function_name *function, double *value);
 

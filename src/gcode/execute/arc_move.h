@@ -1,4 +1,4 @@
-/* arc_move.h - G2 and G3: circles and helices in a plane, by their centre or their radius. */
+/* arc_move.h - carries out G2 and G3: circles and helices in a plane, given by their centre or radius. */
 #ifndef FIVECHECK_GCODE_EXECUTE_ARC_MOVE_H
 #define FIVECHECK_GCODE_EXECUTE_ARC_MOVE_H
 

@@ -1,4 +1,4 @@
-/* bolt_pattern.h - holes on a circle or an arc, made by the canned cycle in force (G70, G71 of Haas). */
+/* bolt_pattern.h - holes on a circle or an arc, drilled by the active canned cycle (G70, G71 of Haas). */
 #ifndef FIVECHECK_GCODE_EXECUTE_BOLT_PATTERN_H
 #define FIVECHECK_GCODE_EXECUTE_BOLT_PATTERN_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* Makes the holes of the block about where the tool stands. False: reported, or the sink wants no more. */
+/* Drills the holes of the block about the present position. False: reported, or the sink wants no more. */
 bool bolt_pattern_run(struct interp *interp);
 
 #endif

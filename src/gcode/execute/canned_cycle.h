@@ -7,9 +7,8 @@
 #include "gcode/state.h"
 
 /*
- * Carries out the block's cycle (code_is_cycle): the moves that the control
- * makes, in the control's order, as the dialect's cycle_traits say. False:
- * reported, or the sink wants no more.
+ * Carries out the block's cycle (code_is_cycle): makes the control's moves in the control's order, according to the
+ * dialect's cycle_traits. False: reported, or the sink wants no more.
  */
 bool canned_cycle_run(struct interp *interp);
 

@@ -5,9 +5,9 @@
 #include "gcode/state.h"
 
 /*
- * Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling CCW": the tool goes down
- * at the centre and round it, up to the radius of K, or of I without K, less its own. How it leads from circle to
- * circle is not followed: the whole cylinder is proved. False: reported.
+ * Carries out G12 or G13. Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling
+ * CCW": the tool moves down at the centre and then around it, up to the radius of K, or of I without K, minus the
+ * tool's radius. The path between the circles is not followed: the whole cylinder is proved. False: reported.
  */
 bool circular_pocket_mill(struct interp *interp);
 

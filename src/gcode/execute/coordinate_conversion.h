@@ -4,19 +4,19 @@
 
 #include "gcode/state.h"
 
-/* Is the block's G68 one of these? */
+/* Is the block's G68 a coordinate conversion? */
 bool coordinate_conversion_is(const struct block *block);
 
-/* May the block's G68 turn the coordinates in force once more? */
+/* May the block's G68 turn the active coordinates once more? */
 bool coordinate_conversion_goes_on(const struct interp *interp);
 
-/* Turns the coordinates as the block's G68 says. False: the words do not say how, which was reported. */
+/* Turns the coordinates according to the block's G68. False: the words are not sufficient, which was reported. */
 bool coordinate_conversion_turn(struct interp *interp);
 
-/* While such a G68 is in force, which way `length`, mm, acts must be known; false: reported at the column. */
+/* While such a G68 is active: is the direction of the tool length (mm) known? False: reported at the column. */
 bool coordinate_conversion_knows_length(const struct interp *interp, int column, double length);
 
-/* The first words behind such a G68 must be absolute coordinates of X, Y and Z; false: they are not, reported. */
+/* Are the first axis words after such a G68 absolute coordinates of X, Y and Z, as they must be? False: reported. */
 bool coordinate_conversion_check_words(const struct interp *interp, bool absolute);
 
 #endif

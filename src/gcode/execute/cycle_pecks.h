@@ -1,4 +1,4 @@
-/* cycle_pecks.h - how deep each peck of a drilling cycle is. */
+/* cycle_pecks.h - the depth of each peck of a drilling cycle. */
 #ifndef FIVECHECK_GCODE_EXECUTE_CYCLE_PECKS_H
 #define FIVECHECK_GCODE_EXECUTE_CYCLE_PECKS_H
 
@@ -6,11 +6,11 @@
 
 #include "gcode/execute/cycle_hole.h"
 
-/* More pecks or holes in one block are a typing mistake, and carrying them out would seem to hang. */
+/* More pecks or holes in one block are a typing mistake, and the program would seem to hang on them. */
 #define CYCLE_COUNT_MAX 1000000
 
 /*
- * Finds the pecks of the cycle, whose heights are known; words of an earlier cycle count if they are kept. False:
+ * Finds the pecks of the cycle; its heights must be known. kept: words of an earlier cycle are still valid. False:
  * reported.
  */
 bool cycle_pecks_find(struct canned_cycle *cycle, bool kept);

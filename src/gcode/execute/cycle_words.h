@@ -7,15 +7,15 @@
 #include "gcode/execute/cycle_hole.h"
 
 /*
- * The bare number of the word: of the block; without one, and if words are kept, of an earlier block of the cycle. It
- * is kept from now on. False: there is none, which was reported.
+ * The number of the word in the block; if the block has none and words are kept, of an earlier block of the cycle. The
+ * number is kept for later blocks. False: there is no such word, which was reported.
  */
 bool cycle_words_take(struct canned_cycle *cycle, char letter, bool kept, double *value);
 
 /* Is there such a word? */
 bool cycle_words_know(const struct canned_cycle *cycle, char letter, bool kept);
 
-/* The word, or 0 where there is none. */
+/* The number of the word, or 0 without the word. */
 double cycle_words_or_zero(struct canned_cycle *cycle, char letter, bool kept);
 
 #endif

@@ -1,4 +1,4 @@
-/* dynamic_work_offset.h - G254 and G255 of Haas: the work zero where the turned table has taken it. */
+/* dynamic_work_offset.h - G254 and G255 of Haas: a work zero that follows the turned table. */
 #ifndef FIVECHECK_GCODE_EXECUTE_DYNAMIC_WORK_OFFSET_H
 #define FIVECHECK_GCODE_EXECUTE_DYNAMIC_WORK_OFFSET_H
 
@@ -7,16 +7,14 @@
 #include "gcode/state.h"
 
 /*
- * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset (DWO)": while
- * G254 is on, X, Y and Z of the work offset are the place to which the rotary
- * axes have carried the work zero. That is a shift: the coordinates stay
- * parallel to the machine's axes. The manual asks a program to select the work
- * offset and to finish all rotary motion before G254, to move X, Y and Z before
- * it cuts, and to command G255 before any rotary motion. Other programs are
- * refused, because the manual does not say where the axes would go.
+ * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset (DWO)": while G254 is on, X, Y and Z of the work offset
+ * are the place to which the rotary axes have carried the work zero. This is only a shift: the coordinates stay
+ * parallel to the machine's axes. The manual requires that a program selects the work offset and completes all rotary
+ * motion before G254, moves X, Y and Z before it cuts, and commands G255 before any rotary motion. Other programs are
+ * refused, because the manual does not say where the axes would move.
  */
 
-/* Call before anything else of the block: refuses what the manual does not allow together with G254. */
+/* Call first for each block: refuses what the manual does not allow together with G254. */
 bool dynamic_work_offset_start_block(struct interp *interp);
 
 /* Carries out the block's G254 or G255, if it has one. False: reported. */
@@ -25,7 +23,7 @@ bool dynamic_work_offset_switch(struct interp *interp);
 /* Refuses the selection of another work offset while G254 is on. */
 bool dynamic_work_offset_check_system(struct interp *interp, int system);
 
-/* Refuses increments that count from a coordinate that is not known after G254 or G255. */
+/* Refuses increments from a coordinate that is not known after G254 or G255. */
 bool dynamic_work_offset_check_words(struct interp *interp);
 
 /* Refuses a cut after G254 or G255 before absolute words have moved X, Y and Z. */
@@ -37,7 +35,7 @@ bool dynamic_work_offset_check_turn(struct interp *interp, const slot_values *po
 /* Can a program read this coordinate? False: it is not known, which was reported at the column. */
 bool dynamic_work_offset_check_read(struct interp *interp, int slot, int column);
 
-/* G28 ignores G254 on its way: takes the offset back for this time, and puts it in force again. */
+/* G28 ignores G254: suspend cancels the offset for the duration of G28, resume restores it. */
 void dynamic_work_offset_suspend(struct state *state, bool *suspended);
 void dynamic_work_offset_resume(struct state *state, bool suspended);
 

@@ -1,4 +1,4 @@
-/* endpoint.h - where the axis words of a block lead. */
+/* endpoint.h - the end position that the axis words of a block command. */
 #ifndef FIVECHECK_GCODE_EXECUTE_ENDPOINT_H
 #define FIVECHECK_GCODE_EXECUTE_ENDPOINT_H
 
@@ -7,15 +7,14 @@
 #include "gcode/state.h"
 
 /*
- * The straight position (rotated_frame.h) at the end of the block's motion.
- * With `machine` the words are machine coordinates. Axes without a word stay.
- * False: reported.
+ * The straight position (rotated_frame.h) at the end of the block's motion. With `machine` the words are machine
+ * coordinates. Axes without a word keep their positions. False: reported.
  */
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target);
 
 /*
- * The position for an absolute value of one axis, in coordinates that start at
- * `origin`: rotary axes turn as the machine's wrap says.
+ * The position of one axis for an absolute value, in coordinates with their zero at `origin`: rotary axes turn
+ * according to the machine's wrap.
  */
 bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target);
 

@@ -1,4 +1,4 @@
-/* execute.h - carries out one checked block, its codes in the controller's order. */
+/* execute.h - carries out one checked block; its codes are executed in the controller's order. */
 #ifndef FIVECHECK_GCODE_EXECUTE_EXECUTE_H
 #define FIVECHECK_GCODE_EXECUTE_EXECUTE_H
 

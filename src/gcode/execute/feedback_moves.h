@@ -7,9 +7,8 @@
 #include "gcode/state.h"
 
 /*
- * Carries out G33, G33.1 and G38.2 to G38.5 (LinuxCNC's manual, the sections of
- * these names). Where only the machine knows the end of a move, the move is
- * its whole way. False: reported, or the sink wants no more.
+ * Carries out G33, G33.1 and G38.2 to G38.5 (LinuxCNC's manual, the sections of these names). If only the machine knows
+ * the end of a move, the move covers its whole path. False: reported, or the sink wants no more.
  */
 bool feedback_moves_run(struct interp *interp);
 

@@ -1,4 +1,4 @@
-/* length_change.h - what moves where a control changes the length compensation. */
+/* length_change.h - decides which axes move when a control changes the length compensation. */
 #ifndef FIVECHECK_GCODE_EXECUTE_LENGTH_CHANGE_H
 #define FIVECHECK_GCODE_EXECUTE_LENGTH_CHANGE_H
 
@@ -12,16 +12,15 @@ slot_values length_change_place(const struct interp *interp);
 /* The block's change of the length. */
 struct length_change {
 	int column;	/* of its G-code */
-	slot_values shift;	/* how much smaller X, Y and Z become while the axes stand */
-	int doubt;	/* the code that may have taken the former length back, or CODE_NONE */
+	slot_values shift;	/* the decrease of the coordinates X, Y and Z if the axes do not move */
+	int doubt;	/* the code that may have cancelled the former length, or CODE_NONE */
 	bool ends_tcp;
 };
 
 /*
- * Decides what moves. The axes reach absolute coordinates of the block in any
- * case. For other axes the machine file's length_offset_moves decides: "no"
- * leaves them, "yes" moves them by the shift with this block. False: it is not
- * known; the message says what to write.
+ * Decides which axes move. Axes with an absolute coordinate in the block reach it in any case. For the other axes the
+ * machine file's length_offset_moves decides: with "no" they stay, with "yes" they move by the shift in this block.
+ * False: it is not known; the message says what to write.
  */
 bool length_change_settle(struct interp *interp, const struct length_change *change);
 

@@ -7,12 +7,12 @@
 #include "gcode/state.h"
 
 /*
- * Fanuc B-64484EN, "Programmable Mirror Image (G50.1, G51.1)"; Haas mill operator's manual, "G100/G101". The
- * image is a rotated_frame that distorts: G2 and G3, and the sides of cutter compensation, change with it by
- * themselves. What can fail reports why before it returns false.
+ * Fanuc B-64484EN, "Programmable Mirror Image (G50.1, G51.1)"; Haas mill operator's manual, "G100/G101". The image is a
+ * rotated_frame that distorts: this also exchanges G2 and G3, and the sides of cutter compensation. Functions that can
+ * fail report the reason before they return false.
  */
 
-/* Refuses what a mirror image forbids: before anything else of the block. */
+/* Call first for each block: refuses what is not allowed with a mirror image. */
 bool mirror_image_start_block(struct interp *interp);
 
 /* Carries out the block's code, if it has one. */

@@ -7,8 +7,9 @@
 #include "gcode/state.h"
 
 /*
- * Takes one block of the curve: G6.2, a point with its knot, or a knot alone. With the last knot the curve becomes
- * straight moves with a box about each (canon_move.spread) that holds it. False: reported, or the sink wants no more.
+ * Reads one block of the curve: G6.2, a point with its knot, or only a knot. At the last knot the curve is sent as
+ * straight moves, each with a box (canon_move.spread) that contains its piece of the curve. False: reported, or the
+ * sink wants no more.
  */
 bool nurbs_move_run(struct interp *interp);
 

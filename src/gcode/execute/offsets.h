@@ -6,10 +6,10 @@
 
 #include "gcode/state.h"
 
-/* Selects the work offset that the block names, if it names one. */
+/* Selects the block's work offset, if it has one. */
 bool offsets_select(struct interp *interp);
 
-/* Carries out G10 L2 and L20; g10_tool_table.h does what writes the tool table. */
+/* Carries out G10 L2 and L20; g10_tool_table.h writes the tool table. */
 bool offsets_set(struct interp *interp);
 
 /* Carries out G52, G92, G92.1, G92.2 and G92.3. */

@@ -1,4 +1,4 @@
-/* path_control.h - how exactly a control keeps to the path: Fanuc's G5, G5.1 and G8, Haas's G187 and G103. */
+/* path_control.h - codes for the accuracy of the path: G5, G5.1 and G8 of Fanuc, G187 and G103 of Haas. */
 #ifndef FIVECHECK_GCODE_EXECUTE_PATH_CONTROL_H
 #define FIVECHECK_GCODE_EXECUTE_PATH_CONTROL_H
 

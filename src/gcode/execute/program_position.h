@@ -9,7 +9,7 @@
 /* Can the position of this axis be read? False: reported at the column. */
 bool program_position_check(struct interp *interp, int slot, int column);
 
-/* The coordinate in the program's system and unit; degrees of a rotary axis. */
+/* The coordinate in the program's system and unit; degrees for a rotary axis. */
 double program_position_value(const struct state *state, int slot);
 
 #endif

@@ -1,4 +1,4 @@
-/* spline.h - a rational B-spline over uniform or given knots, and boxes about its pieces. */
+/* spline.h - a rational B-spline with uniform or given knots, and boxes around its pieces. */
 #ifndef FIVECHECK_GCODE_EXECUTE_SPLINE_H
 #define FIVECHECK_GCODE_EXECUTE_SPLINE_H
 
@@ -16,35 +16,35 @@ struct spline_point {
 };
 
 /*
- * The first knot and the last one stand `order` times each: the curve starts in the first point and ends in the last
- * one. 2 <= order <= count.
+ * The first and the last knot have multiplicity `order`: the curve starts at the first point and ends at the last one.
+ * 2 <= order <= count.
  */
 struct spline {
 	const struct spline_point *points; /* borrowed */
 	size_t count;
 	int order; /* degree + 1 */
-	/* count + order of them, which never fall; borrowed. NULL: 0 (order times), 1, 2 and so on */
+	/* count + order non-decreasing numbers; borrowed. NULL: 0 (order times), 1, 2 and so on */
 	const double *knots;
 };
 
-/* A piece of the curve, as a line with a box of these half widths about each of its points. */
+/* A piece of the curve, as a line with a box of these half widths around each of its points. */
 struct spline_piece {
 	vec3 start, end;
 	vec3 beside;
 };
 
-/* The number of pieces into which LinuxCNC cuts the curve, at equal steps of its parameter. */
+/* The number of pieces into which LinuxCNC divides the curve, at equal steps of its parameter. */
 size_t spline_piece_count(const struct spline *spline);
 
 /*
- * Piece `index`: its boxes hold the curve, and the two arcs by which LinuxCNC joins the ends of the piece in their
- * tangents. False: the curve has no tangent there, or turns back, so that there are no such arcs.
+ * Finds piece `index`: its boxes contain the curve, and the two arcs by which LinuxCNC connects the ends of the piece
+ * along their tangents. False: the curve has no tangent there, or reverses, so that there are no such arcs.
  */
 bool spline_piece_find(const struct spline *spline, size_t index, struct spline_piece *piece);
 
 /*
- * The curve alone, from u0 to u1, which both lie between the knots `span` and `span` + 1; these two knots differ, and
- * order - 1 <= span < count.
+ * The same for the curve without the arcs, from parameter u0 to u1, both between the knots `span` and `span` + 1. These
+ * two knots must differ, and order - 1 <= span < count.
  */
 struct spline_piece spline_part(const struct spline *spline, size_t span, double u0, double u1);
 

@@ -1,4 +1,4 @@
-/* straight_move.h - G0 and G1, in program coordinates or with G53 in those of the machine. */
+/* straight_move.h - G0 and G1, in program coordinates or, with G53, in machine coordinates. */
 #ifndef FIVECHECK_GCODE_EXECUTE_STRAIGHT_MOVE_H
 #define FIVECHECK_GCODE_EXECUTE_STRAIGHT_MOVE_H
 

@@ -6,10 +6,10 @@
 
 #include "gcode/state.h"
 
-/* T of the block; nothing without one. False: reported. */
+/* Carries out the block's T, if it has one. False: reported. */
 bool tool_change_select(struct interp *interp);
 
-/* M6 of the block; nothing without one. False: reported, or the sink wants no more. */
+/* Carries out the block's M6, if it has one. False: reported, or the sink wants no more. */
 bool tool_change_run(struct interp *interp);
 
 #endif

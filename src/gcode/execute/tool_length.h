@@ -1,4 +1,4 @@
-/* tool_length.h - tool length compensation, and tool centre point control on and off. */
+/* tool_length.h - tool length compensation, and switching of tool centre point control. */
 #ifndef FIVECHECK_GCODE_EXECUTE_TOOL_LENGTH_H
 #define FIVECHECK_GCODE_EXECUTE_TOOL_LENGTH_H
 
@@ -6,28 +6,28 @@
 
 #include "gcode/state.h"
 
-/* Carries out the block's G43, G43.4, G234 or G49, if it has one. Whether axes move then: length_change.h. */
+/* Carries out the block's G43, G43.4, G234 or G49, if it has one. length_change.h decides whether axes move then. */
 bool tool_length_select(struct interp *interp);
 
-/* The rotary zero that TCP has with the offsets in force. */
+/* The rotary zero of TCP with the active offsets. */
 axis_values tool_length_rotary_zero(const struct interp *interp);
 
-/* Switches TCP, with the length in force. False: the machine cannot do it, which was reported at the column. */
+/* Switches TCP, with the active length. False: the machine cannot do it, which was reported at the column. */
 bool tool_length_switch_tcp(struct interp *interp, int column, enum tcp_source source);
 
-/* Carries out an M-code of the machine that switches TCP, if the block has one. */
+/* Carries out the machine's M-code that switches TCP, if the block has one. */
 bool tool_length_mcode(struct interp *interp);
 
 /*
- * Call after a change of offsets: tells the kinematics the new rotary zero, if
- * TCP is on and depends on it. False: reported at the column.
+ * Call after a change of offsets: passes the new rotary zero to the kinematics, if TCP is on and depends on it. False:
+ * reported at the column.
  */
 bool tool_length_offsets_changed(struct interp *interp, int column);
 
-/* Call after G28, G30, G53 or DOUBT_M6 has moved the axes marked: the control may have taken the length back. */
+/* Call after G28, G30, G53 or DOUBT_M6 has moved the marked axes: the control may have cancelled the length. */
 void tool_length_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
 
-/* May the control have taken back a length on which the axis' coordinate depends? True: reported at the column. */
+/* May the control have cancelled a length on which the axis' coordinate depends? True: reported at the column. */
 bool tool_length_is_in_doubt(struct interp *interp, int slot, int column);
 
 struct suspended {
@@ -36,9 +36,8 @@ struct suspended {
 };
 
 /*
- * Between these two calls positions are those of the machine's axes, without
- * TCP and turned coordinates, for the codes that move the axes themselves (G28,
- * G30, G53, M6). suspend fills in what resume needs. False: reported at the column.
+ * Between these two calls positions are those of the machine's axes, without TCP and turned coordinates, for the codes
+ * that move the machine's axes (G28, G30, G53, M6). suspend sets the data for resume. False: reported at the column.
  */
 bool tool_length_suspend(struct interp *interp, int column, struct suspended *suspended);
 bool tool_length_resume(struct interp *interp, int column, const struct suspended *suspended);

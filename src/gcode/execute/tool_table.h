@@ -1,17 +1,17 @@
-/* tool_table.h - the control's lengths and diameters of tools: from the setup, until the program writes others. */
+/* tool_table.h - the control's lengths and diameters of tools: those of the setup, until the program changes them. */
 #ifndef FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 #define FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 
 #include "gcode/config.h"
 
-/* What a program wrote as the wear of an H or D, which is a part of the whole. */
+/* The wear that a program wrote for an H or D; the entry of H or D includes the wear. */
 struct offset_wear {
 	char letter;
 	int number;
 	double value;
 };
 
-/* In mm; a copy of the configuration's, which stays as it is. */
+/* In mm; a copy of the configuration's data: a program changes the copy only. */
 struct tool_table {
 	struct tool *tools;
 	size_t tool_count;
@@ -21,7 +21,7 @@ struct tool_table {
 	size_t radius_count, radius_capacity;
 	struct offset_wear *wears;
 	size_t wear_count, wear_capacity;
-	const struct tool *any;	/* of every other number but 0; or NULL */
+	const struct tool *any;	/* the tool for all other numbers except 0; or NULL */
 };
 
 void tool_table_init(struct tool_table *table, const struct gcode_config *config);
@@ -34,11 +34,11 @@ const struct length_offset *tool_table_length(const struct tool_table *table, in
 /* The entry of radius D; NULL: there is none. */
 const struct radius_offset *tool_table_radius(const struct tool_table *table, int number);
 
-/* These change nothing if the table has no such tool. The length is also that of H with the same number. */
+/* Sets the length of a tool, and of the H with the same number. No effect if the table has no such tool. */
 void tool_table_set_length(struct tool_table *table, int number, double length);
 /*
- * The entries of H and D, and of the wear of one of them; made, with 0, if the table has none. Valid until the next
- * of them is made.
+ * The entries of H and D, and of the wear of one of them; an entry with 0 is added if the table has none. Valid until
+ * the next entry is added.
  */
 struct length_offset *tool_table_need_length(struct tool_table *table, int number);
 struct radius_offset *tool_table_need_radius(struct tool_table *table, int number);

@@ -1,4 +1,4 @@
-/* block.h - one line of the program as a checked set of words. */
+/* block.h - a line of the program as a checked set of words. */
 #ifndef FIVECHECK_GCODE_TEXT_BLOCK_H
 #define FIVECHECK_GCODE_TEXT_BLOCK_H
 
@@ -14,41 +14,41 @@
 #define CODE_NONE (-1)
 
 struct block {
-	int words;	/* N and program numbers included */
-	uint32_t letters;	/* bit letter - 'A': the block has this word; G, M, N and O apart */
-	uint32_t points;	/* the same: its number has a decimal point */
+	int words;	/* including N and program numbers */
+	uint32_t letters;	/* bit letter - 'A': the block has this word; without G, M, N and O */
+	uint32_t points;	/* the same bits: the number has a decimal point */
 	double value[26];
 	int column[26];
-	const struct code *recent;	/* the row of the G-code that was read last, whatever its block; or NULL */
-	uint32_t plain_letters;	/* what words plain blocks of this machine can have; 0: not asked yet */
+	const struct code *recent;	/* the row of the last G-code, of this or an earlier block; or NULL */
+	uint32_t plain_letters;	/* the words that plain blocks of this machine can have; 0: not computed yet */
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
-	char corner;	/* 'C' or 'R' of a word behind a comma, 'L' of a chamfer by its length, or NUL */
+	char corner;	/* 'C' or 'R' of a word after a comma, 'L' of a chamfer by its length, or NUL */
 	bool corner_point;	/* its number has a decimal point */
 	double corner_value;
 	int corner_column;
-	bool has_next_tool;	/* "T1 T2 M6" where M6 loads the first: the second, for the next M6 */
+	bool has_next_tool;	/* "T1 T2 M6", if M6 loads T1: T2 is for the next M6 */
 	double next_tool;
 	int next_tool_column;
 	int idle, idle_column;	/* a G-code of GROUP_NONE, in tenths, or CODE_NONE */
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];
 	int m_count;
-	bool m_ignored;	/* a machine's own M-code, to be ignored; it may have P and Q, and more where nothing moves */
-	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
+	bool m_ignored;	/* an ignored M-code of the machine; it takes P and Q, without a motion more words */
+	int motion;	/* the code of G_MOTION to carry out, of the block or modal, or CODE_NONE */
 	bool plain;	/* block_read_plain has read it */
-	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */
+	bool vectors;	/* I, J and K are the direction of the tool (G43.5); valid after block_check */
 };
 
-/* Warnings that a program gets only once. */
+/* Warnings that are given only once for a program. */
 struct block_cautions {
 	bool duplicate;
 };
 
-/* No words and no codes. */
+/* Removes all words and codes. */
 void block_clear(struct block *block);
 
-/* The row of a G-code, in tenths; NULL: the dialect has none. Programs repeat their codes: the last one is kept. */
+/* The row of a G-code, in tenths; NULL: the dialect has none. Programs repeat codes, so the last row is kept. */
 const struct code *block_find_g(struct block *block, const struct dialect *dialect, int number);
 
 static inline uint32_t letter_bit(char letter)
@@ -70,7 +70,7 @@ static inline bool block_has(const struct block *block, char letter)
 	return block->letters & letter_bit(letter);
 }
 
-/* The word's number; the block has it. */
+/* The number of a word; the block must have the word. */
 static inline double block_value(const struct block *block, char letter)
 {
 	return block->value[letter - 'A'];
@@ -88,40 +88,41 @@ static inline int block_column(const struct block *block, char letter)
 /* The words of arcs. */
 #define ARC_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R'))
 
-/* How blocks of words are written. Constant data of a dialect. */
+/* The syntax of blocks of words. Constant data of a dialect. */
 struct block_rules {
 	const struct lexer_rules *lexer;
-	bool program_numbers;	/* O1234 or :1234 may stand at the start of a line */
-	/* several '/', a digit behind each, may stand at the start of a block, and behind its N */
+	bool program_numbers;	/* a line may start with O1234 or :1234 */
+	/* several '/', each with a digit after it, are allowed at the start of a block and after its N */
 	bool numbered_switches;
 };
 
 /*
- * Nearly all lines of long programs are plain blocks, which are read in one pass: nothing but N, at the beginning; G0
- * to G3; and words of axes that the machine has, of arcs, and F. Each stands once at most, as a capital letter and a
- * number without blanks between. False: the line is no plain block, or it is empty; what the block holds is of no use.
+ * Reads a plain block in one pass; nearly all lines of long programs are plain. A plain block has only N, at its start;
+ * G0 to G3; words of the machine's axes; words of arcs; and F. Each word occurs at most once, as a capital letter and a
+ * number without blanks between them. False: the line is no plain block, or is empty; the contents of the block are
+ * not valid.
  */
 bool block_read_plain(struct block *block, const struct line_place *line, const struct gcode_config *config);
 
 /*
- * Fills the block from the words of a line that block_read_plain does not read. False: a fault was reported.
- * Skips a line that starts with '/' when config says so: no words. The context
- * is that of the lexer's hooks.
+ * Fills the block from the words of a line that block_read_plain does not read. The block has no words if the line
+ * starts with '/' and config says that such lines are skipped. The context is for the lexer's hooks. False: a fault was
+ * reported.
  */
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		const struct block_rules *rules, void *context, struct block_cautions *cautions);
 
-/* The modes in force that the checks need. */
+/* The active modes that the checks need. */
 struct block_modes {
 	int motion;	/* CODE_NONE: cancelled */
-	int after_g80;	/* the motion that G80 brings back, or CODE_NONE */
+	int after_g80;	/* the motion that G80 restores, or CODE_NONE */
 	bool incremental;
 	bool vectors;	/* G43.5 */
 };
 
 /*
- * Nearly all blocks of a program are plain ones that move. Sets the motion of such a block, which may be the one in
- * force; false: its words must be looked at one by one, by block_check. `vectors`: G43.5 is in force.
+ * Sets the motion of a plain block that moves, by its own code or the modal one `in_force`; nearly all blocks of a
+ * program are such blocks. `vectors`: G43.5 is active. False: block_check must examine the words one by one.
  */
 static inline bool block_is_plain_move(struct block *block, int in_force, bool vectors)
 {
@@ -136,15 +137,15 @@ static inline bool block_is_plain_move(struct block *block, int in_force, bool v
 	return true;
 }
 
-/* Finds the motion to be carried out and checks that every word has a code that uses it. */
+/* Finds the motion to carry out and checks that a code uses every word. */
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		 const struct block_modes *modes);
 
-/* The word's number as a whole number in [least, greatest], else a fault that says what it should be. */
+/* The number of a word as a whole number in [least, greatest]; otherwise a fault that names the permitted numbers. */
 bool block_integer(const struct block *block, const struct line_place *at, char letter, int least, int greatest,
 		   int *value);
 
-/* The column to blame for the motion: its G word, or else the first axis or arc word. */
+/* The column for faults of the motion: that of its G word, or else of the first axis or arc word. */
 int block_motion_column(const struct block *block);
 
 #endif

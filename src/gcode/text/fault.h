@@ -1,4 +1,4 @@
-/* fault.h - reports what is wrong with a block, with the block's text below for the caret. */
+/* fault.h - reports the faults of a block, with the text of the line for the caret. */
 #ifndef FIVECHECK_GCODE_TEXT_FAULT_H
 #define FIVECHECK_GCODE_TEXT_FAULT_H
 
@@ -6,15 +6,15 @@
 
 #include "base/diag.h"
 
-/* A line of the program, and where messages about it go. Borrows everything. */
+/* A line of the program, and the receiver of messages about it. Borrows everything. */
 struct line_place {
 	struct diag *diag;
 	const char *file;
 	long line;
-	const char *text;	/* as read, without its line end */
+	const char *text;	/* of the line, without its line end */
 };
 
-/* The first byte of the line that is no blank, which may be its NUL. */
+/* The first byte of the line that is no blank; it may be the terminating NUL. */
 static inline const char *line_start(const struct line_place *at)
 {
 	const char *text = at->text;
@@ -25,8 +25,8 @@ static inline const char *line_start(const struct line_place *at)
 }
 
 /*
- * Reports an error at a column (from 1) of the line; false, so that a check can end in `return fault(...)`.
- * A macro, so that compilers and analysers see that nothing goes on behind a fault.
+ * Reports an error at a column (from 1) of the line. The value is false, so that a check can end in
+ * `return fault(...)`. It is a macro, so that compilers and analysers see that the value is always false.
  */
 #define fault(...) (fault_report(__VA_ARGS__), false)
 void fault_report(const struct line_place *at, int column, const char *format, ...)
@@ -36,12 +36,12 @@ void fault_report(const struct line_place *at, int column, const char *format, .
 void caution(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /*
- * The place of an element of the machine file or the setup, for faults that only the reading of a program finds there.
- * Without a file it is `at`.
+ * The place of an element of the machine file or the setup, for faults of these files that are found only while a
+ * program is read. If the element has no file, it is `at`.
  */
 struct line_place fault_place(const struct line_place *at, struct srcloc element);
 
-/* The place itself, for messages that are reported in another way. */
+/* The place in the line, for messages that are reported in another way. */
 struct srcloc line_loc(const struct line_place *at, int column);
 
 #endif

@@ -1,13 +1,13 @@
-/* leader.h - text before the '%' that starts a program, such as the header of a listing; no control carries it out. */
+/* leader.h - skips text before the '%' that starts a program, such as the header of a listing; controls ignore it. */
 #ifndef FIVECHECK_GCODE_TEXT_LEADER_H
 #define FIVECHECK_GCODE_TEXT_LEADER_H
 
 #include "gcode/text/reader.h"
 
 /*
- * Goes to the first '%' line if what precedes it is text: no line of it is a block, the number of a program, or moves
- * axes. Else that '%' may end a program that none starts, and nothing changes. To be called before the first line is
- * read. Lines from 1 keep their numbers.
+ * Moves the reader to the first '%' line if only text precedes that line: no line that is a block or the number of a
+ * program, or that moves axes. Otherwise that '%' may be the end of a program without a '%' at its start, and nothing
+ * changes. Call it before the first line is read. Line numbers still count from the first line of the file.
  */
 void leader_skip(struct reader *reader);
 

@@ -1,4 +1,4 @@
-/* number.h - decimal numbers as NC programs write them. */
+/* number.h - reads the decimal numbers of NC programs. */
 #ifndef FIVECHECK_GCODE_TEXT_NUMBER_H
 #define FIVECHECK_GCODE_TEXT_NUMBER_H
 
@@ -6,28 +6,27 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of one number, sign and blanks apart; LinuxCNC takes lines of 255. */
+/* The most bytes of a number without its sign and blanks; LinuxCNC takes lines of 255 bytes. */
 #define NUMBER_LENGTH_MAX 255
 
 enum number_status { NUMBER_OK, NUMBER_MISSING, NUMBER_TOO_LONG };
 
 /*
- * Reads [+-] digits [.] digits, with blanks anywhere and no exponent, at
- * text[*position], and moves *position behind it. The value is the double
- * nearest to the decimal, whatever the locale; *point tells whether a decimal
- * point stood in it.
+ * Reads [+-] digits [.] digits, with blanks anywhere and no exponent, at text[*position], and moves *position past the
+ * number. The value is the double nearest to the decimal number, in every locale; *point: the number has a decimal
+ * point.
  */
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point);
 
-/* So many digits are less than 10^15, and their power of ten is at most 10^15: both are exact as doubles. */
+/* A number of this many digits is below 10^15, and its power of ten is at most 10^15: both are exact as doubles. */
 #define NUMBER_USUAL_DIGITS 15
 
-/* 10^i, and in the second row -10^i. */
+/* First row: 10^i; second row: -10^i. */
 extern const double number_power_of_ten[2][NUMBER_USUAL_DIGITS + 1];
 
 /*
- * Appends the digits that come next to the mantissa, of which there may be too many. *next is the byte behind them,
- * counted from '0'.
+ * Appends the digits at `at` to the mantissa, without a check for overflow. *next is the byte after the digits, minus
+ * '0'.
  */
 static inline const char *number_take_digits(const char *at, uint64_t *mantissa, unsigned *next)
 {
@@ -43,8 +42,9 @@ static inline const char *number_take_digits(const char *at, uint64_t *mantissa,
 }
 
 /*
- * [+-] digits [.] digits at `text`, without any blank, in one pass; with `comma` the point may be one. Returns what
- * follows. NULL: it is no such number, or has more digits than a double holds for certain, and nothing was set.
+ * Reads [+-] digits [.] digits at `text`, without any blank, in one pass; with `comma` a comma may replace the point.
+ * Returns the text after the number. NULL: there is no such number, or it has more than NUMBER_USUAL_DIGITS digits, and
+ * nothing was set.
  */
 static inline const char *number_take_usual(const char *text, bool comma, double *value, bool *point)
 {
@@ -77,8 +77,8 @@ static inline const char *number_take_usual(const char *text, bool comma, double
 }
 
 /*
- * The usual number at `text` in one pass: no blanks but behind it, and not more digits than a double holds. Returns
- * what follows the number and its blanks. NULL: it is no such number; number_read reads any.
+ * Reads a usual number at `text` in one pass: without blanks inside, and with at most NUMBER_USUAL_DIGITS digits.
+ * Returns the text after the number and its blanks. NULL: there is no such number; number_read reads every number.
  */
 static inline const char *number_read_usual(const char *text, double *value, bool *point)
 {
@@ -89,7 +89,7 @@ static inline const char *number_read_usual(const char *text, double *value, boo
 	return end && (unsigned char)(*end - '0') > 9 && *end != '.' ? end : NULL;
 }
 
-/* The same for [+-] digits [, or .] digits without any blank. */
+/* Reads [+-] digits [, or .] digits without any blank, like number_read. */
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "base/callbacks.h"
 
-/* A longer line is no NC block; LinuxCNC takes 255 bytes. */
+/* The most bytes of a line. A longer line is no NC block; LinuxCNC takes 255 bytes. */
 #define LINE_LENGTH_MAX 65536
 
 enum reader_status {
@@ -16,8 +16,8 @@ enum reader_status {
 	READER_END,
 	READER_TOO_LONG,
 	READER_NUL_BYTE,
-	READER_NO_TEXT,	/* what base/file_signature.h knows */
-	READER_MIXED_ENDS,	/* carriage returns that sometimes end a line and sometimes do not */
+	READER_NO_TEXT,	/* a file type of base/file_signature.h */
+	READER_MIXED_ENDS,	/* some carriage returns end a line and others do not */
 	READER_FAILED,	/* the file could not be read; errno says why */
 	READER_STOPPED	/* reader->waiting said stop */
 };
@@ -29,18 +29,18 @@ enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
 
 struct reader {
 	FILE *in;	/* borrowed */
-	bool is_pipe;	/* what comes is read at once: by pipe_read */
-	const struct cancel *waiting;	/* see pipe_read; NULL, as it is at first: waits */
+	bool is_pipe;	/* available bytes are read at once, by pipe_read */
+	const struct cancel *waiting;	/* see pipe_read; NULL (the initial value): waits without end */
 	char *buffer;	/* owned */
-	size_t capacity, keep;	/* bytes of the buffer, and of the lines handed out that stay in it */
-	size_t begin, end;	/* bytes that were read and not handed out yet */
+	size_t capacity, keep;	/* bytes of the buffer, and of returned lines that stay in it */
+	size_t begin, end;	/* bytes that were read and are not returned yet */
 	size_t clear;	/* no byte of [begin, clear) is a CR or a NUL; at or before begin: nothing is known */
-	size_t cut;	/* where the NUL of the last line stands, and the byte that it replaced */
-	char cut_byte;
+	size_t cut;	/* index of the NUL after the last line, */
+	char cut_byte;	/* and the byte that it replaced */
 	bool at_end, stopped;
-	bool open_end;	/* the last line has no line end: the file stops in it */
-	enum line_end style;	/* of the first line; the rest must agree */
-	long long base;	/* position of the stream at first; -1: it cannot be repositioned */
+	bool open_end;	/* the file ends in the last line, without a line end */
+	enum line_end style;	/* of the first line; the others must agree */
+	long long base;	/* initial position of the stream; -1: it cannot be repositioned */
 	long long origin;	/* of the buffer's first byte, in bytes from base */
 	long long start;	/* of the last line, in bytes from base */
 	long line;	/* number of the last line, from 1 */
@@ -52,28 +52,26 @@ void reader_init(struct reader *reader, FILE *in);
 void reader_release(struct reader *reader);
 
 /*
- * The next line, without its end (LF, CR LF or CR) and ended by a NUL; it
- * lives until the next call. Skipped are a UTF-8 byte order mark and NULs at the
- * start of the input, and bytes 0x1A at its end. A line of a pipe is handed out when its end has come; a CR, when
- * what follows it has come, too. With a fault
- * of one line, reader->line is that line, and for READER_NUL_BYTE and
- * READER_MIXED_ENDS *text is what precedes the faulty byte; for READER_NO_TEXT it is advice, which lives on.
+ * Reads the next line. *text is the line without its end (LF, CR LF or CR), terminated by a NUL, and is valid until the
+ * next call. A UTF-8 byte order mark and NULs at the start of the input are skipped, and bytes 0x1A at its end. A line
+ * of a pipe is returned as soon as its end was read; after a CR, as soon as the next byte was read, too.
+ * If a line is faulty, reader->line is its number; for READER_NUL_BYTE and READER_MIXED_ENDS *text is the text before
+ * the faulty byte; for READER_NO_TEXT *text is a constant with advice.
  */
 enum reader_status reader_next(struct reader *reader, const char **text);
 
 /*
- * The bytes that come next, which stay the next ones; they live until the next call, and *text has no NUL at its end.
- * False: fewer than `least` of them are in the buffer.
+ * The next bytes, without consuming them; they are valid until the next call, and *text is not terminated by a NUL.
+ * False: fewer than `least` bytes are in the buffer.
  */
 bool reader_peek(const struct reader *reader, size_t least, const char **text);
 
-/* Where the next line starts, for reader_seek. */
+/* The start of the next line, for reader_seek. */
 long long reader_position(const struct reader *reader);
 
 /*
- * Goes to the line that starts at `position` and has the number `line`: it is
- * the next one. False: the input is a pipe, and the line has left its window, or
- * the file could not be repositioned; nothing has changed.
+ * Makes the line that starts at `position`, with the number `line`, the next line. False: the input is a pipe and the
+ * line has left its window, or the file could not be repositioned; nothing has changed.
  */
 bool reader_seek(struct reader *reader, long long position, long line);
 

@@ -1,4 +1,4 @@
-/* comp_corner.h - where two compensated paths cross at an inside corner: plane geometry. */
+/* comp_corner.h - the intersection of two compensated paths at an inside corner: plane geometry. */
 #ifndef FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_CORNER_H
 #define FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_CORNER_H
 
@@ -13,13 +13,12 @@ struct comp_way {
 	struct plane_point centre;
 	double radius;
 	bool clockwise;
-	bool inside;	/* the tool lies within the programmed arc */
+	bool inside;	/* the tool is inside the programmed arc */
 };
 
 /*
- * The corner of an inside turn: where the tool's centre leaves `before` for
- * `after`. Of two crossings the one that LinuxCNC takes (interp_convert.cc).
- * False: they do not cross.
+ * Finds the point of an inside corner where the tool's centre changes from path `before` to path `after`. If the paths
+ * cross twice, it is the intersection that LinuxCNC takes (interp_convert.cc). False: they do not cross.
  */
 bool comp_corner(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner);
 

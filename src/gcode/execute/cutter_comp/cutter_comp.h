@@ -1,4 +1,4 @@
-/* cutter_comp.h - cutter radius compensation (G40, G41, G42) of LinuxCNC: moves beside the programmed path. */
+/* cutter_comp.h - cutter radius compensation (G40, G41, G42): moves beside the programmed path. */
 #ifndef FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_CUTTER_COMP_H
 #define FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_CUTTER_COMP_H
 
@@ -7,18 +7,17 @@
 #include "gcode/state.h"
 
 /*
- * LinuxCNC's manual, "Cutter Compensation", and its 2.9 interpreter: the first
- * move leads to the side of the path, outside corners are rounded, and at
- * inside corners the two paths end where they cross. The end of a move is known
- * only when the next one is read, so moves and the ends of their blocks wait in
- * comp_queue. While compensation is on, state.position is the programmed point.
+ * LinuxCNC's manual, "Cutter Compensation", and its 2.9 interpreter: the first move goes to the side of the path,
+ * outside corners are rounded, and at inside corners the two paths end at their intersection. The end of a move is
+ * known only after the next move was read, so moves and the ends of their blocks wait in comp_queue. While compensation
+ * is on, state.position is the programmed point. Controls that look ahead: comp_lookahead.h.
  */
 
-/* Refuse what compensation forbids: call one before anything else of the block, one after G40 to G42. */
+/* Refuse what compensation does not allow: call the first one first for each block, the second one after G40 to G42. */
 bool cutter_comp_start_block(struct interp *interp);
 bool cutter_comp_check_block(struct interp *interp);
 
-/* Takes the block's D, on controls where it is modal. */
+/* Takes the block's D, on controls where D is modal. */
 bool cutter_comp_take_number(struct interp *interp);
 
 /* Carries out the block's G40, G41, G41.1, G42 or G42.1, if it has one. */
@@ -27,7 +26,7 @@ bool cutter_comp_select(struct interp *interp);
 /* Checks the block's G41 or G42 and takes its side and radius; the next move is the entry. */
 bool cutter_comp_switch_on(struct interp *interp);
 
-/* Is it on? Then cutter_comp_line and cutter_comp_arc make the moves. */
+/* Is compensation on? Then cutter_comp_line and cutter_comp_arc make the moves. */
 static inline bool cutter_comp_is_on(const struct interp *interp)
 {
 	return interp->comp.side != 0 && interp->comp.radius > 0;
@@ -38,10 +37,10 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct plane_point centre, int turns,
 		     struct canon_move *move);
 
-/* Tells the sink that the block is complete, after those of its moves that wait. */
+/* Sends the end of the block to the sink, after those of its moves that wait. */
 bool cutter_comp_end_block(struct interp *interp);
 
-/* The program stops here: the moves that wait end where they are. */
+/* Call where the program stops: sends the waiting moves with their present ends. */
 bool cutter_comp_stop(struct interp *interp);
 
 #endif
