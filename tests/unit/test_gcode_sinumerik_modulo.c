@@ -1,5 +1,6 @@
 /* test_gcode_sinumerik_modulo.c - the sinumerik dialect: which way a rotary axis that counts modulo 360 turns. */
 #include <stdio.h>
+#include <string.h>
 
 #include "gcode_refusal.h"
 #include "sinumerik_case.h"
@@ -90,23 +91,32 @@ START_TEST(walk)
 }
 END_TEST
 
-/* Without an answer only what is one way for both; half a turn is none. */
-START_TEST(asked)
+/* Without an answer the shorter way, with one caution where the plain way is another one; half a turn has no shorter. */
+START_TEST(unanswered)
 {
-	static const char *const programs[] = {"C350\n", "C180\n", "C-10\n", "C370\n", "SUPA C350\n"};
+	static const char *const text = "C turns the shorter way here, because its wrap=\"shortest\" says so";
+	struct gcode_case c;
+
+	modulo_case(&c, ROTARY_WAY_UNKNOWN);
+	ck_assert_msg(case_run(&c, HEAD "C10\nC179\nC=DC(350)\nC300\n"), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.messages), "");
+	case_release(&c);
+	modulo_case(&c, ROTARY_WAY_UNKNOWN);
+	ck_assert_msg(case_run(&c, HEAD "C350\nC10\nC-20\nC370\nSUPA C355\n"), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 -10\nrapid 0 0 0 0 10\nrapid 0 0 0 0 -20\nrapid 0 0 0 0 10\n"
+						"rapid 0 0 0 0 -5\n");
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), text));
+	ck_assert_ptr_null(strstr(strstr(strbuf_text(&c.messages), text) + 1, text));
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(uncertain)
+{
+	static const char *const programs[] = {"C-10\n", "C370\n"};
 	struct gcode_case c;
 
 	for (size_t i = 0; i < COUNT(programs); i++) {
-		modulo_case(&c, ROTARY_WAY_UNKNOWN);
-		case_refuses(&c, "C counts modulo 360 degrees, and a parameter of the control (MD30455) decides whether it "
-				 "turns to an absolute position by the shorter way, as with DC, or without passing 0: "
-				 "rotary_way=\"plain\" (bit 2 is 0) or \"shorter\" of the machine's <controller> says it, or "
-				 "write DC, ACP or ACN", HEAD "%s", programs[i]);
-	}
-	modulo_case(&c, ROTARY_WAY_UNKNOWN);
-	ck_assert_msg(case_run(&c, HEAD "C10\nC179\nC=DC(350)\nC300\n"), "%s", strbuf_text(&c.messages));
-	case_release(&c);
-	for (size_t i = 2; i < 4; i++) {
 		modulo_case(&c, ROTARY_WAY_PLAIN);
 		case_refuses(&c, "which way C turns to this absolute position is not certain: it lies outside of 0 to 360 "
 				 "degrees, or an offset shifts it; write DC, ACP or ACN", HEAD "%s", programs[i]);
@@ -123,6 +133,7 @@ int main(void)
 	tcase_add_test(tcase, plain);
 	tcase_add_test(tcase, shorter);
 	tcase_add_test(tcase, walk);
-	tcase_add_test(tcase, asked);
+	tcase_add_test(tcase, unanswered);
+	tcase_add_test(tcase, uncertain);
 	return run_suite("gcode_sinumerik_modulo", tcase);
 }

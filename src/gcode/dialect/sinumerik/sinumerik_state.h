@@ -226,6 +226,7 @@ struct sinumerik {
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */
 	bool plane_unsure;	/* another work offset was selected while CYCLE800 has swivelled */
+	bool cautioned_rotary_way;	/* a modulo axis turned the shorter way, and no answer says that it does */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
 	bool t_waits;	/* T has been given, and no M6 so far: a parameter says whether T changes the tool by itself */
 	bool tool_changed;	/* by M6 */

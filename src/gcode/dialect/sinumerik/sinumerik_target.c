@@ -216,7 +216,8 @@ static bool find_turned(struct interp *interp, int slot, enum sinumerik_way way,
 	if (!slot_is_rotary(slot) || interp->config->wrap[slot] == WRAP_NONE)
 		return fault(&interp->at, column,
 			     "DC, ACP and ACN are for rotary axes that count modulo 360 degrees; wrap=\"shortest\" of "
-			     "this axis in the machine file says that %c is one",
+			     "this axis in the machine file says that %c is one, and rotary_way=\"plain\" or \"shorter\" of "
+			     "<controller> how it turns without them",
 			     AXIS_LETTERS[slot]);
 	if (value < 0 || value > 360)
 		return fault(&interp->at, column, "DC, ACP and ACN take positions from 0 to 360 degrees, not %.15g",
@@ -249,23 +250,30 @@ static bool find_plain_way(const struct interp *interp, int slot, double value, 
 	return fabs(*way - of_program) < SAME_DEGREES && value >= 0 && value < 360;
 }
 
-/* MD30455, bit 2: DC or AC, whichever way is meant where the program says neither. They often are one way. */
+/*
+ * MD30455, bit 2: which way the axis turns where the program writes neither DC, ACP nor ACN. wrap="shortest" says the
+ * shorter way, but a machine file may say it for DC alone: without rotary_way the verdict carries a caution where the
+ * plain way is another one.
+ */
 static bool check_rotary_way(struct interp *interp, int slot, double shortest, double plain, bool sure, int column)
 {
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
 	if (sure && fabs(remainder(shortest, 360)) < 180 - SAME_DEGREES && fabs(plain - shortest) < SAME_DEGREES)
 		return true;
-	if (interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN)
-		return fault(&interp->at, column,
-			     "%c counts modulo 360 degrees, and a parameter of the control (MD30455) decides whether "
-			     "it turns to an absolute position by the shorter way, as with DC, or without passing 0: "
-			     "rotary_way=\"plain\" (bit 2 is 0) or \"shorter\" of the machine's <controller> says it, "
-			     "or write DC, ACP or ACN",
-			     AXIS_LETTERS[slot]);
-	return interp->config->controller.rotary_way == ROTARY_WAY_SHORTER || sure ||
-	       fault(&interp->at, column,
-		     "which way %c turns to this absolute position is not certain: it lies outside of 0 to 360 "
-		     "degrees, or an offset shifts it; write DC, ACP or ACN",
-		     AXIS_LETTERS[slot]);
+	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
+		return sure || fault(&interp->at, column,
+				     "which way %c turns to this absolute position is not certain: it lies outside of 0 to "
+				     "360 degrees, or an offset shifts it; write DC, ACP or ACN",
+				     AXIS_LETTERS[slot]);
+	if (interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN && !sinumerik->cautioned_rotary_way)
+		caution(&interp->at, column,
+			"%c turns the shorter way here, because its wrap=\"shortest\" says so; a control as delivered (bit 2 "
+			"of MD30455 is 0) turns without passing 0: rotary_way=\"plain\" or \"shorter\" of the machine's "
+			"<controller> says which one this control takes",
+			AXIS_LETTERS[slot]);
+	sinumerik->cautioned_rotary_way |= interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN;
+	return true;
 }
 
 /* An absolute position of a rotary axis that counts modulo 360; `offset` is between it and the axis' own. */
