@@ -410,10 +410,12 @@ static const struct refused_program programs[] = {
 	 "the setup defines no work offset G56: add <work_offset name=\"G56\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
 	{"G500 G0 C=DC(10)\n", 1, 9,
 	 "DC, ACP and ACN are for rotary axes that count modulo 360 degrees; wrap=\"shortest\" of this axis "
-	 "in the machine file says that C is one"},
+	 "in the machine file says that C is one, and rotary_way=\"plain\" or \"shorter\" of <controller> how it turns "
+	 "without them"},
 	{"G500 G0 X=DC(10)\n", 1, 9,
 	 "DC, ACP and ACN are for rotary axes that count modulo 360 degrees; wrap=\"shortest\" of this axis "
-	 "in the machine file says that X is one"},
+	 "in the machine file says that X is one, and rotary_way=\"plain\" or \"shorter\" of <controller> how it turns "
+	 "without them"},
 	{"G500 G0 X=CAC(1)\n", 1, 11,
 	 "positions of a table of the control (CAC)"},
 	{"SUPA G0 X=IC(5)\n", 1, 9,

@@ -117,8 +117,8 @@ static bool fault_at_byte(const struct lexer *lexer, char byte)
 		return fault(lexer->at, column, "'%%' must be alone on its line");
 	if (byte > ' ' && byte <= '~')
 		return fault(lexer->at, column, "unexpected '%c'", byte);
-	return fault(lexer->at, column, "unexpected byte 0x%02X: only comments may have characters other than ASCII",
-		     (unsigned)(unsigned char)byte);
+	return fault(lexer->at, column, "unexpected byte 0x%02X%s", (unsigned)(unsigned char)byte,
+		     (unsigned char)byte > '~' ? ": only comments may have characters other than ASCII" : "");
 }
 
 static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)

@@ -56,7 +56,7 @@ static const struct code m_codes[] = {
     {140, M_OUTPUT, CODE_READ, "retract along the axis of the tool"},
     {141, GROUP_NONE, CODE_IGNORED, "touch probe monitoring"},
     {142, GROUP_NONE, CODE_REFUSED, "erasing of program information"},
-    {143, GROUP_NONE, CODE_READ, "erasing of the basic rotation, which the presets of a setup do not have"},
+    {143, M_OUTPUT, CODE_READ, "erasing of the basic rotation, which the presets of a setup do not have"},
     {144, GROUP_NONE, CODE_REFUSED, "compensation of the machine's kinematics"},
     {145, GROUP_NONE, CODE_IGNORED, "end of M144"},
     {148, GROUP_NONE, CODE_IGNORED, "retract at an NC stop"},

@@ -216,8 +216,8 @@ static bool find_turned(struct interp *interp, int slot, enum sinumerik_way way,
 	if (!slot_is_rotary(slot) || interp->config->wrap[slot] == WRAP_NONE)
 		return fault(&interp->at, column,
 			     "DC, ACP and ACN are for rotary axes that count modulo 360 degrees; wrap=\"shortest\" of "
-			     "this axis in the machine file says that %c is one, and rotary_way=\"plain\" or \"shorter\" of "
-			     "<controller> how it turns without them",
+			     "this axis in the machine file says that %c is one, and rotary_way=\"plain\" or "
+			     "\"shorter\" of <controller> how it turns without them",
 			     AXIS_LETTERS[slot]);
 	if (value < 0 || value > 360)
 		return fault(&interp->at, column, "DC, ACP and ACN take positions from 0 to 360 degrees, not %.15g",
@@ -262,15 +262,16 @@ static bool check_rotary_way(struct interp *interp, int slot, double shortest, d
 	if (sure && fabs(remainder(shortest, 360)) < 180 - SAME_DEGREES && fabs(plain - shortest) < SAME_DEGREES)
 		return true;
 	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
-		return sure || fault(&interp->at, column,
-				     "which way %c turns to this absolute position is not certain: it lies outside of 0 to "
-				     "360 degrees, or an offset shifts it; write DC, ACP or ACN",
-				     AXIS_LETTERS[slot]);
+		return sure ||
+		       fault(&interp->at, column,
+			     "which way %c turns to this absolute position is not certain: it lies outside of 0 to 360 "
+			     "degrees, or an offset shifts it; write DC, ACP or ACN",
+			     AXIS_LETTERS[slot]);
 	if (interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN && !sinumerik->cautioned_rotary_way)
 		caution(&interp->at, column,
-			"%c turns the shorter way here, because its wrap=\"shortest\" says so; a control as delivered (bit 2 "
-			"of MD30455 is 0) turns without passing 0: rotary_way=\"plain\" or \"shorter\" of the machine's "
-			"<controller> says which one this control takes",
+			"%c turns the shorter way here, because its wrap=\"shortest\" says so; a control as delivered "
+			"(bit 2 of MD30455 is 0) turns without passing 0: rotary_way=\"plain\" or \"shorter\" of the "
+			"machine's <controller> says which way this control takes",
 			AXIS_LETTERS[slot]);
 	sinumerik->cautioned_rotary_way |= interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN;
 	return true;

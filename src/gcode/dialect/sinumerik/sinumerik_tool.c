@@ -86,6 +86,9 @@ static bool find_length(struct interp *interp, int edge, int column, double *len
 	if (!tool && !interp->config->has_setup)
 		return fault(&interp->at, column,
 			     "D%d of the tool in the spindle: its length is not known without a setup", edge);
+	/* That the setup lacks the tool has been reported; every tool of a setup has an edge D1. */
+	if (!tool && edge == 1 && interp->faulty)
+		return true;
 	if (tool && (edge == 1 || tool == interp->config->any_tool)) {
 		*length = tool->length_offset;
 		return true;
