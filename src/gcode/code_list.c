@@ -34,7 +34,7 @@ static void add_name(struct strbuf *out, char letter, int number)
 		strbuf_addf(out, "G%d", number / 10);
 }
 
-/* All sets in one order of numbers: each time the least number that is greater than the last one. */
+/* Merges all sets in the order of their numbers: each step takes the least number above the last one. */
 static void add_codes(struct strbuf *out, char letter, const struct code_set *const sets[CODE_SETS_MAX])
 {
 	for (int last = -1;;) {
@@ -69,7 +69,7 @@ void code_list_add(struct strbuf *out, const struct dialect *dialect)
 	}
 }
 
-/* Upper and lower case are alike, and blanks do not count. */
+/* Compares without regard to case and blanks. */
 static bool is_same_word(const char *a, const char *b)
 {
 	for (;; a++, b++) {
@@ -84,7 +84,7 @@ static bool is_same_word(const char *a, const char *b)
 	}
 }
 
-/* "G043.40" is 434: as the tables number their rows. -1: it is no such code. */
+/* The number of the rows in the tables: "G043.40" is 434. -1: the name is no such code. */
 static int find_number(const char *name, bool tenths)
 {
 	long number;

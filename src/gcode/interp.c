@@ -53,8 +53,8 @@ long interp_lines(const struct interp *interp)
 }
 
 /*
- * B-64484EN, "Program Components Other Than Program Sections", and Haas, "Program Numbers": what stands between the '%'
- * that starts a file and the end of its line is a title, which no control carries out.
+ * B-64484EN, "Program Components Other Than Program Sections", and Haas, "Program Numbers": the text between the '%' at
+ * the start of a file and the end of its line is a title, which controls ignore.
  */
 static bool is_title(const struct interp *interp, const char *text)
 {
@@ -65,7 +65,7 @@ static bool is_title(const struct interp *interp, const char *text)
 	       !line_shape_moves_axes(squeezed);
 }
 
-/* A '%' line opens the program if it is the first that is not blank, and else closes it. */
+/* A '%' line opens the program if it is the first line that is not blank; otherwise it closes the program. */
 static bool take_percent(struct interp *interp, const char *text)
 {
 	const char *rest = text + 1;
@@ -83,7 +83,7 @@ static bool take_percent(struct interp *interp, const char *text)
 	return true;
 }
 
-/* The words of a block that is no plain move, and the motion that they ask for. */
+/* Reads the words of a block that is no plain move, and finds its motion. */
 static APART bool take_words(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
@@ -102,7 +102,7 @@ static APART bool take_words(struct interp *interp)
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
 	    (!block->plain && !dialect->read_block(interp)))
 		return false;
-	/* A word less: what the rest lacks for it is no fault of its own. */
+	/* A word is missing after a fault: further faults of the block may only follow from this. */
 	if (read_on(interp, errors)) {
 		interp->lost = AXIS_BITS;
 		unheard = (struct diag){0};
@@ -154,7 +154,7 @@ static bool run_line(struct interp *interp)
 	return *text == '%' ? take_percent(interp, text) : run_block(interp);
 }
 
-/* Adds notes to the message just reported: from where the block in hand was called. */
+/* Adds the calls of the current block as notes to the last message. */
 static void note_callers(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
@@ -168,7 +168,7 @@ static void note_callers(struct interp *interp)
 	strbuf_release(&title);
 }
 
-/* Before a line is carried out, which may call or return itself. */
+/* Finds the callers before a line is carried out, because the line may be a call or return. */
 static void find_callers(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
@@ -181,9 +181,9 @@ static void find_callers(struct interp *interp)
 }
 
 /*
- * A line with its messages: in a subprogram, they are followed by the calls that led there. It stays a function of its
- * own: browsers replace the slow first code of a function when it is called again, which the loop over all lines is
- * not.
+ * Carries out a line; in a subprogram the calls that led there follow its messages. This must be a separate function:
+ * browsers replace the slow first code of a function when it is called again, and the loop over all lines is called
+ * only once.
  */
 static APART bool run_line_called(struct interp *interp)
 {
@@ -207,7 +207,7 @@ static bool end_file(struct interp *interp)
 	return !dialect->end_of_file || dialect->end_of_file(interp);
 }
 
-/* What is wrong with the bytes of the file; false. */
+/* Reports a fault in the bytes of the file; false. */
 static bool fault_of_reader(struct interp *interp, enum reader_status status, const char *text)
 {
 	struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
@@ -235,10 +235,10 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 	return false;
 }
 
-/* Lines between two questions whether to go on; blank ones, which nobody else hears of, count as well. */
+/* Lines between two calls of `cancel`; this includes blank lines, which cause no other events. */
 #define QUIT_LINES 4096
 
-/* The next line of the file in hand. False: the program has ended; *good is false after a fault or a cancellation. */
+/* Reads the next line of the file. False: the program has ended; *good is false after a fault or a cancellation. */
 static bool next_line(struct interp *interp, bool *good)
 {
 	struct source *source = interp->program.source;
@@ -260,11 +260,11 @@ static bool next_line(struct interp *interp, bool *good)
 	*good = status == READER_END ? end_file(interp) : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
-	/* Behind a part that is repeated, reading goes on elsewhere. */
+	/* At the end of a part that is repeated, reading continues elsewhere. */
 	return *good && interp->program.source->reader.line != interp->at.line && next_line(interp, good);
 }
 
-/* All of the file was read, and nothing in it ended the program: perhaps it was still being written. */
+/* The file was read to its end without an end of the program: perhaps the file was still being written. */
 static void warn_of_missing_end(struct interp *interp, const struct reader *reader)
 {
 	struct srcloc loc = {interp->program.sources.items[0]->name, reader->line, 0};
@@ -277,7 +277,7 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
 }
 
-/* What stands behind the end is not carried out, but whoever sees it in the file may believe that it was checked. */
+/* Text after the end is not carried out, but a reader of the file may believe that it was checked. */
 static void warn_of_rest(struct interp *interp, struct reader *reader)
 {
 	const long end = reader->line, lines = reader->furthest;
@@ -285,13 +285,13 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 	struct rest_of_file rest;
 	const char *text;
 
-	/* A jump or a repeat may have led behind the end. */
+	/* A jump or a repetition may have read lines after the end. */
 	while (reader->line < interp->furthest && reader_next(reader, &text) == READER_LINE)
 		continue;
 	rest = rest_of_file_find(reader, interp->config->read.cancel);
 	loc.line = rest.program ? rest.program : rest.motion;
 
-	/* The lines of the program are those that it consists of. */
+	/* Lines after the end are not counted as lines of the program. */
 	reader->furthest = lines;
 	if (rest.program)
 		diag_warning(
@@ -307,7 +307,7 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 		    end);
 }
 
-/* A program for another control must not be misread: what is certain is an error. A pipe is not read ahead. */
+/* A program for another control must not be misread: certain signs are an error. A pipe is not read ahead. */
 static bool check_family(struct interp *interp, struct reader *reader)
 {
 	const char *dialect = interp->config->dialect->name;
@@ -363,7 +363,7 @@ static bool run_program(struct interp *interp, FILE *in, const char *name)
 		leader_skip(reader);
 	good = good && run_lines(interp);
 	if (good && !interp->ended) {
-		/* The last line is no longer in the reader's buffer. */
+		/* The last line is not in the reader's buffer any more. */
 		interp->at.text = "";
 		good = corner_insert_end_block(interp) && cutter_comp_stop(interp);
 	}

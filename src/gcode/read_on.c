@@ -23,7 +23,7 @@ bool read_on(struct interp *interp, size_t errors_before)
 	return true;
 }
 
-/* The modes that later blocks are meant in. */
+/* Takes the block's modes, because later blocks depend on them. */
 static void take_modes(struct state *state, const struct block *block)
 {
 	const int *g = block->g;
@@ -44,7 +44,7 @@ void read_on_lose(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 
-	/* A statement, a call or a code that moves axes by itself: any of them. */
+	/* A statement, a call or a code that moves axes without words of them may move any axis. */
 	if (block->words == 0 || block->m[M_STOP] >= 97 || block->g[G_NONMODAL] != CODE_NONE)
 		interp->lost = AXIS_BITS;
 	else

@@ -3,9 +3,8 @@
 #include "gcode/state.h"
 
 /*
- * Controls start anew for ever. A pass that begins with the same state and
- * variables as the one before makes the same moves, and so do all that follow.
- * (Bytes of padding may differ without a reason: that costs a pass.)
+ * Controls restart without end. A pass that starts with the same state and variables as the one before makes the same
+ * moves, and so do all further passes. (Bytes of padding may differ without a reason: this costs one more pass.)
  */
 bool restart_program(struct interp *interp, struct strbuf *variables)
 {

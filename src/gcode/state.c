@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-/* Steps of a degree: values with no finer digits come back from radians exactly as the file had them. */
+/* Steps per degree: values without finer digits are restored from radians exactly as in the file. */
 #define DEGREE_STEPS 1e9
 
 double state_from_canonical(int slot, double value)
@@ -69,7 +69,7 @@ const char *state_system_name(int system)
 	return system < SYSTEM_COUNT ? names[system] : extended[system - SYSTEM_COUNT + 1];
 }
 
-/* The system of a name, or -1. */
+/* The number of a work offset by its name, or -1. */
 static int system_of_name(const char *name)
 {
 	for (int i = 0; i < SYSTEM_NONE; i++) {
@@ -105,12 +105,12 @@ void state_update_offset(struct state *state)
 		state->offset.v[slot] = state->work[state->system].v[slot] + state->shift.v[slot];
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->dynamic.on; slot++)
 		state->offset.v[slot] = state->dynamic.zero.v[slot];
-	/* Under TCP the length acts along the spindle, which the kinematics accounts for. */
+	/* Under TCP the length acts along the spindle: the kinematics applies it. */
 	if (state->tcp == TCP_OFF)
 		state->offset.v[SLOT_Z] += state->length;
 }
 
-/* Axes without a reference position of their own have it at home. */
+/* Axes without a reference position use home. */
 static void init_references(struct state *state, const struct gcode_config *config)
 {
 	for (int i = 0; i < 2; i++) {
@@ -138,7 +138,7 @@ int state_motion_after_g80(const struct state *state, const struct dialect_trait
 	return traits->cycles_apart == ANSWER_YES ? state->path_motion : CODE_NONE;
 }
 
-/* What the control has at power-on: by its dialect, or else by the machine file. */
+/* The modes at power-on: those of the dialect, or else of the machine file. */
 static struct power_on power_on_of(const struct gcode_config *config)
 {
 	static const int units[] = {0, G21, G20}, distances[] = {0, G90, G91}, planes[] = {0, G17, G18, G19};
@@ -163,7 +163,7 @@ static void init_modes(struct state *state, const struct gcode_config *config)
 	state->arc_absolute = traits->arc_centre == ARC_CENTRE_ABSOLUTE;
 	state->scale = state_unit(on->units);
 	state->feed_mode = state_feed_mode(on->feed_mode);
-	/* Where it is not known the control may leave the path. */
+	/* If the path mode is not known, the control may leave the path. */
 	state->blend = on->path != G61;
 	state->unknown_modes = (on->units ? 0U : 1U << G_UNITS) | (on->distance ? 0U : 1U << G_DISTANCE) |
 			       (on->plane ? 0U : 1U << G_PLANE) | (on->feed_mode ? 0U : 1U << G_FEED_MODE) |

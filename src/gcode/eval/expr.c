@@ -5,7 +5,7 @@
 
 #include "gcode/text/number.h"
 
-/* Exponents lie below this. */
+/* Exponents must be below this. */
 #define EXPONENT_MAX 100
 
 static bool is_digit(char byte)
@@ -80,7 +80,7 @@ bool expr_bracket(struct expr *expr, const char *what, struct expr_operand *valu
 
 /* -------------------------------------------------------------- operators */
 
-/* An operator that has been taken and whose right operand has not; NULL: none comes next. */
+/* An operator that has been read, while its right operand has not; NULL: there is none. */
 struct next_operator {
 	const struct expr_operator *operator;
 	int column;
@@ -91,7 +91,7 @@ static bool is_letter(char byte)
 	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
 }
 
-/* Takes the operator's name if it comes next. */
+/* Consumes the operator's name if it comes next. */
 static bool take_name(struct expr *expr, const char *name)
 {
 	const size_t position = expr->lexer->position, length = strlen(name);
@@ -129,8 +129,8 @@ static bool check_order(struct expr *expr, const struct expr_operator *first, co
 }
 
 /*
- * Operators of at least this rank, from left to right. *first is the first one of this pair of brackets, *next the one
- * behind the value, whose rank is lower.
+ * Computes operators of at least this rank, from left to right. *first is the first operator in this pair of brackets,
+ * *next the operator after the value, whose rank is lower.
  */
 static bool climb(struct expr *expr, int rank, const struct expr_operator **first, struct next_operator *next,
 		  struct expr_operand *value)
@@ -162,7 +162,7 @@ bool expr_sum(struct expr *expr, struct expr_operand *value)
 
 /* ----------------------------------------------------------------- values */
 
-/* Is there a blank between two bytes of the number? Those before and behind it do not count. */
+/* Is there a blank inside the number? Blanks before and after the number do not count. */
 static bool has_blank(const char *text, size_t start, size_t end)
 {
 	while (end > start && (text[end - 1] == ' ' || text[end - 1] == '\t'))
@@ -174,7 +174,7 @@ static bool has_blank(const char *text, size_t start, size_t end)
 	return false;
 }
 
-/* EX-3 behind a number, without a blank: it is multiplied by so many powers of ten. */
+/* Reads EX-3 directly after a number, which is then multiplied by this power of ten. */
 static bool read_exponent(struct expr *expr, double *value)
 {
 	struct lexer *lexer = expr->lexer;
@@ -233,7 +233,7 @@ static bool read_function(struct expr *expr, struct expr_operand *value)
 	return expr->rules->function(expr, column, function, value);
 }
 
-/* A value without a sign. */
+/* Reads a value without a sign. */
 static bool read_unsigned(struct expr *expr, struct expr_operand *value)
 {
 	const struct expr_rules *rules = expr->rules;
@@ -255,7 +255,7 @@ static bool read_unsigned(struct expr *expr, struct expr_operand *value)
 	return true;
 }
 
-/* Takes the signs; *negative is what they come to. */
+/* Reads the signs; *negative is their product. */
 static bool read_signs(struct expr *expr, bool *negative, bool *any)
 {
 	char byte;
@@ -281,7 +281,7 @@ bool expr_value(struct expr *expr, struct expr_operand *value)
 	if (!read_unsigned(expr, value))
 		return false;
 	if (isnan(value->number) && expr->rules->has_vacant) {
-		/* Manuals do not say whether the word X-#1 is left out, as X#1 is, or is X0. */
+		/* If #1 is vacant, X#1 is ignored; manuals do not say whether X-#1 is ignored or is X0. */
 		return !any || fault(expr->lexer->at, start,
 				     "a sign before a variable without a value: whether that is 0 or nothing differs");
 	}

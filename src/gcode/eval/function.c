@@ -32,7 +32,7 @@ const struct function_name *function_read_short(struct lexer *lexer, const struc
 	return NULL;
 }
 
-/* A control's numbers cannot tell a right angle: its tangent is as large as theirs, and finite. */
+/* A control's numbers cannot represent a right angle exactly: the tangent is large, like theirs, and finite. */
 static double tangent(double angle)
 {
 	const double tangent = math_tan_degrees(angle);
@@ -67,7 +67,7 @@ static bool compute_inverse(const struct line_place *at, int column, const struc
 
 bool function_compute(const struct line_place *at, int column, const struct function_name *function, double *value)
 {
-	/* From degrees at once, as FIX[10*SIN[30]] must be 5. */
+	/* Computed directly from degrees, because FIX[10*SIN[30]] must be 5. */
 	switch (function->function) {
 	case FUNCTION_ABS:
 		*value = fabs(*value);

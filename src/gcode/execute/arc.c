@@ -12,9 +12,9 @@
 const struct arc_tolerance arc_tolerance_mm = {0.00005 * MM_PER_INCH, 0.028284271247461903};
 const struct arc_tolerance arc_tolerance_inch = {0.00005 * MM_PER_INCH, 0.0028284271247461903 * MM_PER_INCH};
 
-/* The same source: radii that differ by more than that are accepted if they differ by less than this part ... */
+/* The same source: a greater difference of the radii is accepted if it is below this share of the radius ... */
 #define SPIRAL_RELATIVE_TOLERANCE 0.001
-/* ... and by less than this many tolerances. */
+/* ... and below this multiple of the tolerance. */
 #define SPIRAL_GREATEST 100
 
 enum arc_status arc_check_centre(struct plane_point start, struct plane_point end, struct plane_point centre,
@@ -46,7 +46,7 @@ enum arc_status arc_find_centre(struct plane_point start, struct plane_point end
 		return ARC_RADIUS_TOO_SMALL;
 	if (size > length)
 		height = sqrt((size - length) * (size + length));
-	/* The centre of a clockwise arc of less than half a turn lies to the right of the chord. */
+	/* The centre of a clockwise arc of less than half a turn is to the right of the chord. */
 	side = clockwise == (radius > 0) ? -1 : 1;
 	centre->a = start.a + half.a - side * height * half.b / length;
 	centre->b = start.b + half.b + side * height * half.a / length;

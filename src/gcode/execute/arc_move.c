@@ -36,7 +36,7 @@ static const struct arc_plane *find_plane(int code)
 	return &planes[code == G17 ? 0 : code == G18 ? 1 : 2];
 }
 
-/* One coordinate of the centre: as an offset from the start (G91.1), or in program coordinates (G90.1). */
+/* A coordinate of the centre: an offset from the start (G91.1), or a program coordinate (G90.1). */
 static bool centre_word(struct interp *interp, char letter, enum axis_slot slot, double start, double *value)
 {
 	const struct block *block = &interp->block;
@@ -51,8 +51,8 @@ static bool centre_word(struct interp *interp, char letter, enum axis_slot slot,
 }
 
 /*
- * Where a word of the arc counts as increments for want of a decimal point, that is likely to be why its radii differ:
- * says so, to be appended to a message; else "".
+ * If a word of the arc without a decimal point counts increments, this is the probable reason for different radii. The
+ * hint is appended to a message; otherwise it is "".
  */
 static const char *whole_number_hint(const struct interp *interp, char *text, size_t size)
 {
@@ -72,8 +72,8 @@ static const char *whole_number_hint(const struct interp *interp, char *text, si
 }
 
 /*
- * Fanuc B-63324EN and B-64484EN, "Circular Interpolation": where the end does not lie on the arc, the radius changes
- * linearly with the angle, up to a difference that parameter 3410 gives.
+ * Fanuc B-63324EN and B-64484EN, "Circular Interpolation": if the end is not on the arc, the radius changes linearly
+ * with the angle, up to a difference that parameter 3410 gives.
  */
 static bool check_spiral(struct interp *interp, double r0, double r1)
 {
@@ -169,7 +169,7 @@ static vec3 centre_in_space(const struct state *state, const slot_values *start,
 	return rotated_frame_point(state, (vec3){xyz[0], xyz[1], xyz[2]});
 }
 
-/* The number of full turns in the block's P, if P has it. */
+/* The number of full turns in the block's P, on controls where P is this number. */
 static bool find_turns(struct interp *interp, int *turns)
 {
 	enum answer has_turns = traits_of(interp)->arcs_have_turns;
@@ -179,7 +179,7 @@ static bool find_turns(struct interp *interp, int *turns)
 	       (has_turns == ANSWER_NO || block_integer(&interp->block, &interp->at, 'P', 1, INT_MAX, turns));
 }
 
-/* Neither a centre nor a radius, on a control that goes straight then. */
+/* Has the block neither a centre nor a radius, and does the control then move on a straight line? */
 static bool is_line(const struct interp *interp)
 {
 	const uint32_t words = letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
@@ -228,7 +228,7 @@ static bool check_words(const struct interp *interp, const struct arc_plane *pla
 	return true;
 }
 
-/* Is it known where the arc starts, or has a probe stopped an axis of its plane? False: reported. */
+/* Is the start of the arc known? Not if a probe has stopped an axis of its plane. False: reported. */
 static bool check_start(struct interp *interp, const struct arc_plane *plane)
 {
 	const bool *bounded = interp->state.probe_bounded;
@@ -243,7 +243,7 @@ static struct plane_point in_plane(const struct arc_plane *plane, const slot_val
 	return (struct plane_point){position->v[plane->a], position->v[plane->b]};
 }
 
-/* Sends the arc from where the axes stand, once nothing waits for what comes before it. */
+/* Sends the arc from the present position, when no move before it waits. */
 static bool send_arc(struct interp *interp, const struct arc_plane *plane, const slot_values *target,
 		     struct plane_point centre, int turns, struct canon_move *move)
 {
@@ -289,7 +289,7 @@ bool arc_move_run(struct interp *interp)
 		return false;
 	if (lost & (letter_bit(AXIS_LETTERS[plane->a]) | letter_bit(AXIS_LETTERS[plane->b])))
 		return go_from_lost(interp, &target);
-	/* LinuxCNC gives P to the arc and to a G64 of the block. */
+	/* On LinuxCNC both the arc and a G64 of the block take P. */
 	if ((block_has(block, 'P') && !find_turns(interp, &turns)) || !check_start(interp, plane))
 		return false;
 	end = in_plane(plane, &target);

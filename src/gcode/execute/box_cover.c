@@ -3,24 +3,24 @@
 #include <math.h>
 #include <stddef.h>
 
-/* mm: a way along a side that is shorter counts as none; the spread covers it. */
+/* mm: a shorter displacement along a side is neglected; the spread covers it. */
 #define SHORT 1e-9
-/* Lines of one part. */
+/* The most lines of one part. */
 #define MOST 4000
-/* The share by which lines become wider until there are few enough. */
+/* The factor by which the allowance is increased until there are few enough lines. */
 #define WIDER 1.25
 
-/* centre + a sum of unit vectors, each times at most its half. They may be askew: `sine` is 1 where they are not. */
+/* A parallelepiped: centre + the sum of the unit vectors, each times at most its half. `sine` is 1 for a box. */
 struct part {
 	vec3 centre, unit[3];
 	double half[3], sine;
 };
 
 struct cover {
-	vec3 lost;	/* adds to each spread */
+	vec3 lost;	/* added to each spread */
 	double beside;
 	long count;
-	cover_take take;	/* NULL: they are only counted */
+	cover_take take;	/* NULL: the lines are only counted */
 	void *context;
 };
 
@@ -34,7 +34,7 @@ static long pieces(double length, double width)
 	return length > width ? (long)ceil(length / width) : 1;
 }
 
-/* Along the longer side of what lies at[i] from the centre along unit i, `thick` to either side. */
+/* Covers a slab by lines along its longer side: its middle is `at` from the centre along unit i, +- `thick`. */
 static bool cover_slab(struct cover *cover, const struct part *part, const double half[3], int i, double at,
 		       double thick, double width)
 {
@@ -68,7 +68,7 @@ static int thinnest(const double half[3])
 	return least;
 }
 
-/* What is left inside, in layers across its thinnest side: of lines that reach `reach`. */
+/* Covers the remaining core in layers perpendicular to its thinnest side; the spread of its lines is `reach`. */
 static bool cover_core(struct cover *cover, const struct part *part, const double half[3], double width, double reach)
 {
 	const int i = thinnest(half);
@@ -94,9 +94,10 @@ static double widest(const struct part *part)
 }
 
 /*
- * Shells, from the outside to the inside. The lines of a shell that begins `depth` from the faces lie where `half` is
- * `depth` less; there a ball of depth * sine is inside the part, for a parallelepiped with edges of 2 * depth holds
- * one. So they may reach beside + depth * sine, which sets how thick the shell is and how wide its lines are.
+ * Covers the part in shells, from the outside to the inside. A shell starts at `depth` from the faces, where `half` is
+ * smaller by `depth`. A ball of radius depth * sine about each point there is inside the part, because a
+ * parallelepiped with edges of 2 * depth contains such a ball. Therefore the spread of the lines may be up to
+ * beside + depth * sine, and this determines the thickness of the shell and the width of its lines.
  */
 static bool cover_shells(struct cover *cover, const struct part *part)
 {
@@ -121,7 +122,7 @@ static bool cover_shells(struct cover *cover, const struct part *part)
 	return true;
 }
 
-/* The box where it starts; its sides may be askew. */
+/* Covers the box at its start; its sides may be oblique. */
 static bool cover_part(const struct cover *given, const struct box_way *box)
 {
 	struct cover cover = *given;
@@ -144,7 +145,7 @@ static bool cover_part(const struct cover *given, const struct box_way *box)
 	return cover_shells(&cover, &part);
 }
 
-/* The way by its parts along the sides; what is too short for a part, or lies beside all sides, is `rest`. */
+/* Divides the way into parts along the sides; `rest` has parts that are too short and the part along no side. */
 static int divide(const struct box_way *box, double part[3], vec3 *rest)
 {
 	int count = 0;
@@ -163,7 +164,7 @@ static int divide(const struct box_way *box, double part[3], vec3 *rest)
 	return count;
 }
 
-/* Along one side: a longer box. Beside the sides: the box has no thickness there, and the way is its third side. */
+/* A way along one side gives a longer box. A side without thickness is replaced by the way. */
 static bool cover_prism(const struct cover *cover, const struct box_way *box, int side)
 {
 	const double half = vec3_norm(box->half[side]), way = vec3_norm(box->way);
@@ -175,8 +176,8 @@ static bool cover_prism(const struct cover *cover, const struct box_way *box, in
 }
 
 /*
- * Along several sides: a place that the box passes is in the box where it starts, or the box has gone over it after a
- * face that leads; so that face with the way holds it.
+ * A way along several sides: a place that the box sweeps is in the box at its start, or a leading face has swept it;
+ * so it is in the prism of that face and the way.
  */
 static bool cover_diagonal(const struct cover *cover, const struct box_way *box, const double part[3])
 {

@@ -18,7 +18,7 @@
 
 /* ------------------------------------------------------------------ words */
 
-/* Does the cycle take words from the one before? */
+/* Are the words of the cycle before still valid? */
 static bool keeps_words(const struct canned_cycle *cycle)
 {
 	int before = cycle->interp->state.motion;
@@ -56,8 +56,8 @@ static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
 }
 
 /*
- * Where the tool retracts to. LinuxCNC's interpreter starts with G99, unless
- * the machine's RS274NGC_STARTUP_CODE changes that.
+ * The height to which the tool retracts. LinuxCNC's interpreter starts with G99, unless the machine's
+ * RS274NGC_STARTUP_CODE changes this.
  */
 static double find_clear(struct canned_cycle *cycle, double level)
 {
@@ -76,7 +76,7 @@ static double find_clear(struct canned_cycle *cycle, double level)
 	return cycle->traits->never_below_r == ANSWER_YES ? fmax(level, cycle->r) : level;
 }
 
-/* Where it is not known whether the level is a coordinate or a place, it must be both. */
+/* If it is not known whether the initial level is a coordinate or a position, both must give the same height. */
 static bool check_level(const struct canned_cycle *cycle, double level)
 {
 	struct interp *interp = cycle->interp;
@@ -94,8 +94,8 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 }
 
 /*
- * The wrong way round. No manual forbids it: the control moves to R and to Z wherever these lie, or stops with an alarm
- * before. A first peck may go down from R all the same.
+ * R and Z in the wrong order. No manual forbids this: the control moves to R and then to Z, or stops with an alarm
+ * before. A first peck may still move down from R.
  */
 static bool cross_over(struct canned_cycle *cycle, double offset)
 {
@@ -123,8 +123,8 @@ static bool cross_over(struct canned_cycle *cycle, double offset)
 }
 
 /*
- * Does R, or the depth under the letter Z, count from another height? That follows from the mode in which it was given,
- * where it keeps its place. What an increment leads to after G90 is not said.
+ * Is R, or the depth (letter Z), an increment? On controls that keep the position of words this depends on the mode in
+ * which the word was given. Manuals do not say what an increment means after G90.
  */
 static bool find_mode(struct canned_cycle *cycle, char letter, bool given, bool *incremental)
 {
@@ -145,7 +145,7 @@ static bool find_mode(struct canned_cycle *cycle, char letter, bool given, bool 
 		     letter == 'R' ? "R" : "the depth", cycle->code / 10);
 }
 
-/* The heights of R, of the bottom and of the retract, from the level before the first of the cycles. */
+/* Finds the heights of R, of the bottom and of the retract, from the initial level. */
 static bool find_heights(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
@@ -188,7 +188,7 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 
 	if (!needed && !optional)
 		return true;
-	/* LinuxCNC's taps take the dwell of the cycle before, whichever it was. */
+	/* LinuxCNC's taps use the dwell of the cycle before, whatever its code. */
 	kept = kept || (by_code && !needed);
 	cycle->dwells = by_code || given || (kept && (memory->known & letter_bit('P')));
 	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
@@ -218,7 +218,7 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	return true;
 }
 
-/* I and J say how far aside and where to; the block's Q, or else the one of an earlier block, comes before them. */
+/* Do I and J give the shift with its direction? A Q of the block, or else of an earlier block, has priority. */
 static bool is_shift_by_ij(const struct canned_cycle *cycle, bool kept)
 {
 	const struct block *block = &cycle->interp->block;
@@ -230,8 +230,9 @@ static bool is_shift_by_ij(const struct canned_cycle *cycle, bool kept)
 }
 
 /*
- * How far a bore shifts the tool out of the cut. A parameter of the control says in which direction Q goes (Fanuc
- * B-64484EN, "Fine Boring Cycle (G76)", parameter 5148; Haas, setting 27): all of the disc around the axis is proved.
+ * Finds the distance by which a bore shifts the tool away from the wall. A parameter of the control gives the direction
+ * of Q (Fanuc B-64484EN, "Fine Boring Cycle (G76)", parameter 5148; Haas, setting 27): therefore the whole disc around
+ * the axis is proved.
  */
 static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 {
@@ -249,10 +250,10 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 				     code);
 		cycle->shift_a = cycle_words_or_zero(cycle, 'I', kept) * state->scale;
 		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
-		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
+		/* Manuals do not say exactly where a back boring cycle shifts: the disc covers it. */
 		cycle->spread = back ? math_hypot(cycle->shift_a, cycle->shift_b) : 0;
 	} else if ((!back || cycle->traits->any_order == ANSWER_YES) && !cycle_words_know(cycle, 'Q', kept)) {
-		/* The tool goes in and out where it bores. */
+		/* The tool enters and leaves on the axis of the hole. */
 		if (!interp->cautioned_no_shift)
 			caution(&interp->at, column,
 				"G%d without Q: the tool %s without a shift, here and further on", code,
@@ -270,13 +271,13 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		return fault(&interp->at, column,
 			     "G%d while the tool centre point is controlled: where its shift goes is not followed yet",
 			     code);
-	/* The disc is proved along the way up; no way, no proof. */
+	/* The disc is proved along the path up; without such a path there is no proof. */
 	if (!cycle->crosses && !(cycle->clear > (back ? cycle->r : cycle->bottom)))
 		return fault(&interp->at, column, "G%d whose retract does not rise from the bottom", code);
 	return true;
 }
 
-/* L or K: the number of holes, which lie one step of G91 apart. */
+/* L or K: the number of holes, one step of G91 apart. */
 static bool find_repeats(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -286,7 +287,7 @@ static bool find_repeats(struct canned_cycle *cycle)
 	char letter = by_l ? 'L' : cycle->traits->repeat_letter;
 
 	cycle->repeats = 1;
-	/* Fanuc's parameter 0001#1 (FCV) has the program format of Series 15, where L repeats, as it does before 16. */
+	/* Fanuc's parameter 0001#1 (FCV) selects the format of Series 15, where L repeats, as before Series 16. */
 	if (asks && !by_l && block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'),
 			     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" "
@@ -300,7 +301,7 @@ static bool find_repeats(struct canned_cycle *cycle)
 	if (cycle->repeats == 0 && cycle->traits->zero_repeats_refused == ANSWER_YES)
 		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
 			     cycle->code / 10);
-	/* The words are kept and nothing is drilled; whether the tool goes there is not the same everywhere. */
+	/* The words are kept and nothing is drilled; controls differ in whether the tool moves to the position. */
 	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
 		return fault(&interp->at, block_column(block, letter),
 			     "%c0 with a position: whether the tool goes there depends on the control; leave out one "
@@ -309,7 +310,7 @@ static bool find_repeats(struct canned_cycle *cycle)
 	return true;
 }
 
-/* Where the holes are; rotary axes may move there, too, where the control allows it. */
+/* Finds the positions of the holes; rotary axes may move there, too, if the control allows it. */
 static bool find_holes(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -367,9 +368,8 @@ static bool check_spindle(struct canned_cycle *cycle)
 /* ------------------------------------------------------------------ holes */
 
 /*
- * Moves over the next hole and down to R. Where cycles rise first, the first
- * hole is reached at the present height if that is above R, and any other at
- * the retract height.
+ * Moves over the next hole and down to R. On controls whose cycles rise first, the tool moves to the first hole at the
+ * present height if that is above R, and to any other hole at the retract height.
  */
 static bool go_over(struct canned_cycle *cycle, bool first, double height)
 {
@@ -404,7 +404,7 @@ static bool make_holes(struct canned_cycle *cycle)
 	return true;
 }
 
-/* A tool below R rises to R first, on controls that do so. */
+/* On controls whose cycles rise first: a tool below R rises to R. */
 static bool rise(struct canned_cycle *cycle)
 {
 	const struct state *state = &cycle->interp->state;
@@ -427,7 +427,7 @@ static bool make_cycle(struct canned_cycle *cycle)
 	return good;
 }
 
-/* Where a cycle may stand without axis words, only blocks that name an axis drill. */
+/* On controls where a cycle may have no axis words, only blocks with an axis word drill. */
 static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 {
 	const struct block *block = &cycle->interp->block;

@@ -8,15 +8,15 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_table.h"
 
-/* Circles that cover the pocket: the more of them, the less each spreads. */
+/* The number of circles that cover the pocket: more circles have smaller spreads. */
 #define RINGS 8
 
 #define REPEATS_MAX 1000
 
 struct pocket {
-	slot_values centre;	/* at the depth */
+	slot_values centre;	/* at the final depth */
 	double radius;	/* mm: of the tool's axis about the centre */
-	double top;	/* straight position of Z before */
+	double top;	/* straight position of Z before the cycle */
 	struct canon_feed feed;
 };
 
@@ -42,7 +42,7 @@ static bool check_state(struct interp *interp)
 	return true;
 }
 
-/* D0, or no D yet: the radii are those of the tool's axis. */
+/* With D0, or without any D, the radii are those of the path of the tool's axis. */
 static bool find_radius(struct interp *interp, struct pocket *pocket)
 {
 	const struct block *block = &interp->block;
@@ -62,7 +62,7 @@ static bool find_radius(struct interp *interp, struct pocket *pocket)
 	       fault(&interp->at, block_column(block, letter), "the pocket is smaller than the tool");
 }
 
-/* With G91 each of the L passes goes deeper by Z. */
+/* With G91 each of the L passes is deeper by Z. */
 static bool find_depth(struct interp *interp, struct pocket *pocket)
 {
 	const struct block *block = &interp->block;
@@ -80,7 +80,7 @@ static bool find_depth(struct interp *interp, struct pocket *pocket)
 	return true;
 }
 
-/* A circle about the centre at half depth, from which no place of its ring is farther than the spread. */
+/* Moves on a circle about the centre at half depth; its spread covers the ring. */
 static bool go_round(struct interp *interp, const struct pocket *pocket, double radius)
 {
 	slot_values start = pocket->centre;

@@ -5,7 +5,7 @@
 #include "gcode/execute/rotated_frame.h"
 #include "geom/tolerance.h"
 
-/* Further ones are an alarm. */
+/* Further conversions are an alarm. */
 #define CONVERSIONS_MAX 2
 
 bool coordinate_conversion_is(const struct block *block)
@@ -52,9 +52,9 @@ static bool check_form(struct interp *interp)
 }
 
 /*
- * Fanuc 16-C operator's manual (B-62764EN), "Three-dimensional coordinate conversion": the zero goes to the centre, and
- * the axes turn by R about the direction I J K through it. A second G68 counts in the coordinates of the first;
- * without a centre it turns about the same point.
+ * Fanuc 16-C operator's manual (B-62764EN), "Three-dimensional coordinate conversion": the zero is moved to the centre,
+ * and the axes turn by R about the direction I J K through the centre. A second G68 is given in the coordinates of the
+ * first one; without a centre it turns about the same point.
  */
 bool coordinate_conversion_turn(struct interp *interp)
 {

@@ -23,7 +23,7 @@ static int across_of(int plane)
 	return plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 }
 
-/* The centre is given by its words; without words it is where the tool is. */
+/* The centre is given by words; without words it is the present position of the tool. */
 static bool find_centre(struct interp *interp, vec3 *centre)
 {
 	const struct state *state = &interp->state;
@@ -51,9 +51,8 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68,
- * G69); Haas mill operator's manual, "G68 Rotation": by R degrees about a
- * centre in the plane, counter-clockwise.
+ * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68, G69); Haas mill operator's manual, "G68
+ * Rotation": a rotation by R degrees about a centre in the plane, counter-clockwise.
  */
 static bool turn_in_plane(struct interp *interp)
 {
@@ -84,7 +83,7 @@ static bool turn_in_plane(struct interp *interp)
 	return true;
 }
 
-/* Fanuc 30i-B operator's manual, tilted working plane indexing (G68.2), and on top of the one in force (G68.4). */
+/* Fanuc 30i-B operator's manual, tilted working plane indexing: G68.2, and G68.4 relative to the active plane. */
 static bool tilt(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -124,7 +123,7 @@ static bool turn_back(struct interp *interp)
 	return true;
 }
 
-/* After G68 a single absolute word leaves open whether the other coordinate counts as turned. */
+/* After G68, a single absolute word does not determine whether the other coordinate counts as turned. */
 static bool check_both_words(struct interp *interp)
 {
 	const struct state *state = &interp->state;
@@ -190,16 +189,14 @@ bool coordinate_rotation_turn(struct interp *interp)
 		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 without a G53.1 after it");
 	if (state->frame.on && code != G68_4 && !coordinate_conversion_goes_on(interp))
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
-	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
+	/* In G91, parameters decide whether R adds to the former angle and whether X Y Z are relative to the tool. */
 	if (state->incremental)
 		return fault(&interp->at, column, "%s in incremental distance mode (G91) is not supported yet",
 			     code == G68 ? "G68" : "G68.2");
 	return code == G68 ? turn_in_plane(interp) : tilt(interp);
 }
 
-/*
- * G53.6: TCP holds the tool's tip at its place of the workpiece while the rotary axes turn.
- */
+/* G53.6: TCP keeps the tool's tip at its place on the workpiece while the rotary axes turn. */
 static bool turn_about_tip(struct interp *interp, int column, slot_values target)
 {
 	struct state *state = &interp->state;
@@ -214,7 +211,7 @@ static bool turn_about_tip(struct interp *interp, int column, slot_values target
 	return motion_commands_go(interp, &target, &move);
 }
 
-/* P says which solution is taken. Where the axes can reach only one, that is no question. */
+/* P selects the solution. If the axes can reach only one solution, P is not needed. */
 static bool check_choice(struct interp *interp, const struct kinematics_orientation *orientation)
 {
 	const int column = block_has(&interp->block, 'P') ? block_column(&interp->block, 'P') : 0;
@@ -240,10 +237,9 @@ static bool check_choice(struct interp *interp, const struct kinematics_orientat
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
- * (G53.1): the rotary axes turn at the rapid rate and the linear axes stand
- * still; or the tip stands still (G53.6). From here on coordinates are those of
- * the tool point on the workpiece, which may have turned with its table.
+  * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control (G53.1): the rotary axes turn at the rapid
+  * rate while the linear axes stand still, or, with G53.6, while the tip stands still. From then on coordinates are
+  * those of the tool point on the workpiece, which may have turned with its table.
  */
 bool coordinate_rotation_orient_tool(struct interp *interp)
 {
@@ -283,7 +279,7 @@ static bool changes_offsets(const struct block *block)
 	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
 }
 
-/* G28, G30, G53 while G68 is in force: turning does not change what they mean for the axis across the plane. */
+/* G28, G30, G53 while G68 is active: the rotation has no effect on the axis perpendicular to the plane. */
 static bool check_by_machine(struct interp *interp)
 {
 	const struct block *block = &interp->block;

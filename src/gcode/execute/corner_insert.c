@@ -15,7 +15,7 @@
 #include "gcode/execute/rotated_frame.h"
 #include "geom/tolerance.h"
 
-/* Radians: a corner that is flatter, or nearly a reversal, has no rounding that is certain. */
+/* Radians: a flatter corner, or one that is as near to a reversal, has no well-defined rounding. */
 #define FLAT_CORNER 0.0175
 
 static double distance(struct plane_point p, struct plane_point q)
@@ -38,7 +38,7 @@ static double dot(struct plane_point p, struct plane_point q)
 	return p.a * q.a + p.b * q.b;
 }
 
-/* What the words of a corner are called in messages. */
+/* The names of the corner's words in messages. */
 static const char *names(const struct interp *interp)
 {
 	const char *given = traits_of(interp)->corner_names;
@@ -46,7 +46,7 @@ static const char *names(const struct interp *interp)
 	return given ? given : ",C or ,R";
 }
 
-/* What follows a fault is no fault of its own. */
+/* After a fault: the corner is dropped, so that it causes no further faults. */
 static bool drop(struct interp *interp)
 {
 	interp->corner.on = false;
@@ -83,7 +83,7 @@ bool corner_insert_start_block(struct interp *interp)
 	return true;
 }
 
-/* Its way leaves the plane or does not move in it. */
+/* Does the move leave the plane, or not move in the plane? */
 static bool leaves_plane(const struct interp *interp, const slot_values *target)
 {
 	slot_values here = rotated_frame_straight(&interp->state);
@@ -108,7 +108,7 @@ static struct plane_point direction_at(const struct comp_way *way, struct plane_
 	return way->clockwise ? (struct plane_point){radial.b, -radial.a} : (struct plane_point){-radial.b, radial.a};
 }
 
-/* The point of a way next to the centre of the rounding. */
+/* The point of a path nearest to the centre of the rounding. */
 static struct plane_point touch(const struct comp_way *way, struct plane_point at, struct plane_point direction,
 				struct plane_point centre)
 {
@@ -120,7 +120,7 @@ static struct plane_point touch(const struct comp_way *way, struct plane_point a
 	return along(way->centre, radius / fmax(length, SAME_POINT), from_centre);
 }
 
-/* Does the point lie on the way from one point of it to another? */
+/* Is the point on the path between two of its points? */
 static bool lies_between(const struct comp_way *way, struct plane_point from, struct plane_point to,
 			 struct plane_point point)
 {
@@ -135,7 +135,7 @@ static bool lies_between(const struct comp_way *way, struct plane_point from, st
 
 /* The corner between the block that waits and the next one. */
 struct insertion {
-	struct plane_point first, last; /* where it starts and ends */
+	struct plane_point first, last; /* its start and end */
 	struct plane_point centre; /* of a rounding */
 	bool clockwise;
 };
@@ -222,7 +222,7 @@ static void put_at(struct interp *interp, const slot_values *straight)
 		state_set_position(&interp->state, slot, position.v[slot]);
 }
 
-/* Makes the block that waits, as it stood, and the corner behind it, and tells its end. */
+/* Makes the moves of the waiting block and of its corner, and sends the end of the block. */
 static bool make_waiting(struct interp *interp, const struct insertion *insertion)
 {
 	struct pending_corner corner = interp->corner;

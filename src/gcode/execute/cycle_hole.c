@@ -5,8 +5,8 @@
 #include "gcode/execute/motion_commands.h"
 
 /*
- * mm: LinuxCNC 2.9 stops its rapid this far above the last depth. On other controls a parameter says how far; the rapid
- * stays within the way that the cycle makes in any case.
+ * mm: LinuxCNC 2.9 stops its rapid this far above the last depth. On other controls a parameter gives this distance;
+ * the rapid is part of the cycle's path in any case.
  */
 #define PECK_CLEARANCE 0.254
 
@@ -19,7 +19,7 @@ static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
 				  .spindle_turns = taps,
 				  .turn = taps ? TURN_OF_TAP : TURN_UNKNOWN};
 
-	/* In turned coordinates the plane may lie anywhere. */
+	/* In turned coordinates the plane may have any direction. */
 	for (int slot = SLOT_X; slot <= SLOT_Z && cycle->aside; slot++)
 		move.spread[slot] = slot == (int)cycle->depth && !cycle->interp->state.frame.on ? 0 : cycle->spread;
 	cycle->at.v[cycle->depth] = height;
@@ -63,7 +63,7 @@ static bool step_aside(struct canned_cycle *cycle, double sign, double height)
 	return cycle_hole_rapid(cycle, height);
 }
 
-/* A rapid of which it is only known that the tool is no farther beside the axis of the hole than the spread. */
+/* A rapid on which the distance of the tool from the axis of the hole is at most the spread. */
 static bool rapid_aside(struct canned_cycle *cycle, double height)
 {
 	bool good;
@@ -74,7 +74,7 @@ static bool rapid_aside(struct canned_cycle *cycle, double height)
 	return good;
 }
 
-/* G76: stops the spindle in its orientation, steps aside at the bottom and back where it has left the hole. */
+/* G76: stops the spindle in its orientation, shifts the tool aside at the bottom, and back above the hole. */
 static bool bore_finely(struct canned_cycle *cycle)
 {
 	bool known = !(cycle->spread > 0);
@@ -88,15 +88,15 @@ static bool bore_finely(struct canned_cycle *cycle)
 }
 
 /*
- * Down to R beside the axis, up to Z on it, and out beside it again. Whether the tool goes out from Z or by way of R:
- * the way down has covered what lies below Z.
+ * Moves down to R beside the axis of the hole, up to Z on the axis, and out beside the axis. The tool may leave from Z
+ * or from R: the path down has covered the places below Z.
  */
 static bool bore_upwards(struct canned_cycle *cycle)
 {
 	return rapid_aside(cycle, cycle->r) && feed(cycle, cycle->bottom) && rapid_aside(cycle, cycle->clear);
 }
 
-/* The spindle stops, and the operator takes the tool out: straight up, which is all that can be followed. */
+/* The spindle stops, and the operator retracts the tool by hand: only straight up can be followed. */
 static bool bore_by_hand(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -111,7 +111,7 @@ static bool bore_by_hand(struct canned_cycle *cycle)
 	return feed(cycle, cycle->bottom) && rest(cycle) && cycle_hole_rapid(cycle, cycle->clear);
 }
 
-/* G87: goes down beside the axis of the hole, bores upwards on the axis, and leaves the same way. */
+/* G87: moves down beside the axis of the hole, bores upwards on the axis, and leaves by the same path. */
 static bool bore_back(struct canned_cycle *cycle)
 {
 	return step_aside(cycle, 1, cycle->r) && cycle_hole_rapid(cycle, cycle->bottom) &&
@@ -120,7 +120,7 @@ static bool bore_back(struct canned_cycle *cycle)
 	       cycle_hole_rapid(cycle, cycle->clear) && step_aside(cycle, -1, cycle->clear);
 }
 
-/* Leaves the hole at the feed as far as R, and on some controls taps and G89 further to the retract height. */
+/* Leaves the hole at the feed up to R; on some controls taps and G89 feed up to the retract height. */
 static bool feed_out(struct canned_cycle *cycle)
 {
 	if (cycle->traits->feeds_to_clear == ANSWER_YES && cycle->code != G85)
@@ -133,7 +133,7 @@ bool cycle_hole_bores_back(const struct canned_cycle *cycle)
 	return cycle->code == G77 || (cycle->code == G87 && cycle->traits->g87 == G87_BACK_BY_Q);
 }
 
-/* R and Z lie the wrong way round: to R, by one peck down, to Z and out again, beside the axis as bores shift. */
+/* R and Z in the wrong order: moves to R, down by one peck, to Z and out, with the shift of bores aside. */
 static bool cross_over(struct canned_cycle *cycle)
 {
 	cycle->aside = cycle->spread > 0;

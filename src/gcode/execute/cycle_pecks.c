@@ -6,7 +6,7 @@
 #include "base/same_double.h"
 #include "gcode/execute/cycle_words.h"
 
-/* Haas, "G73", "G83": the first peck is I, each one is less by J, and none is less than K. */
+/* Haas, "G73", "G83": the first peck is I, each further peck is smaller by J, and no peck is smaller than K. */
 static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
@@ -24,7 +24,7 @@ static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
 	return true;
 }
 
-/* Whatever the pecks are, they lie on the way between R and the bottom. */
+/* All pecks are on the path between R and the bottom, whatever their depths. */
 static void drill_in_one_stroke(struct canned_cycle *cycle)
 {
 	cycle->peck = cycle->peck_least = cycle->crosses ? 0 : cycle->r - cycle->bottom + 1;
@@ -53,7 +53,7 @@ bool cycle_pecks_find(struct canned_cycle *cycle, bool kept)
 	    block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q') : block_motion_column(&interp->block);
 	double q = 0;
 
-	/* Fanuc B-64484EN, "Peck Rigid Tapping Cycle": Q is kept; the pecks and their retracts lie on the same way. */
+	/* Fanuc B-64484EN, "Peck Rigid Tapping Cycle": Q is kept; the pecks and their retracts are on the same path. */
 	if (cycle->code == G74 || cycle->code == G84)
 		return !block_has(&interp->block, 'Q') || cycle_words_take(cycle, 'Q', kept, &q);
 	if (cycle->code != G73 && cycle->code != G83)

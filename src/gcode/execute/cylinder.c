@@ -11,16 +11,13 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 
-/*
- * mm: how far a piece of an arc may be beside its chord. Smaller pieces prove more closely, and there are more of
- * them.
- */
+/* mm: the greatest distance of a piece of an arc from its chord. A smaller value: a tighter proof, more pieces. */
 #define BESIDE 0.002
 #define PIECES_MAX 100000
 
 /*
- * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it,
- * with 0 it ends. The word is a length.
+  * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it,
+  * G7.1 with 0 ends it. The word is a length.
  */
 bool cylinder_switch(struct interp *interp)
 {
@@ -38,7 +35,7 @@ bool cylinder_switch(struct interp *interp)
 	if (words != 1 || !slot_is_rotary(slot))
 		return fault(&interp->at, column, "G7.1 needs one rotary axis, with the radius of the cylinder or 0");
 	letter = AXIS_LETTERS[slot];
-	/* It was read as an angle: in inches, an increment of a length is smaller. */
+	/* The word was read as an angle: in inches, an increment of a length is smaller. */
 	if (!(block->points & letter_bit(letter)) && state->scale > 1 && increment < 1 &&
 	    !same_double(block_value(block, letter), 0))
 		return fault(&interp->at, block_column(block, letter),
@@ -56,9 +53,7 @@ bool cylinder_switch(struct interp *interp)
 	return true;
 }
 
-/*
- * The same section: no positioning, canned cycles, offsets or reference positions; compensation is not followed here.
- */
+/* The same section: no positioning, canned cycles, offsets or reference positions; compensation is not supported. */
 bool cylinder_check_block(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -120,8 +115,8 @@ static struct plane_point surface_point(const struct cylinder *cylinder, const s
 }
 
 /*
- * The same section: the angle times the radius is a length on the surface, where the arc lies. A chord of an arc of
- * radius R over the angle w is at most R w^2 / 8 beside it, at the same part of both.
+  * The same section: the angle times the radius is a length on the surface that contains the arc. The distance of a
+  * chord from its arc, at equal shares of both, is at most R w^2 / 8 for the radius R and the angle w.
  */
 bool cylinder_arc(struct interp *interp)
 {

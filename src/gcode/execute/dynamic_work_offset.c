@@ -11,7 +11,7 @@ static bool is_zero(double value)
 	return same_double(value, 0);
 }
 
-/* The manual does not say in which order a block would be carried out. */
+/* The manual does not say in which order the control carries out the codes of a block. */
 static bool stands_alone(const struct block *block)
 {
 	bool still = block->motion == CODE_NONE || block->motion == G0 || block->motion == G1 || block->motion == G80;
@@ -60,7 +60,7 @@ bool dynamic_work_offset_check_system(struct interp *interp, int system)
 		     "G255 first");
 }
 
-/* Marks the coordinates that have changed while the axes stand. */
+/* Marks the coordinates that have changed without a move of the axes. */
 static void mark_unsure(struct state *state, const slot_values *before, int code)
 {
 	struct dynamic_work_offset *dynamic = &state->dynamic;

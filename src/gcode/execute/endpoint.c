@@ -13,8 +13,8 @@
 #include "geom/tolerance.h"
 
 /*
- * The shortest way to a position modulo a turn (Fanuc 16i/18i-MB operator's manual,
- * B-63534EN, "Rotary axis roll-over"). The manual does not say which way half a turn goes.
+ * The shortest path to a position modulo a turn (Fanuc 16i/18i-MB operator's manual, B-63534EN, "Rotary axis
+ * roll-over"). The manual does not give the direction of exactly half a turn.
  */
 static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
 {
@@ -34,7 +34,7 @@ static bool shortest(struct interp *interp, int slot, double aim, int column, do
 	return true;
 }
 
-/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the way is less than one turn. */
+/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the turn is less than 360 degrees. */
 static double directed(const struct interp *interp, int slot, double aim, bool negative)
 {
 	double turns = (interp->state.position.v[slot] - aim) / 360;
@@ -44,7 +44,7 @@ static double directed(const struct interp *interp, int slot, double aim, bool n
 	return aim + 360 * ceil(turns - SAME_DEGREES / 360);
 }
 
-/* Does an absolute position mean one of many, a turn apart? */
+/* Does an absolute position stand for all positions modulo a turn? */
 static bool turns_round(const struct interp *interp, int slot)
 {
 	return slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE;
@@ -72,9 +72,9 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 }
 
 /*
- * Where a set of places is not followed (probed_axes.h), only the axes of the probe's way may be led back along it
- * before others move: elsewhere the path depends on where the probe has stopped, and what is followed starts at the
- * end of the probe's way.
+ * If the set of places after a probe is not followed (probed_axes.h), the program must move the probed axes back along
+ * the probe's path before it moves other axes. Otherwise the path depends on where the probe has stopped, while the
+ * checked path starts at the end of the probe's path.
  */
 static void caution_probe(struct interp *interp)
 {
@@ -93,7 +93,7 @@ static void caution_probe(struct interp *interp)
 		"on; lead the probed axis back by an absolute coordinate in a block of its own first");
 }
 
-/* The word leads the axis there from wherever a probe has stopped it, or from there on. */
+/* An absolute word makes the position of a probed axis known, unless its interval is followed (probed_axes.h). */
 static void settle(struct interp *interp, int slot)
 {
 	struct state *state = &interp->state;
@@ -111,7 +111,7 @@ static void forget_sets(struct interp *interp)
 		interp->state.probe_bounded[slot] = false;
 }
 
-/* Is it known where the word of this value leads the axis? False: reported. */
+/* Is the end position of the axis for this word known? False: reported. */
 static bool is_certain(struct interp *interp, int slot, double value)
 {
 	const struct state *state = &interp->state;
@@ -131,7 +131,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 	struct state *state = &interp->state;
 	const bool polar = !machine && state->polar.on, incremental = state->incremental;
 	const bool in_doubt = !machine && (incremental || state->length_doubt != CODE_NONE);
-	/* In most programs no probe has ever stopped an axis. */
+	/* A fast test: in most programs no probe ever stops an axis. */
 	const bool probed = memcmp(state->probed, none, sizeof(none)) != 0;
 	uint32_t left = block->letters & AXIS_BITS;
 

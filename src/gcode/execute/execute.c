@@ -31,13 +31,13 @@
 #include "gcode/execute/tool_vector.h"
 #include "gcode/execute/work_offset_use.h"
 
-/* A mode that words of a block need. */
+/* A mode that some words of a block need. */
 struct mode_question {
 	int group;
 	bool needed;
 	int column;
 	const char *question;
-	const char *answer;	/* what the machine file may say of it; NULL: nothing */
+	const char *answer;	/* the attribute of the machine file for it; or NULL */
 };
 
 #define UNITS_ANSWER "power_on_units=\"mm\" or \"inch\""
@@ -51,7 +51,7 @@ static bool refuse_mode(const struct interp *interp, const struct mode_question 
 		     mode->answer);
 }
 
-/* Words whose meaning depends on a mode need the mode: from the program, or as it is at power-on. */
+/* If words depend on a mode, the mode must be known: from the program, or as the mode at power-on. */
 static APART bool check_modes(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -83,7 +83,7 @@ static APART bool check_modes(struct interp *interp)
 	return true;
 }
 
-/* G93, G94, G95; then F, which in inverse time mode holds for its own block only. */
+/* G93, G94, G95; then F, which in inverse time mode is valid for its block only. */
 static bool execute_feed(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -125,7 +125,7 @@ static bool execute_speed(struct interp *interp)
 	return true;
 }
 
-/* The speed that the control kept from before may be 0. Then the cutter would stand in the part unseen. */
+/* Warns if no S was given: the control's former speed may be 0, and then a cutter without rotation enters the part. */
 static void miss_speed(struct interp *interp, int code)
 {
 	struct state *state = &interp->state;
@@ -139,7 +139,7 @@ static void miss_speed(struct interp *interp, int code)
 		code);
 }
 
-/* Canned cycles may depend on which way the spindle turns, and a cutter in the part on whether it does. */
+/* Canned cycles may depend on the direction of the spindle, and cutting on whether the spindle turns. */
 static bool execute_spindle(struct interp *interp)
 {
 	int code = interp->block.m[M_SPINDLE];
@@ -155,7 +155,7 @@ static bool execute_spindle(struct interp *interp)
 	return true;
 }
 
-/* M0, M1, M2, M30: the spindle stands while the operator is there. M3 holds again after M0 and M1. */
+/* M0, M1, M2, M30: the spindle stands during the stop. M3 is active again after M0 and M1. */
 static bool execute_stop(struct interp *interp)
 {
 	int code = interp->block.m[M_STOP];
@@ -165,12 +165,12 @@ static bool execute_stop(struct interp *interp)
 	return cutter_comp_stop(interp) && (code >= 97 || motion_commands_spindle_stops(interp));
 }
 
-/* G61, G61.1 keep to the path; G64 may leave it, at most by P if P is given (LinuxCNC's manual, "G64"). */
+/* G61 and G61.1 follow the path exactly; G64 may leave it, at most by P if P is given (LinuxCNC's manual, "G64"). */
 static bool execute_path(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	/* G61.1 keeps to the path on LinuxCNC; where G64 has no tolerance it has one that a parameter gives. */
+	/* G61.1 is exact on LinuxCNC; on controls whose G64 has no P, a parameter gives the tolerance of G61.1. */
 	bool blends = block->g[G_PATH] == G62 || block->g[G_PATH] == G63 || block->g[G_PATH] == G64 ||
 		      (block->g[G_PATH] == G61_1 && traits_of(interp)->g64_has_tolerance == ANSWER_NO);
 
@@ -200,7 +200,7 @@ static bool execute_path(struct interp *interp)
 	return true;
 }
 
-/* R of G68 and G68.2, and I, J and K of G68.2; J and K of G70 and G71. */
+/* Is the word an angle: R of G68 and G68.2; I, J and K of G68.2; J and K of G70 and G71? */
 static bool is_angle(const struct block *block, char letter)
 {
 	int code = block->g[G_ROTATION], pattern = block->g[G_NONMODAL];
@@ -211,7 +211,7 @@ static bool is_angle(const struct block *block, char letter)
 	       (code_tilts(code) && letter >= 'I' && letter <= 'K');
 }
 
-/* K of a canned cycle may be a number of holes; Q and R of G5.1, R of M19 and Q of G68.2 and M98 are no lengths. */
+/* Is the word a number: K of some canned cycles, Q and R of G5.1, R of M19, Q of G68.2 and M98? */
 static bool is_count(const struct block *block, const struct dialect_traits *traits, char letter)
 {
 	if (block->g[G_SCALING] == G51 && letter >= 'I' && letter <= 'K')
@@ -226,16 +226,16 @@ static bool is_count(const struct block *block, const struct dialect_traits *tra
 }
 
 /*
- * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting
- * 162: a number without a decimal point counts least input increments. In
- * inches an increment is a tenth of the figure in mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
+ * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting 162: a number without a decimal point counts
+ * least input increments. In inches the figure of an increment is a tenth of that in mm (IS-B: 0.001 mm, 0.0001 inch,
+ * 0.001 degrees).
  */
 static APART bool take_increments(struct interp *interp, uint32_t left)
 {
 	struct block *block = &interp->block;
 	enum whole_numbers whole = traits_of(interp)->whole_numbers;
 	double increment = interp->config->controller.least_input;
-	/* With 1, parameter 3401#0 (DPI) or setting 162 has whole numbers count whole units, of either kind. */
+	/* least_input 1: with parameter 3401#0 (DPI) or setting 162 whole numbers count whole mm, inches or degrees. */
 	double linear = interp->state.scale > 1 && increment < 1 ? increment / 10 : increment;
 
 	if (block->corner && !block->corner_point && whole == WHOLE_NUMBERS_INCREMENTS) {
@@ -325,7 +325,7 @@ static bool execute_nonmodal(struct interp *interp)
 	case G92_3:
 		return offsets_shift(interp);
 	case CODE_NONE:
-	case G4:	/* has been carried out */
+	case G4:	/* has been carried out before */
 	case G53:	/* belongs to the motion */
 	case G22:	/* moves nothing */
 		return true;
@@ -343,7 +343,7 @@ static bool cancel_motion(struct interp *interp)
 	return true;
 }
 
-/* Carries out the motion of the block. All of these send their moves by motion_commands.h, and none calls another. */
+/* Carries out the motion of the block. All these functions send moves by motion_commands.h; none calls another. */
 static bool execute_motion(struct interp *interp)
 {
 	static const struct {
@@ -373,7 +373,7 @@ static bool execute_motion(struct interp *interp)
 	if (code != CODE_NONE && code_is_cycle(code))
 		return canned_cycle_run(interp);
 	state->cycle.has_level = false;
-	/* Another code has taken the words. */
+	/* Another code has used the words. */
 	if (code == CODE_NONE)
 		return true;
 	for (size_t i = 0; i < sizeof(motions) / sizeof(motions[0]); i++) {
@@ -384,7 +384,7 @@ static bool execute_motion(struct interp *interp)
 		     code / 10.0);
 }
 
-/* What is in force may refuse the block, and ends what holds for one block only. */
+/* Active modes may refuse the block; modes that are valid for one block only end here. */
 static bool start_block(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -393,7 +393,7 @@ static bool start_block(struct interp *interp)
 		return false;
 	probed_axes_forget_turned(state);
 	state->length_moves = false;
-	/* Nearly every block finds nothing of it in force. */
+	/* In nearly every block none of these modes is active. */
 	return (!state->cylinder.on || cylinder_check_block(interp)) &&
 	       (!state->polar_interpolation.on || polar_interpolation_start_block(interp)) &&
 	       pocket_milling_start_block(interp) &&
@@ -403,7 +403,7 @@ static bool start_block(struct interp *interp)
 	       (interp->comp.side == 0 || cutter_comp_start_block(interp));
 }
 
-/* A block without codes but that of its motion: what execute_codes does in this case. */
+/* A block with no code but that of its motion: has the same effect as execute_codes. */
 static bool execute_plain(struct interp *interp)
 {
 	return execute_feed(interp) && execute_increments(interp) && cutter_comp_check_block(interp) &&
@@ -416,16 +416,14 @@ static bool execute_codes(struct interp *interp)
 	const struct dialect *dialect = interp->config->dialect;
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	/*
-	 * B-64484EN, "Auxiliary Function": M-codes are carried out with the move or behind it, as the builder has it.
-	 */
+	/* B-64484EN, "Auxiliary Function": the builder decides whether M-codes act with the move or after it. */
 	bool changes_late = block->m[M_TOOL] == 6 && interp->config->controller.m6_with_move == M6_AFTER_MOVE;
 
 	if (block->g[G_UNITS] != CODE_NONE && block->letters &&
 	    !is_answered(interp, block->g_column[G_UNITS], dialect->traits.known_order,
 			 "whether a unit holds for all words of its block"))
 		return false;
-	/* Fanuc and Haas: the unit stands at the head of the program, and holds for its whole block. */
+	/* Fanuc and Haas: the unit is at the start of the program, and is valid for its whole block. */
 	if (block->g[G_UNITS] != CODE_NONE && dialect->traits.known_order != ANSWER_YES)
 		state->scale = state_unit(block->g[G_UNITS]);
 	if (!execute_feed(interp) || !execute_speed(interp))

@@ -9,7 +9,7 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* K is the length of path for one revolution of the spindle. */
+/* K is the path length for one revolution of the spindle. */
 static bool find_pitch_feed(struct interp *interp, struct canon_feed *feed)
 {
 	const struct block *block = &interp->block;
@@ -41,7 +41,7 @@ static bool tap(struct interp *interp, const slot_values *target, struct canon_m
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
 				     "%c with G33.1, which moves X, Y and Z only", AXIS_LETTERS[slot]);
 	}
-	/* Down and back to the start; the way back is I times as fast if I > 1. */
+	/* Down and back to the start; the retract is I times as fast if I > 1. */
 	if (!motion_commands_go(interp, target, move))
 		return false;
 	if (block_has(block, 'I'))
@@ -54,7 +54,7 @@ static bool is_skip(int code)
 	return code >= G31 && code <= G31_3;
 }
 
-/* G38.2 and G38.4 must find something on their way, so the way cannot be empty. */
+/* G38.2 and G38.4 must find something on their path, so the path cannot be empty. */
 static bool check_probe(struct interp *interp, const slot_values *target)
 {
 	const struct block *block = &interp->block;
@@ -63,7 +63,7 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "probing under cutter compensation; G40 first");
-	/* Fanuc B-64484EN and Haas, "G31": no signal on the way is no error, and G95 is a feed like any other. */
+	/* Fanuc B-64484EN and Haas, "G31": a move without a signal is no error, and G95 is a feed like any other. */
 	if (is_skip(block->motion))
 		return true;
 	if (interp->state.feed_mode == FEED_PER_REVOLUTION)
@@ -77,7 +77,7 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
 }
 
-/* The probe stops where it finds something, or at the end of its way. */
+/* The probe stops where it finds something, or at the end of its path. */
 static bool probe(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct state *state = &interp->state, before = *state;
@@ -86,10 +86,7 @@ static bool probe(struct interp *interp, const slot_values *target, struct canon
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		bool word = block_has(&interp->block, AXIS_LETTERS[slot]);
 
-		/*
-		 * Under TCP each coordinate of the tool point may move all linear axes; so it is in turned
-		 * coordinates.
-		 */
+		/* Under TCP and in turned coordinates each coordinate of the tool point may move all linear axes. */
 		named[slot] = word || (slot <= SLOT_Z && (state->tcp != TCP_OFF || state->frame.on));
 		bounded = bounded && !(word && slot > SLOT_Z);
 	}
@@ -100,7 +97,7 @@ static bool probe(struct interp *interp, const slot_values *target, struct canon
 	return true;
 }
 
-/* Threads must begin where it is known that they do. */
+/* The start of a thread must be known. */
 static bool check_start(struct interp *interp)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -119,7 +116,7 @@ bool feedback_moves_run(struct interp *interp)
 
 	if (pitch ? !find_pitch_feed(interp, &move.feed) : !motion_commands_feed(interp, &move.feed))
 		return false;
-	/* G31 holds for its own block. */
+	/* G31 is valid for its block only. */
 	if (!is_skip(code))
 		interp->state.motion = code;
 	if (!endpoint_find(interp, false, &target))

@@ -4,7 +4,7 @@
 
 #define NUMBER_MAX 9999
 
-/* The setup has whole lengths and radii: what part of them is wear, it does not say. */
+/* The setup has total lengths and radii: it does not say which part of them is wear. */
 static void caution_wear(struct interp *interp, char letter, int number, bool is_wear)
 {
 	if (interp->cautioned_wear)
@@ -29,7 +29,7 @@ static bool check_in_use(struct interp *interp, char letter, int number)
 		     letter, number);
 }
 
-/* A diameter counts half. */
+/* Half of a diameter is written. */
 static bool find_factor(struct interp *interp, double *factor)
 {
 	enum comp_d form = interp->config->controller.comp_d;

@@ -9,7 +9,7 @@
 /* G59.3, the fixture of L11. */
 #define FIXTURE_SYSTEM (SYSTEM_COUNT - 1)
 
-/* The tool's offset in the slot, for which the block says `value`. */
+/* The tool's offset in the slot for the block's word `value`. */
 static double offset_of(const struct interp *interp, int mode, int slot, double value)
 {
 	const struct state *state = &interp->state;
@@ -19,7 +19,7 @@ static double offset_of(const struct interp *interp, int mode, int slot, double 
 		return word;
 	if (mode == 11)
 		return state->position.v[slot] - state->work[FIXTURE_SYSTEM].v[slot] - word;
-	/* LinuxCNC takes the shift from its parameters here. */
+	/* LinuxCNC uses the shift in its parameters here. */
 	return state->position.v[slot] - state->work[state->system].v[slot] -
 	       (state->shift_applied ? state->saved_shift.v[slot] : 0) - word;
 }

@@ -5,9 +5,9 @@
 #include "base/math/math_functions.h"
 #include "gcode/execute/tool_length.h"
 
-/* Radians: how far a rotary axis may be beside its straight way in a piece; a longer piece is halved. */
+/* Radians: the greatest deviation of a rotary axis from linear interpolation in a piece; else the piece is halved. */
 #define BESIDE 2e-5
-/* As a part of the move: a piece that is halved so often comes to where an axis would have to turn infinitely fast. */
+/* As a share of the move: a piece this short is at a place where an axis would have to turn infinitely fast. */
 #define SHORTEST (1.0 / 65536)
 
 static double widest(const struct kinematics_great_circle *piece)
@@ -36,7 +36,7 @@ bool great_circle_pieces_find(struct interp *interp, int column, const axis_valu
 	return true;
 }
 
-/* Pieces as long as they may be; `go` is NULL where nothing moves yet. *can: none became too short. */
+/* Divides the move into pieces as long as possible; `go` is NULL if nothing moves yet. *can: none became too short. */
 static bool follow(struct interp *interp, int column, struct kinematics_great_circle piece, great_circle_pieces_fn go,
 		   void *context, bool *can)
 {

@@ -27,13 +27,13 @@ static bool is_settled(const struct interp *interp, int slot)
 	       (block->g[G_NONMODAL] == CODE_NONE || block->g[G_NONMODAL] == G53);
 }
 
-/* An axis whose end the block leaves open, or -1. */
+/* An axis whose end position the block does not determine, or -1. */
 static int find_open(const struct interp *interp, const struct length_change *change)
 {
 	bool tcp = interp->state.tcp != TCP_OFF;
 
 	for (int slot = SLOT_Z; slot >= SLOT_X; slot--) {
-		/* The control may have taken the former length back. */
+		/* The control may have cancelled the former length. */
 		bool doubtful = change->doubt != CODE_NONE && (tcp || slot == SLOT_Z);
 
 		if ((doubtful || fabs(change->shift.v[slot]) > SAME_COORDINATE) && !is_settled(interp, slot))
@@ -42,7 +42,7 @@ static int find_open(const struct interp *interp, const struct length_change *ch
 	return -1;
 }
 
-/* Does the block move the axes by the shift alone, or by the shift and a straight move? */
+/* Does the block move the axes only by the shift, or by the shift and a straight move? */
 static bool is_plain(const struct interp *interp, const struct length_change *change)
 {
 	const struct block *block = &interp->block;
@@ -54,11 +54,9 @@ static bool is_plain(const struct interp *interp, const struct length_change *ch
 }
 
 /*
- * Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift
- * Types": parameter 5006#6 (TOS) tells whether the axes move or the coordinates
- * are shifted; shifted coordinates move nothing without a move command. Operator's
- * manual, tool length compensation: axes that move go by the block's increments
- * plus the shift.
+ * Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift Types": parameter 5006#6 (TOS) decides
+ * whether the axes move or the coordinates are shifted; shifted coordinates move nothing without a move command.
+ * Operator's manual, tool length compensation: axes that move do so by the block's increments plus the shift.
  */
 bool length_change_settle(struct interp *interp, const struct length_change *change)
 {

@@ -16,7 +16,7 @@ static bool is_mirrored(const struct state *state, int slot)
 	return (slot == SLOT_X ? turn->x.x : slot == SLOT_Y ? turn->y.y : turn->z.z) < 0;
 }
 
-/* G28, G30, G53: not at all, or not with an axis that is mirrored. */
+/* G28, G30, G53: refused, or refused only for a mirrored axis. */
 static bool check_by_machine(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -64,7 +64,7 @@ bool mirror_image_start_block(struct interp *interp)
 	return check_cycle(interp);
 }
 
-/* The mirror of each axis, which may stand at a coordinate where the control has one. */
+/* Adds the mirror of each axis, at a coordinate on controls that have one. */
 static bool add_mirrors(struct interp *interp, double sign[3], double at[3])
 {
 	const struct block *block = &interp->block;
@@ -83,7 +83,7 @@ static bool add_mirrors(struct interp *interp, double sign[3], double at[3])
 		if (slot > SLOT_Z)
 			return fault(&interp->at, block_column(block, letter), "a mirror image of %c is not supported",
 				     letter);
-		/* Haas mirrors at the zero of the work offset; what another figure does its manual does not say. */
+		/* Haas mirrors at the zero of the work offset; its manual does not explain other values. */
 		if (code == G101 && !same_double(block_value(block, letter), 0))
 			return fault(&interp->at, block_column(block, letter),
 				     "G101 with another figure than 0 is not supported");

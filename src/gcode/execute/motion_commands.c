@@ -14,14 +14,14 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* What the modes and the block say about a move. */
+/* Sets the data of a move that depend on the modes and the block. */
 static void fill_in(struct interp *interp, struct canon_move *move)
 {
 	struct state *state = &interp->state;
 
 	move->file = interp->at.file;
 	move->line = interp->at.line;
-	/* A spindle that stops is no move to be counted. */
+	/* A spindle stop is not counted as a move. */
 	interp->moves += move->kind != CANON_SPINDLE_STOP;
 	move->number = interp->moves;
 	move->tcp = state->tcp != TCP_OFF;
@@ -39,7 +39,7 @@ static void fill_in(struct interp *interp, struct canon_move *move)
 		move->spindle_speed = state->spindle == SPINDLE_CLOCKWISE ? state->speed : -state->speed;
 }
 
-/* Are there axes that may be beside the path of any move? */
+/* Are there axes that may deviate from the path of every move? */
 static bool widens(const struct interp *interp)
 {
 	const double *loose = interp->comp.loose;
@@ -47,7 +47,7 @@ static bool widens(const struct interp *interp)
 	return larger(loose[SLOT_X], larger(loose[SLOT_Y], loose[SLOT_Z])) > 0 || interp->state.cylinder.on;
 }
 
-/* Adds how far they may be beside this one, which has been filled in. */
+/* Adds the deviation of these axes to a move that fill_in has completed. */
 static void widen(const struct interp *interp, struct canon_move *move)
 {
 	const struct state *state = &interp->state;
@@ -55,11 +55,11 @@ static void widen(const struct interp *interp, struct canon_move *move)
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (!(interp->comp.loose[slot] > 0))
 			continue;
-		/* The move that ended the compensation has been everywhere that the axis may be. */
+		/* The move that ended the compensation has covered all possible positions of the axis. */
 		move->between[slot] |= !(move->spread[slot] > 0);
 		move->spread[slot] += interp->comp.loose[slot];
 	}
-	/* The path lies on the surface of the cylinder: to leave it there turns the axis by more, the smaller it is. */
+	/* The path is on the surface of the cylinder: a deviation there turns the axis by deviation / radius. */
 	if (state->cylinder.on)
 		move->turn_spread[state->cylinder.slot - SLOT_A] +=
 		    path_rounding(interp, move) / state->cylinder.radius;
@@ -104,7 +104,7 @@ bool motion_commands_emit(struct interp *interp, struct canon_move *move)
 		pocket_outline_take(&interp->state.pocket_milling, move);
 		return true;
 	}
-	/* What is filled in must not count for the caller's next move. A copy is slow, and seldom needed. */
+	/* These members must be restored for the caller's next move. A copy of the move is slow, and seldom needed. */
 	if (widens(interp))
 		return emit_wide(interp, *move);
 	fill_in(interp, move);
@@ -127,7 +127,7 @@ static bool go_to(struct interp *interp, const slot_values *position, struct can
 	return motion_commands_emit(interp, move);
 }
 
-/* Moves on from where a probe may have stopped. */
+/* Moves from the places where a probe may have stopped. */
 static APART bool go_probed(struct interp *interp, const slot_values *position, struct canon_move *move)
 {
 	struct state *state = &interp->state;
@@ -237,7 +237,7 @@ bool motion_commands_dwell(struct interp *interp)
 
 	for (const char *letters = traits_of(interp)->dwell_letters; *letters; letters++)
 		letter = block_has(block, *letters) ? *letters : letter;
-	/* block_check has seen one of them. */
+	/* block_check has found one of the letters. */
 	assert(letter >= 'A');
 	if (!motion_commands_seconds(interp, letter, &seconds))
 		return false;
@@ -246,12 +246,12 @@ bool motion_commands_dwell(struct interp *interp)
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
-/* More than any axis reaches: moves at this feed are held to the axes' rates. */
+/* A feed that no axis reaches: the axes' rates limit moves at this feed. */
 #define FASTEST_FEED 1e6
 
 /*
- * Before any F: Fanuc B-64484EN and Haas call it an alarm; a program that is a part of a job finds the F of the part
- * before. The path is the same.
+ * A feed move before any F: Fanuc B-64484EN and Haas call this an alarm, but a program that is a part of a job uses the
+ * F of the part before. The path is the same.
  */
 static bool keep_feed(struct interp *interp, struct canon_feed *feed)
 {
@@ -299,7 +299,7 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 	}
 	feed->linear = state->feed_linear * per_second;
 	feed->angular = radians(state->feed_angular) * per_second;
-	/* F counts along the surface. */
+	/* F is the feed along the surface. */
 	if (state->cylinder.on)
 		feed->angular = feed->linear / state->cylinder.radius;
 	return true;

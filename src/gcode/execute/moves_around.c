@@ -22,7 +22,7 @@ bool moves_around_go(struct interp *interp, const double around[3], int column)
 	}
 	low.v[along] -= around[along];
 	high.v[along] += around[along];
-	/* In turned coordinates the box may lie in any direction; scaled ones scale the moves of the builder, too. */
+	/* In turned coordinates the box may have any direction; scaling also applies to the builder's moves. */
 	size = sqrt(size) * (state->frame.distorts ? state->frame.growth : 1);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		move.spread[slot] = state->frame.on ? size : slot == along ? 0 : around[slot];

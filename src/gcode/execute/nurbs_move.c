@@ -14,7 +14,7 @@
 #define RANK_DEFAULT 4
 #define RANK_MAX 4
 
-/* mm: how far the boxes reach to the sides of a piece, unless it is as short as this share of the way between knots. */
+/* mm: the greatest half width of a box, unless its piece is as short as this share of the interval between knots. */
 #define BESIDE 1e-3
 #define PART_MIN (1.0 / 4096)
 
@@ -23,7 +23,7 @@ static bool refuse(struct interp *interp, const char *why)
 	return fault(&interp->at, block_motion_column(&interp->block), "%s", why);
 }
 
-/* What the manual forbids, and what the boxes would not follow. */
+/* Refuses what the manual does not allow, and what the boxes would not cover. */
 static bool check(struct interp *interp)
 {
 	const struct state *state = &interp->state;
@@ -83,7 +83,7 @@ static vec3 linear(const slot_values *position)
 	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
 }
 
-/* The manual: the first point is where the tool stands, and each point names the axes of the curve. */
+/* The manual: the first point is the present position of the tool, and each point names the axes of the curve. */
 static bool add_point(struct interp *interp, vec3 here)
 {
 	struct spline_memory *memory = &interp->spline;
@@ -105,7 +105,7 @@ static bool add_point(struct interp *interp, vec3 here)
 	if (axes && memory->axes && axes != memory->axes)
 		return refuse(interp, "each point of a G6.2 needs a word for each axis of its curve, and for no other");
 	memory->axes |= axes;
-	/* The weight of a point without R is 1 in any case. */
+	/* The weight of a point without R is always 1. */
 	if (block_has(block, 'R') && !(block->points & letter_bit('R')) &&
 	    !same_double(interp->config->controller.least_input, 1))
 		return fault(&interp->at, block_column(block, 'R'),
@@ -119,7 +119,7 @@ static bool add_point(struct interp *interp, vec3 here)
 	return true;
 }
 
-/* The curve starts in its first point and ends in its last one, and does not jump between them. */
+/* Checks that the curve starts at its first point, ends at its last one, and is continuous. */
 static bool check_knots(struct interp *interp)
 {
 	const struct spline_memory *memory = &interp->spline;
@@ -159,13 +159,13 @@ static bool go(struct interp *interp, const struct spline_piece *piece, struct c
 	return motion_commands_go(interp, &target, move);
 }
 
-/* No part at the end is shorter than half of the least one. */
+/* The end of the next part; the last part is at least half as long as `least`. */
 static double part_end(double u, double step, double last, double least)
 {
 	return last - u <= step + least / 2 ? last : u + step;
 }
 
-/* From one knot to the next one, in parts that are as long as their boxes allow. */
+/* Follows the curve from a knot to the next one, in parts as long as their boxes allow. */
 static bool follow_span(struct interp *interp, const struct spline *spline, size_t span, struct canon_move *move)
 {
 	const double last = spline->knots[span + 1], least = PART_MIN * (last - spline->knots[span]);

@@ -11,7 +11,7 @@
 #include "gcode/execute/work_offset_use.h"
 #include "gcode/text/block_letters.h"
 
-/* The block's word for a slot in mm or degrees. */
+/* The block's word for a slot, in mm or degrees. */
 static bool slot_word(const struct interp *interp, int slot, double *value)
 {
 	char letter = AXIS_LETTERS[slot];
@@ -69,7 +69,7 @@ bool offsets_select(struct interp *interp)
 	return tool_length_offsets_changed(interp, column);
 }
 
-/* The manuals disagree on these codes in G91. */
+/* Manuals disagree about these codes in G91. */
 static bool refuse_incremental(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -78,7 +78,7 @@ static bool refuse_incremental(struct interp *interp)
 
 	if (traits_of(interp)->shifts_ignore_g91 == ANSWER_YES || !interp->state.incremental)
 		return true;
-	/* G52 with 0 for an axis that is not shifted: as a place and as an increment it changes nothing. */
+	/* G52 with 0 for an axis without a shift: this changes nothing, as an absolute value and as an increment. */
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			same = same && same_double(block_value(block, AXIS_LETTERS[slot]), 0) &&
@@ -91,8 +91,8 @@ static bool refuse_incremental(struct interp *interp)
 }
 
 /*
- * Changes one slot. A change has two passes, rotary slots first: under TCP with
- * rotary zero at the work offset they change the position of the linear slots.
+ * Changes one slot. A change has two passes, rotary slots first: under TCP with rotary zero at the work offset they
+ * change the position of the linear slots.
  */
 typedef void change_slot(struct interp *interp, int system, int slot, double word);
 
@@ -129,13 +129,13 @@ static void change_work(struct interp *interp, int system, int slot, double word
 	*value = added ? *value + word : word;
 }
 
-/* The position without all offsets but this one. */
+/* The position with only this offset. */
 static double position_without(const struct state *state, int slot, double offset)
 {
 	return state->position.v[slot] - (state->offset.v[slot] - offset);
 }
 
-/* Gives the present point the coordinate `word` in the system, whether the system is in force or not. */
+/* Makes `word` the coordinate of the present point in the system, which need not be active. */
 static void change_work_here(struct interp *interp, int system, int slot, double word)
 {
 	struct state *state = &interp->state;
@@ -143,7 +143,7 @@ static void change_work_here(struct interp *interp, int system, int slot, double
 	state->work[system].v[slot] = position_without(state, slot, state->work[state->system].v[slot]) - word;
 }
 
-/* The work offset that G10 L2 or L20 writes: L20 may write the additional ones. */
+/* The work offset that G10 L2 or L20 writes: L20 may write the additional offsets. */
 static bool find_written(struct interp *interp, int mode, int *system)
 {
 	const struct block *block = &interp->block;
@@ -174,8 +174,8 @@ static bool is_shifted(const struct state *state)
 }
 
 /*
- * Fanuc B-64484EN, "Changing Workpiece Coordinate System": P0 is the offset that lies on all others. Haas, "G10 Set
- * Offsets": P0 is that of G52. Only its end, 0, is followed.
+ * Fanuc B-64484EN, "Changing Workpiece Coordinate System": P0 is the offset that is added to all others. Haas, "G10 Set
+ * Offsets": P0 is the offset of G52. Only values of 0 are supported.
  */
 static bool clear_common(struct interp *interp)
 {
@@ -200,7 +200,7 @@ static bool clear_common(struct interp *interp)
 	return true;
 }
 
-/* Fanuc B-64484EN, "Programmable Parameter Input (G10)", "Tool Life Management": data that the next blocks write. */
+/* Fanuc B-64484EN, "Programmable Parameter Input (G10)", "Tool Life Management": the next blocks write data. */
 static bool check_data(struct interp *interp, int mode)
 {
 	const bool parameters = mode == 50 || mode == 52, life = mode == 3;
@@ -213,14 +213,14 @@ static bool check_data(struct interp *interp, int mode)
 		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
 }
 
-/* LinuxCNC's manual, "G10 L2": R turns the X and Y of a work offset about Z; R0 is the usual end of that. */
+/* LinuxCNC's manual, "G10 L2": R turns X and Y of a work offset about Z; R0 is usual and turns nothing. */
 static bool turns_nothing(const struct interp *interp, int mode)
 {
 	return mode == 2 && traits_of(interp)->g10_writes_tools == ANSWER_YES &&
 	       same_double(block_value(&interp->block, 'R'), 0);
 }
 
-/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: only P1 to P6 of L2 mean the same; Haas, G10. */
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -272,7 +272,7 @@ static void change_shift_here(struct interp *interp, int system, int slot, doubl
 	state->shift.v[slot] = position_without(state, slot, state->shift.v[slot]) - word;
 }
 
-/* What calls the place where the tool stands by a new coordinate needs to know its length. False: reported. */
+/* A code that gives the present position new coordinates needs a known tool length. False: reported. */
 static bool check_place(struct interp *interp)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -284,8 +284,8 @@ static bool check_place(struct interp *interp)
 }
 
 /*
- * Fanuc B-64484EN, "Workpiece Coordinate System Preset (G92.1)": the axes that it names, each with 0, lose what G52 and
- * G92 have shifted. It asks that compensation is cancelled before.
+ * Fanuc B-64484EN, "Workpiece Coordinate System Preset (G92.1)": cancels the shift of G52 and G92 of the axes that it
+ * names, each with 0. Compensation must be cancelled before.
  */
 static bool preset(struct interp *interp)
 {

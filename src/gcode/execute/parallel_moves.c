@@ -9,13 +9,13 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* mm: how far moves may reach out of what the tool can reach: less than the clearances that programs set. */
+/* mm: how far the moves may extend beyond the places of the tool: less than the usual clearances of programs. */
 #define BESIDE 0.7
 
-/* mm: more than 0, so that a move between the lines counts as one of a set, which cuts nothing for certain. */
+/* mm: more than 0, so that a move between the lines counts as a set of paths, of which none is certain to cut. */
 #define NARROW 1e-9
 
-/* The moves of a region: they are counted, and then made. */
+/* The moves that cover a region: they are first counted, and then made. */
 struct moves {
 	struct interp *interp;
 	slot_values at;
@@ -29,7 +29,7 @@ struct parallel_box parallel_moves_box(const double spread[3])
 	return (struct parallel_box){{{spread[SLOT_X], 0, 0}, {0, spread[SLOT_Y], 0}, {0, 0, spread[SLOT_Z]}}};
 }
 
-/* Adds what a box reaches along X, Y and Z. */
+/* Adds the extent of a box along X, Y and Z. */
 static void add_spread(struct canon_move *move, const vec3 half[3])
 {
 	for (int side = 0; side < 3; side++) {
@@ -53,7 +53,7 @@ static vec3 place(const slot_values *position)
 	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
 }
 
-/* To a point of the controller. */
+/* Moves to a point of the controller. */
 static bool go_to(struct moves *moves, vec3 point, const struct canon_move *move)
 {
 	const vec3 straight = rotated_frame_straight_point(&moves->interp->state, point);
@@ -95,7 +95,7 @@ bool parallel_moves_go(struct interp *interp, const slot_values *target, const s
 	}
 	way.way = vec3_sub(place(&end), way.start);
 	box_cover(&way, BESIDE, go_along, &moves);
-	/* The time of all of them is about that of the one way: how long the control takes is not known. */
+	/* All moves together take about the time of the one move: the control's true time is not known. */
 	moves.narrow.feed.linear *= (double)moves.count;
 	moves.counts = false;
 	moves.narrow.spread[SLOT_X] = moves.narrow.spread[SLOT_Y] = NARROW;

@@ -2,10 +2,7 @@
 
 #include "base/same_double.h"
 
-/*
- * AI contour control and its forerunners keep to the path within the control's
- * tolerances only, as G64 does.
- */
+/* AI contour control and its predecessors follow the path only within the control's tolerances, like G64. */
 static void switch_contour(struct state *state, bool on)
 {
 	if (on && !state->contour) {
@@ -67,7 +64,7 @@ static bool select_ai(struct interp *interp)
 }
 
 /*
- * B-63944EN, "G05 P10000" on, "G05 P0" off, other P for high-speed cycle machining; "G08 P1" on, "G08 P0" off. Of
+ * B-63944EN: "G05 P10000" on, "G05 P0" off, other P for high-speed cycle machining; "G08 P1" on, "G08 P0" off.
  * Mitsubishi's M700 (programming manual, "High-speed Machining Mode") and Mazak's controls: "G05 P1" and "G05 P2" on.
  */
 static bool select_by_p(struct interp *interp)
@@ -86,7 +83,7 @@ static bool select_by_p(struct interp *interp)
 	return true;
 }
 
-/* Haas mill operator's manual, G187: E is the greatest rounding of corners; alone it restores the settings. */
+/* Haas mill operator's manual, G187: E is the greatest rounding of corners; G187 alone restores the settings. */
 static bool select_accuracy(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -117,7 +114,7 @@ bool path_control_select(struct interp *interp)
 	case G187:
 		return select_accuracy(interp);
 	default:
-		/* Haas, G103: how many blocks the control reads ahead. No program that depends on that can be read. */
+		/* Haas, G103: the number of blocks to read ahead. No supported program depends on it. */
 		return !block_has(&interp->block, 'P') || block_integer(&interp->block, &interp->at, 'P', 0, 15, &p);
 	}
 }

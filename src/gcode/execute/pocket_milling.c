@@ -33,7 +33,7 @@ static bool check_outline_block(struct interp *interp)
 	return true;
 }
 
-/* In turned, mirrored or scaled coordinates a word does not lead one axis of the machine alone to its place. */
+/* In turned, mirrored or scaled coordinates a word does not determine the position of one machine axis. */
 static bool changes_coordinates(const struct block *block)
 {
 	static const int groups[] = {G_ROTATION, G_MIRROR, G_SCALING, G_POLAR, G_DYNAMIC, G_LENGTH};
@@ -50,7 +50,7 @@ static bool changes_coordinates(const struct block *block)
 	return false;
 }
 
-/* The tool stands somewhere in the pocket, and G41 of G150 may still be on. */
+/* The tool is somewhere in the pocket, and G41 of G150 may still be on. */
 static bool check_block_behind(struct interp *interp)
 {
 	struct pocket_milling *pocket = &interp->state.pocket_milling;
@@ -135,7 +135,7 @@ static bool check_words(struct interp *interp)
 	return block_value(block, 'R') > block_value(block, 'Z') || refuse(interp, "needs an R above Z");
 }
 
-/* A negative radius leads the tool out of the outline. */
+/* With a negative radius the tool leaves the outline. */
 static bool find_radius(struct interp *interp, double *beyond)
 {
 	const struct radius_offset *tool =
@@ -205,7 +205,7 @@ static bool go(struct interp *interp, const double point[3], const struct parall
 	return parallel_moves_go(interp, &target, &move, box);
 }
 
-/* To the hole and to R: in which order is not said, so anywhere in the box of both. */
+/* To the hole and to R: the manual does not give the order, so the tool may be anywhere in the box of both moves. */
 static bool approach(struct interp *interp)
 {
 	const struct pocket_milling *pocket = &interp->state.pocket_milling;
@@ -218,7 +218,7 @@ static bool approach(struct interp *interp)
 	return go(interp, middle, &narrow, 0) && go(interp, over, &box, 0) && go(interp, start, &narrow, 0);
 }
 
-/* Whether it retracts to R between its passes and behind them, or to where it came from, is not said either. */
+/* The manual does not say whether the tool retracts to R or to its start between and after the passes. */
 static bool mill(struct interp *interp)
 {
 	struct pocket_milling *pocket = &interp->state.pocket_milling;

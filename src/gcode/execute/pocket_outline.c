@@ -4,7 +4,7 @@
 
 #include "base/math/math_functions.h"
 
-/* mm: how far apart the ends of an outline may be that is closed. */
+/* mm: the greatest gap between the ends of a closed outline. */
 #define CLOSED 0.01
 
 static void widen(struct pocket_milling *pocket, double x, double y, double radius)
@@ -29,7 +29,7 @@ void pocket_outline_take(struct pocket_milling *pocket, const struct canon_move 
 		widen(pocket, move->arc.centre.x, move->arc.centre.y, radius + CLOSED);
 		pocket->area += radius * radius * (sweep - math_sin(sweep)) / 2;
 	}
-	/* The first move leads from the hole to the outline. */
+	/* The first move is from the hole to the outline. */
 	if (pocket->points++ == 0) {
 		pocket->first[0] = x;
 		pocket->first[1] = y;

@@ -19,7 +19,7 @@ bool polar_coordinates_switch(struct interp *interp)
 	const struct block *block = &interp->block;
 	int code = block->g[G_POLAR];
 
-	/* In another plane other words mean radius and angle. */
+	/* In another plane other words are the radius and the angle. */
 	if (block->g[G_PLANE] != CODE_NONE && code == CODE_NONE)
 		interp->state.polar = (struct polar_coordinates){.on = interp->state.polar.on};
 	if (code != CODE_NONE)
@@ -43,7 +43,7 @@ bool polar_coordinates_is_angle(const struct interp *interp, char letter)
 	       letter == AXIS_LETTERS[slot_of_angle(&interp->state)];
 }
 
-/* An absolute radius counts from the zero of the work offset; by an increment it would move the pole to the tool. */
+/* An absolute radius starts at the zero of the work offset; an increment would move the pole to the tool. */
 static bool take_words(struct interp *interp, char radius, char angle)
 {
 	const struct block *block = &interp->block;

@@ -85,7 +85,7 @@ bool polar_interpolation_switch(struct interp *interp)
 	return true;
 }
 
-/* The same section: G1 to G3, G4, G9, G40 to G42, G90, G91, G94, G95 and macro calls. */
+/* The same section allows G1 to G3, G4, G9, G40 to G42, G90, G91, G94, G95 and macro calls. */
 static bool check_codes(struct interp *interp)
 {
 	const struct block *block = &interp->block;

@@ -5,16 +5,16 @@
 #include "base/math/math_functions.h"
 #include "gcode/execute/path_rounding.h"
 
-/* mm: how far an axis may be beside its piece. Smaller pieces prove more closely, and there are more of them. */
+/* mm: the greatest deviation of an axis from its piece. A smaller value: a tighter proof, more pieces. */
 #define BESIDE 0.002
 
-/* A move in the plane, about its centre: at t from 0 to 1. */
+/* A move in the plane, relative to its centre: for t from 0 to 1. */
 struct curve {
 	bool arc;
 	double start[2], end[2];
-	double centre[2], radius[2], angle, sweep;	/* of an arc: at its start and its end */
-	double length;	/* mm, of the way of X, Y and Z */
-	double rate, bend;	/* what its first and second derivatives do not exceed, mm */
+	double centre[2], radius[2], angle, sweep;	/* of an arc; radius: at its start and its end */
+	double length;	/* mm, of the path of X, Y and Z */
+	double rate, bend;	/* upper bounds of its first and second derivatives, mm */
 };
 
 static void find_arc(const struct polar_interpolation *polar, const struct canon_move *move, struct curve *curve)
@@ -71,7 +71,7 @@ static void point_of(const struct curve *curve, double t, double point[2])
 	}
 }
 
-/* The feed is that in the plane: each piece takes its part of the time. */
+/* The feed is that in the plane: each piece takes its share of the time. */
 static struct canon_feed feed_of(const struct canon_feed *feed, const struct curve *curve, double part)
 {
 	struct canon_feed piece = *feed;
@@ -84,9 +84,9 @@ static struct canon_feed feed_of(const struct canon_feed *feed, const struct cur
 }
 
 /*
- * With a point p(t) of the plane, whose derivatives are at most v and b, and at least r from the centre, the distance
- * from the centre has a second derivative of at most v^2 / r + b, and the angle one of at most v^2 / r^2 + b / r. A
- * chord over dt is beside a function by at most dt^2 / 8 of that.
+ * For a point p(t) of the plane with derivatives of at most v and b, at a distance of at least r from the centre, the
+ * second derivative of this distance is at most v^2 / r + b, and that of the angle at most v^2 / r^2 + b / r. The
+ * deviation of a chord over dt is at most dt^2 / 8 times the second derivative.
  */
 static void spread_of(const struct curve *curve, double nearest, double dt, double *beside, double *turn)
 {
@@ -124,7 +124,7 @@ static bool tell_piece(struct interp *interp, const struct canon_move *move, con
 	piece.end.v[SLOT_Y] = polar->told.v[SLOT_Y];
 	piece.end.v[polar->rotary] = polar->angle;
 	piece.spread[SLOT_X] += beside;
-	/* X gets its part of the rounding with the path tolerance. */
+	/* The path tolerance covers X's share of the rounding. */
 	turn += math_atan2(rounding, sqrt(nearest * nearest - rounding * rounding));
 	piece.turn_spread[polar->rotary - SLOT_A] += turn;
 	polar->told = piece.end;
@@ -133,7 +133,7 @@ static bool tell_piece(struct interp *interp, const struct canon_move *move, con
 	return canon_tell_move(interp->sink, &piece);
 }
 
-/* How far to go on from t, at this distance from the centre: at most half of it. */
+/* The next step of t at this distance from the centre: a path of at most half the distance. */
 static double step_of(const struct curve *curve, double radius)
 {
 	const double curved = 2 * curve->rate * curve->rate / radius + curve->bend;

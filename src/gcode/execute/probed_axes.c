@@ -38,7 +38,7 @@ static void add_via(struct probed_plan *plan, const struct state *state, int slo
 	plan->via[plan->via_count++] = place;
 }
 
-/* The axis moves alone: by way of the far end, or of both ends if it ends between them. */
+/* The axis moves alone: through the far end, or through both ends if its end is between them. */
 static void plan_alone(const struct state *state, int slot, struct probed_plan *plan)
 {
 	double low = state->probe_low.v[slot], high = state->probe_high.v[slot];
@@ -60,7 +60,7 @@ static void plan_alone(const struct state *state, int slot, struct probed_plan *
 		add_via(plan, state, slot, high);
 }
 
-/* Do all axes in doubt go back to where the probe set out from? Its own move has covered this way from every place. */
+/* Do all uncertain axes return to the start of the probe's move? That move has covered this path from every place. */
 static bool goes_back(const struct state *state, const slot_values *target)
 {
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
@@ -89,7 +89,7 @@ static bool plan_beside(const struct state *state, struct probed_plan *plan, int
 			return false;
 		}
 		middle.v[slot] = low + (high - low) / 2;
-		/* Rounding of the middle must not leave an end outside. */
+		/* The rounding of the middle must not exclude an end. */
 		plan->spread[slot] = fmax(high - middle.v[slot], middle.v[slot] - low);
 		plan->via_count = 1;
 		if (!state->settles[slot])
@@ -132,7 +132,7 @@ void probed_axes_arrive(struct state *state, const struct probed_plan *plan)
 		if (state->settles[slot]) {
 			state->probed[slot] = state->probe_bounded[slot] = state->settles[slot] = false;
 		} else if (end > state->probe_high.v[slot]) {
-			/* It went on alone, by an increment, from one end to the other. */
+			/* The axis moved alone, by an increment, from one end to the other. */
 			state->probe_high.v[slot] = end;
 			state->probe_low.v[slot] = end - size;
 		} else if (end < state->probe_low.v[slot]) {

@@ -14,7 +14,7 @@ bool program_position_check(struct interp *interp, int slot, int column)
 	if (slot <= SLOT_Z && interp->state.pocket_milling.open[slot])
 		return fault(&interp->at, column, "where %c stands in the pocket of G150 is not known",
 			     AXIS_LETTERS[slot]);
-	/* After G28, G53 or M6 it depends on the control whether the length still counts. */
+	/* After G28, G53 or M6 it depends on the control whether the length is still active. */
 	if (tool_length_is_in_doubt(interp, slot, column))
 		return false;
 	if ((interp->state.unknown_modes & 1U << G_UNITS) && !slot_is_rotary(slot))

@@ -26,8 +26,8 @@ static bool is_named(const struct interp *interp, int slot)
 }
 
 /*
- * Moves the marked axes to a place of the machine: first one after another in
- * the order of the place, then those without an order, together.
+ * Moves the marked axes to a place of the machine: first those with an order in the place, one after another, then the
+ * others together.
  */
 static bool go_to_place(struct interp *interp, const struct control_place *place, const slot_values *values,
 			const bool moves[SLOT_COUNT], int column)
@@ -55,7 +55,7 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 	return !left || go_in_machine(interp, &target);
 }
 
-/* Which of the four reference positions: G28 is the first, G30 the second, or the one that its P names. */
+/* The index of the four reference positions: G28 uses the first, G30 the second or that of its P. */
 static bool find_number(struct interp *interp, int *index)
 {
 	const struct block *block = &interp->block;
@@ -104,9 +104,8 @@ static bool go_on_the_way(struct interp *interp)
 }
 
 /*
- * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference
- * position return; Haas, G28: one rapid to the point that the axis words name,
- * then the named axes go on to the reference position, or all axes if none is named.
+  * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference position return; Haas, G28: one rapid to
+  * the point of the axis words, then the named axes, or all axes if none is named, move to the reference position.
  */
 bool reference_return_go(struct interp *interp)
 {
@@ -151,8 +150,8 @@ bool reference_return_remember(struct interp *interp)
 }
 
 /*
- * Haas mill operator's manual, "M06 Tool Change": the control itself takes Z to
- * its home. On Fanuc controls M6 is what the machine's builder has made of it.
+  * Haas mill operator's manual, "M06 Tool Change": the control moves Z to its home. On Fanuc controls the machine
+  * builder defines M6.
  */
 static bool fault_no_place(struct interp *interp, int column)
 {

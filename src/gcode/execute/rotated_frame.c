@@ -16,7 +16,7 @@ static void set_linear(slot_values *values, vec3 point)
 	values->v[SLOT_Z] = point.z;
 }
 
-/* The length is a part of the offsets, along Z; what is missing of it where it acts along the turned Z. */
+/* The offsets contain the length along Z; this is the correction if the length acts along the turned Z. */
 static vec3 turned_length(const struct state *state)
 {
 	const vec3 along = {0, 0, state->length};
@@ -26,7 +26,7 @@ static vec3 turned_length(const struct state *state)
 	return vec3_sub(mat3_apply(&state->frame.turn, along), along);
 }
 
-/* From the offsets to where the turned coordinates are 0. */
+/* The origin of the turned coordinates, relative to the offsets. */
 static vec3 frame_origin(const struct state *state)
 {
 	return vec3_add(state->frame.origin, turned_length(state));

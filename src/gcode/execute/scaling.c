@@ -9,7 +9,7 @@ static bool refuse(struct interp *interp, int column, const char *what)
 	return fault(&interp->at, column, "%s while coordinates are scaled (G51) is not supported; G50 first", what);
 }
 
-/* Both manuals: pecks and shifts of bores are not scaled, and neither is the radius of compensation. */
+/* Both manuals: pecks, shifts of bores and the radius of compensation are not scaled. */
 static bool check_cycle(struct interp *interp)
 {
 	int code = interp->block.motion;
@@ -40,7 +40,7 @@ bool scaling_start_block(struct interp *interp)
 	return check_cycle(interp);
 }
 
-/* One factor for all axes: P, or the same in I, J and K. Arcs stay arcs then. */
+/* One factor for all axes: P, or equal I, J and K. Then arcs stay arcs. */
 static bool find_factor(struct interp *interp, double *factor)
 {
 	const struct block *block = &interp->block;
@@ -66,7 +66,7 @@ static bool find_factor(struct interp *interp, double *factor)
 	       fault(&interp->at, block_column(block, first), "the factor of G51 must be greater than 0");
 }
 
-/* The centre of an axis that is not named is where it stands. */
+/* The centre of an axis without a word is its present position. */
 static bool find_centre(struct interp *interp, double centre[3])
 {
 	const struct block *block = &interp->block;

@@ -2,16 +2,16 @@
 
 #include <math.h>
 
-/* mm: a derivative that is shorter has no direction. */
+/* mm: a shorter derivative has no direction. */
 #define LEAST_TANGENT 1e-9
 
 /* Pieces are longer than 1 / (4 * 1000). */
 #define SAME_PARAMETER 1e-9
 
-/* LinuxCNC 2.8 and 2.9 (emccanon.cc, NURBS_FEED) make 4 pieces a point. */
+/* LinuxCNC 2.8 and 2.9 (emccanon.cc, NURBS_FEED) make 4 pieces for each point. */
 #define PIECES_A_POINT 4
 
-/* A point times its weight, and the weight: what is linear in rational curves. */
+/* A point times its weight, and the weight: the homogeneous coordinates of rational curves. */
 struct weighted {
 	vec3 at;
 	double weight;
@@ -38,8 +38,8 @@ static struct weighted mix(struct weighted a, struct weighted b, double part)
 }
 
 /*
- * The blossom of the polynomial that holds between the knots `span` and `span` + 1, which differ, of `first` times u0
- * and the rest of its arguments u1 (L. Ramshaw, "Blossoming"; de Boor's algorithm with another argument at each step).
+  * The blossom of the polynomial between the knots `span` and `span` + 1, which must differ: `first` of its arguments
+  * are u0, the others u1 (L. Ramshaw, "Blossoming"; de Boor's algorithm with another argument at each step).
  */
 static struct weighted blossom(const struct spline *spline, size_t span, double u0, double u1, int first)
 {
@@ -69,7 +69,7 @@ static vec3 project(struct weighted point)
 	return (vec3){point.at.x / point.weight, point.at.y / point.weight, point.at.z / point.weight};
 }
 
-/* Widens the boxes so that they hold the point. The hull of points that they hold lies in them, too. */
+/* Widens the boxes so that they contain the point. They also contain the hull of all points that they contain. */
 static void hold(struct spline_piece *piece, vec3 point)
 {
 	vec3 way = vec3_sub(piece->end, piece->start), off = vec3_sub(point, piece->start);
@@ -83,7 +83,7 @@ static void hold(struct spline_piece *piece, vec3 point)
 	piece->beside.z = fmax(piece->beside.z, fabs(off.z));
 }
 
-/* The direction from the first of the points to the next one that is elsewhere. False: there is none. */
+/* The direction from the first of the points to the next one at another place. False: there is none. */
 static bool direction(const vec3 *points, int count, int step, vec3 *unit)
 {
 	for (int i = 1; i < count; i++) {
@@ -99,9 +99,9 @@ static bool direction(const vec3 *points, int count, int step, vec3 *unit)
 }
 
 /*
- * Two arcs that leave the start along t0, arrive at the end along t1, and meet where both tangents are as long: so long
- * that the square of 2 d is the square of the way between the tangents' ends. They lie in the hull of both ends and
- * both tangents.
+ * Two arcs that leave the start along t0, arrive at the end along t1, and meet such that both tangents have the same
+ * length d: the distance between the ends of the tangents is then 2 d. The arcs are in the hull of both ends and both
+ * tangents.
  */
 static bool hold_arcs(struct spline_piece *piece, vec3 t0, vec3 t1)
 {
@@ -131,14 +131,14 @@ static size_t span_of(const struct spline *spline, double u)
 	return (size_t)span + (size_t)spline->order - 1;
 }
 
-/* The control points of the part from u0 to u1, which lie between the knots `span` and `span` + 1. */
+/* The control points of the part from u0 to u1, both between the knots `span` and `span` + 1. */
 static void find_hull(const struct spline *spline, size_t span, double u0, double u1, vec3 hull[SPLINE_ORDER_MAX])
 {
 	for (int i = 0; i < spline->order; i++)
 		hull[i] = project(blossom(spline, span, u0, u1, spline->order - 1 - i));
 }
 
-/* The same over uniform knots. */
+/* The same for uniform knots. */
 static void find_uniform_hull(const struct spline *spline, double u0, double u1, vec3 hull[SPLINE_ORDER_MAX])
 {
 	find_hull(spline, span_of(spline, (u0 + u1) / 2), u0, u1, hull);
@@ -157,7 +157,7 @@ struct spline_piece spline_part(const struct spline *spline, size_t span, double
 	return piece;
 }
 
-/* The parameter where piece `index` begins. What rounding puts beside a knot is the knot. */
+/* The parameter at the start of piece `index`. A parameter that differs from a knot only by rounding is the knot. */
 static double parameter(const struct spline *spline, size_t index)
 {
 	const double u = last_knot(spline) * (double)index / (double)spline_piece_count(spline);

@@ -41,7 +41,7 @@ static bool follow(struct interp *interp, const struct spline *spline)
 	return true;
 }
 
-/* LinuxCNC's manual, "G5 Cubic Spline": I and J may be left out where the spline goes on from another one. */
+/* LinuxCNC's manual, "G5 Cubic Spline": I and J may be omitted if the spline continues another one. */
 static bool find_first(struct interp *interp, struct spline_point *first, struct spline_point start)
 {
 	const struct block *block = &interp->block;
@@ -105,7 +105,7 @@ static bool add_point(struct interp *interp, struct spline_point point)
 	return true;
 }
 
-/* LinuxCNC's manual, "G5.2 G5.3 NURBS Block": the first point is where the tool stands, and has the P of G5.2. */
+/* LinuxCNC's manual, "G5.2 G5.3 NURBS Block": the first point is the present position, with the P of G5.2. */
 static bool begin(struct interp *interp, struct spline_point start)
 {
 	const struct block *block = &interp->block;
@@ -186,7 +186,7 @@ bool spline_move_run(struct interp *interp)
 			  : go_quadratic(interp, start, place(&target));
 }
 
-/* What changes offsets, tools or the program would stand between the points, but their curve comes behind them all. */
+/* Codes that change offsets, tools or the program would act before the curve, which is made after the last point. */
 static bool has_codes(const struct block *block)
 {
 	for (int group = 0; group < G_GROUPS; group++) {

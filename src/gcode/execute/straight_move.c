@@ -38,7 +38,7 @@ static APART bool go_in_machine(struct interp *interp, struct canon_move *move)
 	move->machine_coordinates = true;
 	if (!tool_length_suspend(interp, column, &suspended))
 		return false;
-	/* Blocks of G91 in which the words are increments have lost their G53 before. */
+	/* A G53 that is ignored because the words are increments (G91) was removed from its block before. */
 	interp->state.incremental = false;
 	found = endpoint_find(interp, true, &target);
 	interp->state.incremental = incremental;
@@ -52,9 +52,9 @@ static APART bool go_in_machine(struct interp *interp, struct canon_move *move)
 }
 
 /*
- * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, and goes past its
- * end by an overrun before if it must. Haas, "G60": the same, setting 35. The sides are not known: the way there is
- * proved with every overrun, and so is the box of all of them at its end.
+ * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, if necessary by an
+ * overrun past its end. Haas, "G60": the same, setting 35. The sides are not known: the path is proved with every
+ * overrun, and so is the box of all overruns at its end.
  */
 static APART bool approach(struct interp *interp)
 {

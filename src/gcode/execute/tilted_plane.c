@@ -4,10 +4,10 @@
 
 #include "base/units.h"
 
-/* Radians: how far from a right angle the directions of G68.2 P3 may be, as decimals of a post round them. */
+/* Radians: the permitted deviation of the directions of G68.2 P3 from a right angle, for the rounding of posts. */
 #define SQUARE_TOLERANCE 2e-5
 
-/* mm: points that are nearer to each other, or to one line, give no plane. */
+/* mm: points that are closer to each other, or to one line, define no plane. */
 #define POINTS_APART 1e-3
 
 static double word_or(const struct interp *interp, char letter, double otherwise)
@@ -41,7 +41,7 @@ static bool forbid(struct interp *interp, const char *letters)
 	return true;
 }
 
-/* Fanuc B-64484EN, "Tilted Working Plane Indexing", Euler's angles: about Z, about the new X, about the new Z. */
+/* Fanuc B-64484EN, "Tilted Working Plane Indexing", Euler angles: about Z, about the new X, about the new Z. */
 static bool by_euler(struct interp *interp, mat3 *turn)
 {
 	const vec3 x = {1, 0, 0}, z = {0, 0, 1}, angles = words(interp, "IJK");
@@ -54,7 +54,7 @@ static bool by_euler(struct interp *interp, mat3 *turn)
 
 /*
  * The same section, roll, pitch and yaw: I about X, J about Y and K about Z of the work offset, in the order of Q's
- * digits. LinuxCNC's G68.2, which follows it, turns about the same standing axes.
+ * digits. LinuxCNC's G68.2 follows this and turns about the same fixed axes.
  */
 static bool by_roll_pitch_yaw(struct interp *interp, mat3 *turn)
 {
@@ -81,7 +81,7 @@ static bool by_roll_pitch_yaw(struct interp *interp, mat3 *turn)
 	return true;
 }
 
-/* X along x, Z along x cross y: the turn whose columns these are. */
+/* The rotation whose columns are the directions: X along x, Z along x cross y. */
 static bool turn_of(struct interp *interp, vec3 x, vec3 across, const char *why, mat3 *turn)
 {
 	vec3 z = vec3_cross(x, across);
@@ -94,7 +94,7 @@ static bool turn_of(struct interp *interp, vec3 x, vec3 across, const char *why,
 	return true;
 }
 
-/* Three points: the first is the zero, X leads to the second, the third lies on the side of Y. Q0 shifts the zero. */
+/* Three points: the first is the zero, X points to the second, the third is on the side of Y. Q0 shifts the zero. */
 static bool by_points(struct interp *interp, mat3 *turn, vec3 *origin)
 {
 	const struct plane_parts *parts = &interp->state.plane_parts;
@@ -112,7 +112,7 @@ static bool by_points(struct interp *interp, mat3 *turn, vec3 *origin)
 	return true;
 }
 
-/* Two directions: that of X and that of Z, which stand at a right angle. */
+/* Two directions: those of X and Z, which must be at a right angle. */
 static bool by_directions(struct interp *interp, mat3 *turn, vec3 *origin)
 {
 	const struct plane_parts *parts = &interp->state.plane_parts;
@@ -206,7 +206,7 @@ bool tilted_plane_take(struct interp *interp, bool *complete, mat3 *turn, vec3 *
 	*complete = true;
 	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 0, 4, &form))
 		return false;
-	/* The sense of its angle about Y is told by a figure of the manual alone. */
+	/* Only a figure of the manual shows the sign of its angle about Y. */
 	if (form == 4)
 		return refuse(
 		    interp, "G68.2 P4: a plane by projection angles is not supported; P1 or Euler's angles can say it");

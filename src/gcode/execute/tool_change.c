@@ -10,8 +10,8 @@
 #include "gcode/read_on.h"
 
 /*
- * M6 and T in one block: where the builder has them carried out at once, M6 may load the tool that waits from an
- * earlier T, and the T of the block then waits for the next M6. Only a T that waits makes a difference.
+ * M6 and T in one block: if the machine builder's M6 and T act at the same time, M6 may load the tool of an earlier T,
+ * and the T of the block is for the next M6. This makes a difference only if an earlier T waits.
  */
 static bool choose_own(struct interp *interp, int before)
 {
@@ -41,7 +41,7 @@ static bool choose_own(struct interp *interp, int before)
 	return true;
 }
 
-/* "T1 T2 M6" of Mazak's EIA programs: the first is loaded, and the second waits for the next M6. */
+/* "T1 T2 M6" of Mazak's EIA programs: M6 loads the first tool, and the second is for the next M6. */
 static bool choose_next(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -66,7 +66,7 @@ bool tool_change_select(struct interp *interp)
 	if (!block_has(&interp->block, 'T'))
 		return true;
 	number = block_value(&interp->block, 'T');
-	/* What is nearly whole judges block_integer. */
+	/* block_integer judges a nearly whole number. */
 	if (fabs(number - round(number)) > 0.01)
 		return fault(&interp->at, block_column(&interp->block, 'T'),
 			     "T%.10g: the number of a tool is whole here; where T1.1 means a tool and its offset, as "
@@ -78,7 +78,7 @@ bool tool_change_select(struct interp *interp)
 	       choose_own(interp, before) && choose_next(interp);
 }
 
-/* "the setup defines no tool T5", unless it does, or there is no setup. */
+/* Reports that the setup does not define the tool, if there is a setup. */
 static bool check_tool(struct interp *interp, int number, int column)
 {
 	if (!interp->config->has_setup || number == 0 || tool_table_find(&interp->tools, number))
@@ -89,7 +89,7 @@ static bool check_tool(struct interp *interp, int number, int column)
 	    number);
 }
 
-/* LinuxCNC's manual, "M61": another tool is in the spindle, and nothing has moved. */
+/* LinuxCNC's manual, "M61": another tool is in the spindle, without a move. */
 static bool set_tool(struct interp *interp)
 {
 	struct state *state = &interp->state;

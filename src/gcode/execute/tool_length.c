@@ -21,7 +21,7 @@ axis_values tool_length_rotary_zero(const struct interp *interp)
 	return zero;
 }
 
-/* Switches TCP and its length; the kinematics tells what the present position becomes. */
+/* Switches TCP and its length; the kinematics converts the present position. */
 static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
@@ -69,7 +69,7 @@ bool tool_length_resume(struct interp *interp, int column, const struct suspende
 	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
 }
 
-/* What the machine file says of a length that may be gone. TCP has more than a length to keep or to lose. */
+/* Applies the machine file's answer for a length that may be cancelled; a cancelled length under TCP is not decided. */
 static void answer_doubt(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -139,7 +139,7 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	int number = interp->state.tool;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
 
-	/* LinuxCNC's own simulator takes the former tool's, the control the one that M61 names. */
+	/* LinuxCNC's simulator takes the length of the former tool, the control that of the tool of M61. */
 	if (interp->state.tool_by_m61)
 		return fault(&interp->at, column,
 			     "after M61, which tool's length G43 takes is not the same everywhere: give H%d", number);
@@ -150,7 +150,7 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	return true;
 }
 
-/* The number of the length: the H of the block, or what stands for a missing H. 0: H0, or the tool in the spindle. */
+/* The number of the length: the block's H, or the replacement of a missing H. 0: H0, or the tool in the spindle. */
 static bool find_length_number(struct interp *interp, int *number)
 {
 	const struct block *block = &interp->block;
@@ -171,7 +171,7 @@ static bool find_length_number(struct interp *interp, int *number)
 	return true;
 }
 
-/* Hn is an entry of the table. */
+/* The length of entry Hn of the table. */
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
@@ -205,8 +205,8 @@ static bool find_length(struct interp *interp, double *length)
 }
 
 /*
- * LinuxCNC's manual, "G43.1 Dynamic Tool Length Offset", "G43.2 Apply additional Tool Length Offset": by axis words, or
- * for G43.2 by the H of a tool. The one replaces the offset, the other adds to it.
+ * LinuxCNC's manual, "G43.1 Dynamic Tool Length Offset", "G43.2 Apply additional Tool Length Offset": the offset is
+ * given by axis words, or for G43.2 by the H of a tool. G43.1 replaces the active offset, G43.2 adds to it.
  */
 static bool find_length_in_words(struct interp *interp, int code, double *length)
 {
@@ -235,7 +235,7 @@ static bool find_length_in_words(struct interp *interp, int code, double *length
 	return true;
 }
 
-/* Sets TCP and the length, and does nothing if they are so already. */
+/* Sets TCP and the length; no effect if they are already set. */
 static bool put(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
@@ -248,7 +248,7 @@ static bool put(struct interp *interp, int column, enum tcp_source source, doubl
 	return true;
 }
 
-/* If TCP is on before or after, changes the length while it is on: only there does that alone change coordinates. */
+/* Changes the length while TCP is on, if TCP is on before or after: then the change of length changes coordinates. */
 static bool change_length(struct interp *interp, enum tcp_source source, double length, int doubt)
 {
 	struct state *state = &interp->state;
@@ -276,7 +276,7 @@ static bool is_taken_back(const struct interp *interp, int code, int doubt)
 	       traits_of(interp)->g49_finds_length_gone == ANSWER_YES;
 }
 
-/* H without a G-code of its group: it stands for the code in force, or is kept for the next one. */
+/* H without a G-code of its group: H belongs to the active code, or is kept for the next code. */
 static bool take_h_alone(struct interp *interp)
 {
 	struct block *block = &interp->block;

@@ -7,7 +7,7 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-/* A direction shorter than this, in mm, has no direction. */
+/* mm: a shorter vector has no direction. */
 #define LEAST_VECTOR 1e-9
 
 static double word_or_zero(const struct block *block, char letter)
@@ -20,15 +20,15 @@ static double way_of(const struct interp *interp, const struct kinematics_soluti
 	return fabs(solution->rotary.v[slot] - interp->state.canonical.v[slot]);
 }
 
-/* -1: a is smaller; 1: b is; 0: nobody can tell. */
+/* -1: a is smaller; 1: b is smaller; 0: equal within rounding. */
 static int compare(double a, double b)
 {
 	return fabs(a - b) <= radians(SAME_DEGREES) ? 0 : a < b ? -1 : 1;
 }
 
 /*
- * Fanuc 30i-A, "Tool Center Point Control for 5-Axis Machining" (A-79348E), movement judgement: the smaller way of the
- * first rotary axis decides, then that of the second, then which of them stands nearer to a whole turn.
+ * Fanuc 30i-A, "Tool Center Point Control for 5-Axis Machining" (A-79348E), movement judgement: the smaller move of the
+ * first rotary axis decides, then that of the second, then the position that is nearer to a full turn.
  */
 static int prefer(const struct interp *interp, const struct kinematics_solutions *found)
 {

@@ -37,13 +37,13 @@ static bool fault_g(const struct line_place *at, const struct word *word, int nu
 	return fault(at, word->column, "G%d%s", number / 10, text);
 }
 
-/* The groups of a control are those here, but for how closely it follows the path, and for cycles beside G0 to G3. */
+/* Does a later code of the group replace an earlier one? On controls, path accuracy and cycles may be other groups. */
 static bool gives_way(int group, int before, int number)
 {
 	return group != G_CONTOUR && (group != G_MOTION || (before <= G3 && number <= G3));
 }
 
-/* Rigid taps are taps: what they do to the spindle moves no other axis. G107, G112 and G113 are other names. */
+/* Rigid taps are taps: the motion of the spindle moves no other axis. G107, G112 and G113 are alternative names. */
 static int as_executed(int number)
 {
 	static const int names[][2] = {{842, G84}, {843, G74}, {1070, G7_1}, {1120, G12_1}, {1130, G13_1}};
@@ -62,7 +62,7 @@ const struct code *block_find_g(struct block *block, const struct dialect *diale
 	return block->recent;
 }
 
-/* Finds the code that a word means. False, reported: it is not known, not read, or may not stand there. */
+/* Finds the code of a word. False, reported: the code is not known, not supported, or not allowed there. */
 static bool find_code_of_word(struct block *block, const struct line_place *at, const struct word *word,
 			      const struct dialect *dialect, const struct code **found)
 {
@@ -73,7 +73,7 @@ static bool find_code_of_word(struct block *block, const struct line_place *at, 
 
 	if (tenths < 0)
 		return fault(at, word->column, "a G-code cannot be negative");
-	/* LinuxCNC takes what is within 0.0001 of a code for it. */
+	/* LinuxCNC accepts numbers within 0.0001 of a code. */
 	if (number == 10000 || fabs(tenths - number) > 0.001)
 		return fault(at, word->column, "%g is no G-code", word->value);
 	*found = code = block_find_g(block, dialect, number);
@@ -107,10 +107,10 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 		return true;
 	}
 	number = as_executed(number);
-	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
+	/* Another motion of the block replaces G80 (LinuxCNC's manual, "G80"). */
 	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
 		return true;
-	/* A parameter of some such controls has each axis word count by the code before it. */
+	/* On some of these controls a parameter makes G90 or G91 valid only for the words after it. */
 	if (code->group == G_DISTANCE && block->g[G_DISTANCE] != CODE_NONE && block->g[G_DISTANCE] != number &&
 	    (block->letters & AXIS_BITS))
 		return fault(at, word->column,
@@ -141,7 +141,7 @@ static bool set_m(struct block *block, const struct line_place *at, const struct
 	return true;
 }
 
-/* An M-code that the machine file gives a meaning. */
+/* An M-code whose meaning the machine file defines. */
 static bool set_machine_m(struct block *block, const struct line_place *at, const struct word *word,
 			  enum mcode_action action)
 {
@@ -193,7 +193,7 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	return set_m(block, at, word, code->group, number);
 }
 
-/* Only when all words have been read is it known whether X is an axis or the time of a dwell. */
+/* Called after all words were read, because only then is it known whether X is an axis or the time of a dwell. */
 static bool check_axis_words(const struct block *block, const struct line_place *at, const struct gcode_config *config)
 {
 	bool dwell = config->dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4;
@@ -212,7 +212,7 @@ static bool check_axis_words(const struct block *block, const struct line_place 
 	return true;
 }
 
-/* The letter stands in the block already. */
+/* The block has the letter already. */
 static bool repeat_value(struct block *block, const struct line_place *at, const struct word *word,
 			 const struct gcode_config *config, struct block_cautions *cautions)
 {
@@ -275,7 +275,7 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
-	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
+	/* B-63944EN, undefined variable; Haas, address substitution: the word is ignored. */
 	if (word->vacant)
 		return true;
 	if (word->comma)
@@ -321,7 +321,8 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 }
 
 /*
- * '/', or where the control has several switches "/2" and more of them; here one option stands for all. False: none.
+ * Reads '/', or, on controls with several switches, "/2" and further ones; one option of the program stands for all
+ * switches. False: there is none.
  */
 static bool read_slashes(struct lexer *lexer, const struct block_rules *rules)
 {
@@ -336,7 +337,7 @@ static bool read_slashes(struct lexer *lexer, const struct block_rules *rules)
 	return any;
 }
 
-/* '/', program number and line number, in this order. */
+/* Reads '/', program number and line number, in this order. */
 static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config,
 		       const struct block_rules *rules, bool *skipped)
 {
@@ -360,7 +361,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 
 /* ------------------------------------------------------------ plain blocks */
 
-/* What words a plain block can have besides N and G. */
+/* The words that a plain block can have besides N and G. */
 static uint32_t plain_letters(const struct gcode_config *config)
 {
 	uint32_t letters = ARC_BITS | letter_bit('F');
@@ -370,7 +371,7 @@ static uint32_t plain_letters(const struct gcode_config *config)
 	return letters;
 }
 
-/* G0 to G3, if it is the block's first G-code and the dialect has it. */
+/* Takes G0 to G3 if it is the block's first G-code and the dialect has it. */
 static bool take_plain_motion(struct block *block, double value, int column, const struct dialect *dialect)
 {
 	const int whole = value >= 0 && value <= 3 ? (int)value : -1;

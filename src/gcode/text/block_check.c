@@ -5,7 +5,7 @@
 #include "gcode/text/block.h"
 #include "gcode/text/block_letters.h"
 
-/* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
+/* Is the code one of group 0 that uses the block's axis words (LinuxCNC's manual, "G Code Best Practices")? */
 static bool takes_axis_words(int code)
 {
 	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92 ||
@@ -17,13 +17,13 @@ static bool is_arc(int code)
 	return code == G2 || code == G3;
 }
 
-/* The column of the first of these axis and arc words that the block has, or 0. */
+/* The column of the first of these axis and arc words in the block, or 0. */
 static int first_column(const struct block *block, uint32_t letters)
 {
 	int first = 0;
 
 	letters &= block->letters;
-	/* Most blocks are done after X, Y and Z. */
+	/* Most blocks have only X, Y and Z. */
 	for (const char *letter = "XYZIJKRABCUVW"; letters && *letter; letter++) {
 		int column = block_column(block, *letter);
 
@@ -39,7 +39,7 @@ int block_motion_column(const struct block *block)
 	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_BITS | ARC_BITS);
 }
 
-/* Of a code that takes the block's words for itself: nothing else may stand beside it. False: reported. */
+/* For a code that uses the block's words: the block has no motion and no code of group 0. False: reported. */
 static bool stands_apart(struct block *block, const struct line_place *at, enum g_group group, const char *message)
 {
 	block->motion = CODE_NONE;
@@ -77,7 +77,7 @@ static bool belong_to_mode(struct block *block, const struct line_place *at, boo
 	return true;
 }
 
-/* The words belong to a code of group 0, and to no motion beside it. False: reported. */
+/* The words belong to a code of group 0, and not to a motion of the block. False: reported. */
 static bool check_beside_nonmodal(struct block *block, const struct line_place *at,
 				  const struct dialect_traits *traits, bool axes)
 {
@@ -95,7 +95,7 @@ static bool check_beside_nonmodal(struct block *block, const struct line_place *
 	return true;
 }
 
-/* The words belong to the motion that is given or in force, or to none. False: reported. */
+/* The words belong to the motion of the block, to the modal motion, or to none. False: reported. */
 static bool find_in_force(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
 			  const struct block_modes *modes)
 {
@@ -121,7 +121,7 @@ static bool find_in_force(struct block *block, const struct line_place *at, cons
 	return true;
 }
 
-/* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
+/* Finds the motion to which the block's words belong: NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups". */
 static bool find_motion(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
 			const struct block_modes *modes)
 {
@@ -152,7 +152,7 @@ static bool fault_without_time(const struct block *block, const struct line_plac
 	return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in %s%s", count > 1 ? "one word, " : "", text);
 }
 
-/* A dwell has its time in one of some letters; where it need not stand alone, other axis words are a motion's. */
+/* A dwell has its time in one of several letters; if its block may have a motion, other axis words belong to that. */
 static bool check_dwell(struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
 	const char *letters = dialect->traits.dwell_letters ? dialect->traits.dwell_letters : "";
@@ -192,7 +192,7 @@ static bool check_machine_coordinates(struct block *block, const struct line_pla
 		if (dialect->traits.g53_alone == ANSWER_YES)
 			return true;
 	}
-	/* At the rapid rate whatever the motion, which stays in force. */
+	/* G53 is a rapid whatever the active motion, which stays active. */
 	if (dialect->traits.g53_rate == G53_RATE_RAPID && block->g[G_MOTION] == CODE_NONE && is_arc(block->motion))
 		block->motion = G0;
 	if (block->motion != G0 && block->motion != G1)
@@ -275,7 +275,7 @@ static void name_claim(const struct block_claim *claim, char *name, size_t size)
 		snprintf(name, size, "M%d", claim->code);
 }
 
-/* The first letter of some bits. */
+/* The first letter of a set of bits. */
 static char first_letter(uint32_t bits)
 {
 	char letter = 'A';
@@ -285,7 +285,7 @@ static char first_letter(uint32_t bits)
 	return letter;
 }
 
-/* One word that two codes take. D and H are numbers of a table, the same for both. */
+/* Checks a word that two codes take. D and H are numbers of a table, the same for both codes. */
 static bool check_apart(const struct block *block, const struct line_place *at, const struct block_claim *one,
 			const struct block_claim *other)
 {
@@ -302,7 +302,7 @@ static bool check_apart(const struct block *block, const struct line_place *at, 
 		     names[0], names[1]);
 }
 
-/* Every word belongs to a code, and to one only where the control does not give it to several. */
+/* Checks that every word belongs to a code, and only to one unless the control gives the word to several codes. */
 static bool check_words(const struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
 	struct block_claim claims[BLOCK_CLAIMS_MAX];
@@ -324,7 +324,7 @@ static bool check_words(const struct block *block, const struct line_place *at, 
 		     letter == 'E' ? "; numbers have no exponent" : "");
 }
 
-/* Axis words of such a code name the axes that are no longer mirrored or scaled, and move nothing. */
+/* Axis words of such a code name the axes that are not mirrored or scaled any more, and move nothing. */
 static bool check_idle(const struct block *block, const struct line_place *at)
 {
 	if (block->idle == CODE_NONE || !(block->letters & AXIS_BITS))

@@ -7,13 +7,13 @@ bool block_is_call(const struct block *block, const struct dialect *dialect)
 	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
 }
 
-/* What the words of canned cycles are: execute/canned_cycle.c. */
+/* The words of canned cycles: execute/canned_cycle.c. */
 static uint32_t cycle_letters(int code, const struct dialect *dialect)
 {
 	const struct cycle_traits *traits = dialect->traits.cycles;
 	uint32_t used = letter_bit('R');
 
-	/* canned_cycle.c refuses the cycle then, with the reason. */
+	/* canned_cycle.c then refuses the cycle, with the reason. */
 	if (!traits || !traits->repeat_letter)
 		return letter_bits("IJKLPQR");
 	used |= letter_bit(traits->repeat_letter);
@@ -32,7 +32,7 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 	return used;
 }
 
-/* How a control keeps to the path: execute/path_control.c. */
+/* The words of codes for path accuracy: execute/path_control.c. */
 static uint32_t contour_letters(int code)
 {
 	return code == G5_1   ? letter_bit('Q') | letter_bit('R')
@@ -40,7 +40,7 @@ static uint32_t contour_letters(int code)
 			      : letter_bit('P');
 }
 
-/* Points of the curve, and of a NURBS its order and the weights of its points: execute/spline_move.c, nurbs_move.c. */
+/* The points of a curve, and the order and weights of a NURBS: execute/spline_move.c, nurbs_move.c. */
 static uint32_t spline_letters(int motion)
 {
 	switch (motion) {
@@ -57,7 +57,7 @@ static uint32_t spline_letters(int motion)
 	}
 }
 
-/* What G10 sets, with the words of lathe tools, which execute/g10_tool_table.c refuses. */
+/* The words of G10, including those of lathe tools, which execute/g10_tool_table.c refuses. */
 static uint32_t data_letters(const struct block *block, const struct dialect *dialect)
 {
 	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
@@ -69,7 +69,7 @@ static uint32_t data_letters(const struct block *block, const struct dialect *di
 	return used;
 }
 
-/* M50 to M53 take an on or off, M48 and M49 do not. */
+/* M50 to M53 take a P for on or off, M48 and M49 do not. */
 static uint32_t override_letters(int code)
 {
 	return code >= 50 ? letter_bit('P') : 0;
@@ -83,7 +83,7 @@ static uint32_t output_letters(int code)
 	return code == CODE_NONE ? 0 : code < 66 ? letter_bit('P') : letter_bit('E') | letter_bit('Q');
 }
 
-/* Where K repeats a canned cycle, L may do so, too: find_repeats in execute/canned_cycle.c. */
+/* On controls where K repeats a canned cycle, L may do so, too: find_repeats in execute/canned_cycle.c. */
 static uint32_t repeat_letters(const struct block *block, const struct dialect *dialect)
 {
 	const struct cycle_traits *cycles = dialect->traits.cycles;
@@ -106,7 +106,7 @@ static uint32_t motion_letters(const struct block *block, const struct dialect *
 	default:
 		break;
 	}
-	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
+	/* Fanuc B-64484EN, "Multi-step Skip": the signals that stop the move. */
 	if (block->motion >= G31 && block->motion <= G31_3)
 		return letter_bit('P');
 	return code_is_cycle(block->motion) ? cycle_letters(block->motion, dialect) | repeat_letters(block, dialect)
@@ -129,7 +129,7 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 		return letter_bits("IJK");
 	case G30:
 		return traits->g30_has_number != ANSWER_NO ? letter_bit('P') : 0;
-	/* Which solution it takes: execute/coordinate_rotation.c. */
+	/* The number of the solution: execute/coordinate_rotation.c. */
 	case G53_1:
 	case G53_6:
 		return letter_bit('P');
@@ -168,7 +168,7 @@ static uint32_t system_letters(const struct block *block, const struct dialect *
 	return block_numbers_offset(block, dialect) ? letter_bit('P') : 0;
 }
 
-/* With those of the forms that execute/coordinate_rotation.c refuses. */
+/* Including the words of forms that execute/coordinate_rotation.c refuses. */
 static uint32_t rotation_letters(int rotation)
 {
 	if (code_tilts(rotation))
@@ -183,7 +183,7 @@ static uint32_t length_letters(int length)
 	return has ? letter_bit('H') : 0;
 }
 
-/* L is the orientation of a lathe tool, which only controls have whose D is a tool. */
+/* L is the orientation of a lathe tool; only controls whose D is a tool have it. */
 static uint32_t cutter_letters(int cutter, const struct dialect_traits *traits)
 {
 	if (cutter == CODE_NONE || cutter == G40)
@@ -203,8 +203,8 @@ static uint32_t spindle_letters(const struct block *block, const struct dialect_
 }
 
 /*
- * What may be another code's as well: H and D that stand alone; the directions of G43.5, of which
- * execute/tool_vector.c sees to it; what M-codes that move nothing make of their words, unless a call has them.
+ * Words that another code may use, too: H and D alone; the directions of G43.5, which execute/tool_vector.c checks; the
+ * words of M-codes that move nothing, unless a call has these words.
  */
 static uint32_t idle_letters(const struct block *block, const struct dialect *dialect)
 {
@@ -218,7 +218,7 @@ static uint32_t idle_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('P');
 	if (block->m_ignored)
 		used |= letter_bits("PQ");
-	/* Builders give M-codes other words, too: M298 L1 of Brother. In a block that moves they may be another's. */
+	/* Builders' M-codes take other words, too: M298 L1 of Brother. In a block that moves they may be another code's. */
 	if (block->m_ignored && traits->call_letters && !(block->letters & AXIS_BITS))
 		used |= letter_bits("ELR");
 	return used;

@@ -15,7 +15,7 @@ void labels_release(struct labels *labels)
 	*labels = (struct labels){0};
 }
 
-/* The index of the key, or where it belongs. */
+/* The index of the key, or the index at which to insert it. */
 static size_t search(const struct labels *labels, const char *key, bool *found)
 {
 	size_t low = 0, high = labels->count;

@@ -2,7 +2,7 @@
 
 #include "gcode/text/line_shape.h"
 
-/* A header of more lines is none. */
+/* The most lines of a header. */
 #define LEADER_LINES_MAX 1000
 
 void leader_skip(struct reader *reader)

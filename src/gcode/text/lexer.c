@@ -32,7 +32,7 @@ static bool check_comment(const struct lexer *lexer, const char *text)
 	return !lexer->rules->check_comment || lexer->rules->check_comment(lexer, text + strspn(text, " \t"));
 }
 
-/* Steps over "(...)". Controls differ in where a comment inside a comment ends, so that it is a fault. */
+/* Skips "(...)". Controls differ in where a comment inside a comment ends, so this is a fault. */
 static bool skip_comment(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position + 1;
@@ -41,7 +41,7 @@ static bool skip_comment(struct lexer *lexer)
 
 	if (text[length] == '\0')
 		return fault(lexer->at, lexer_column(lexer), "this comment is not closed");
-	/* Wherever it ends, nothing but parentheses remains of the block. */
+	/* Wherever the comment ends, only parentheses remain of the block. */
 	if (text[length] == '(' && lexer->rules->comments_nest && close && close[strspn(close, ") \t")] == '\0') {
 		lexer->position += strlen(text) + 1;
 		return check_comment(lexer, text);
@@ -55,8 +55,8 @@ static bool skip_comment(struct lexer *lexer)
 }
 
 /*
- * What stands behind a ';' that ends a block: has it any word or statement? Text without one is a remark, which the
- * control refuses or passes over, but which moves no axis.
+  * Has the text after a ';' that ends a block any word or statement? Text without one is a remark: the control may
+  * refuse or skip it, but it moves no axis.
  */
 static bool may_be_blocks(const char *text)
 {

@@ -27,7 +27,7 @@ static bool is_digit(char c)
 	return (unsigned char)(c - '0') <= 9;
 }
 
-/* Written as an integer with an exponent, which strtod reads alike in every locale. */
+/* Writes the number as an integer with an exponent, which strtod reads in the same way in every locale. */
 static double slow_value(const char *text, size_t begin, size_t end, int fraction_digits)
 {
 	char clean[NUMBER_LENGTH_MAX + 16];
@@ -41,7 +41,7 @@ static double slow_value(const char *text, size_t begin, size_t end, int fractio
 	return strtod(clean, NULL);
 }
 
-/* The value of a number whose digits are all in the mantissa: a quotient of two exact doubles is correctly rounded. */
+/* The value of a number with all digits in the mantissa: a quotient of two exact doubles is correctly rounded. */
 static bool exact_value(uint64_t mantissa, int fraction_digits, double *value)
 {
 	/* Clinger, "How to Read Floating Point Numbers Accurately", 1990. */
@@ -52,7 +52,7 @@ static bool exact_value(uint64_t mantissa, int fraction_digits, double *value)
 	return true;
 }
 
-/* Any number. */
+/* Reads every number. */
 static enum number_status read_slowly(const char *text, size_t *position, double *value, bool *point)
 {
 	size_t at = *position, begin;
@@ -102,7 +102,7 @@ enum number_status number_read(const char *text, size_t *position, double *value
 	return NUMBER_OK;
 }
 
-/* Any number that number_read_with_comma reads. */
+/* Reads every number of number_read_with_comma. */
 static enum number_status read_slowly_with_comma(const char *text, size_t *position, double *value)
 {
 	const char *first = text + *position + (text[*position] == '-' || text[*position] == '+'), *at, *end;

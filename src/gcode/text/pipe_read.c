@@ -4,7 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-/* Bytes in the stream's own buffer, which somebody has filled who read the stream before. */
+/* The number of bytes in the stream's own buffer, left there by earlier reads from the stream. */
 static size_t buffered(const FILE *in)
 {
 #ifdef __GLIBC__
@@ -15,7 +15,7 @@ static size_t buffered(const FILE *in)
 #endif
 }
 
-/* Returns when there is something to read, or the end, or a fault. False: `waiting` said stop. */
+/* Waits for input, the end of the input, or a fault. False: `waiting` said stop. */
 static bool wait_for_input(int file, const struct cancel *waiting)
 {
 	struct pollfd input = {.fd = file, .events = POLLIN};

@@ -7,13 +7,13 @@
 #include "base/mem.h"
 #include "gcode/text/pipe_read.h"
 
-/* Bytes that one read asks for: several of the longest lines, so that an incomplete line is rarely moved. */
+/* Bytes requested by one read: several of the longest lines, so that an incomplete line is rarely moved. */
 #define CHUNK ((size_t)4 * LINE_LENGTH_MAX)
 
-/* Bytes behind the line in hand that stay in the buffer: shorter loops need not read the file again. */
+/* Bytes before the current line that stay in the buffer: shorter loops need not read the file again. */
 #define FILE_KEEP (CHUNK / 2)
 
-/* Bytes behind a line that are searched at once for what must not be in a line. */
+/* Bytes after a line that are searched together for bytes that a line must not have. */
 #define AHEAD 4096
 
 #define END_OF_TEXT 0x1A
@@ -46,7 +46,7 @@ void reader_release(struct reader *reader)
 	reader->begin = reader->end = 0;
 }
 
-/* Reads so many bytes, or what a pipe has; false on a read error. */
+/* Reads this number of bytes, or the available bytes of a pipe; false on a read error. */
 static bool read_bytes(struct reader *reader, size_t want)
 {
 	char *bytes = reader->buffer + reader->end;
@@ -69,7 +69,7 @@ static bool read_bytes(struct reader *reader, size_t want)
 	return true;
 }
 
-/* Makes room for a chunk, if there is none, and reads it, or what a pipe has; false on a read error. */
+/* Makes room for a chunk and reads it, or the available bytes of a pipe; false on a read error. */
 static bool refill(struct reader *reader)
 {
 	size_t drop = 0, want;
@@ -84,7 +84,7 @@ static bool refill(struct reader *reader)
 	want = reader->capacity - reader->end < CHUNK ? reader->capacity - reader->end : CHUNK;
 	if (want > 0 && !read_bytes(reader, want))
 		return false;
-	/* CP/M ended text with 0x1A, and controls still send it behind the last block. */
+	/* CP/M ended text with 0x1A, and controls still send this byte after the last block. */
 	while (reader->at_end && reader->end > reader->begin && ends_text(reader->buffer[reader->end - 1]))
 		reader->end--;
 	reader->cut = reader->end;
@@ -105,18 +105,18 @@ static const char *find_odd(const char *p, const char *end)
 	return find_byte(p, find_byte(p, end, '\r'), '\0');
 }
 
-/* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
+/* The first byte at or after `from` that ends a line or is not allowed, or reader->end. */
 static size_t find_break(struct reader *reader, size_t from)
 {
 	const char *p = reader->buffer + from, *end = reader->buffer + reader->end, *line_end;
 
-	/* Where lines end with CR, a search for LF would run through the whole buffer at each line. */
+	/* If lines end with CR, a search for LF would examine the whole buffer at each line. */
 	if (reader->style == LINE_END_LF) {
 		line_end = find_byte(p, end, '\n');
 		if (line_end <= reader->buffer + reader->clear)
 			return (size_t)(line_end - reader->buffer);
 		p = find_odd(p, line_end);
-		/* A line without them is likely to be followed by others. */
+		/* After a line without such bytes, the next lines probably have none either. */
 		if (p == line_end)
 			reader->clear = (size_t)(find_odd(p, end - line_end > AHEAD ? line_end + AHEAD : end) -
 						 reader->buffer);
@@ -127,7 +127,7 @@ static size_t find_break(struct reader *reader, size_t from)
 	return (size_t)(p - reader->buffer);
 }
 
-/* Where the text begins behind the blank feed of a tape, which is NULs, and the codes that switch a device on. */
+/* The start of the text, after the blank leader of a tape (NULs) and the codes that switch a device on. */
 static size_t find_text(const struct reader *reader)
 {
 	size_t text = reader->begin;
@@ -137,19 +137,19 @@ static size_t find_text(const struct reader *reader)
 	return text;
 }
 
-/* Steps over what precedes the text, if the buffer can hold it; false on a read error. */
+/* Skips the bytes before the text, if the buffer can hold them; false on a read error. */
 static bool skip_feed(struct reader *reader)
 {
 	while (find_text(reader) == reader->end && !reader->at_end && reader->end < reader->capacity)
 		if (!refill(reader))
 			return false;
-	/* NULs alone are no program. */
+	/* Only NULs are no program. */
 	if (find_text(reader) < reader->end)
 		reader->begin = find_text(reader);
 	return true;
 }
 
-/* Steps over the byte order mark of UTF-8. What to do if the file is no text, else NULL. */
+/* Skips the byte order mark of UTF-8. Returns advice if the file is no text, else NULL. */
 static const char *check_start(struct reader *reader)
 {
 	const char *start = reader->buffer + reader->begin;
@@ -180,11 +180,11 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 	}
 	if (reader->style == LINE_END_UNKNOWN)
 		reader->style = style;
-	/* LinuxCNC takes a lone CR for a blank, other controls end the block there: two different programs. */
+	/* LinuxCNC treats a lone CR as a blank, other controls end the block there: two different programs. */
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
 }
 
-/* Can what was read so far not tell how the line ends? A CR may be part of a CR CR LF. */
+/* Are more bytes needed to find how the line ends? A CR may be part of a CR CR LF. */
 static bool is_open(const struct reader *reader, size_t at)
 {
 	const char *p = reader->buffer + at;
@@ -195,7 +195,7 @@ static bool is_open(const struct reader *reader, size_t at)
 	       (*p == '\r' && (at + 1 == reader->end || (p[1] == '\r' && at + 2 == reader->end)));
 }
 
-/* Finds the end of the line in hand, which is then in the buffer; false on a read error. */
+/* Finds the end of the current line, which is then in the buffer; false on a read error. */
 static bool find_line_end(struct reader *reader, size_t *at)
 {
 	*at = find_break(reader, reader->begin);
@@ -207,7 +207,7 @@ static bool find_line_end(struct reader *reader, size_t *at)
 	return true;
 }
 
-/* Fanuc controls send LF CR CR behind a block: these CRs end no line of their own. */
+/* Fanuc controls send LF CR CR after a block: these CRs are not the ends of further lines. */
 static bool skip_returns(struct reader *reader, size_t *at)
 {
 	while (reader->style == LINE_END_LF && *at == reader->begin && *at < reader->end &&
@@ -228,7 +228,7 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	reader->buffer[reader->cut] = reader->cut_byte;
 	reader->cut = reader->end;
 	reader->cut_byte = '\0';
-	/* At the start also when somebody has read ahead and gone back. */
+	/* The line number is 0 at the start of the file, also after a look ahead that has returned there. */
 	if ((reader->line == 0 && !skip_feed(reader)) || !find_line_end(reader, &at) || !skip_returns(reader, &at))
 		return READER_FAILED;
 	if (reader->stopped)

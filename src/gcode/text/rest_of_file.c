@@ -4,17 +4,17 @@
 
 #include "gcode/text/line_shape.h"
 
-/* Lines between two questions whether to go on. */
+/* Lines between two calls of `cancel`. */
 #define ASK_LINES 4096
 
-/* Between M30 and the end of the file, some part of it. */
+/* A section of the text between M30 and the end of the file. */
 struct section {
 	long number;	/* line of its O-number; 0: it has none */
 	long motion;	/* line of its first block that moves axes; 0: none so far */
 	bool nested;	/* inside of "o... sub" */
 };
 
-/* Does the block have this code, an M with one or two digits? */
+/* Has the block this M-code, with one or two digits? */
 static bool has_code(const char *block, const char *plain, const char *padded)
 {
 	for (const char *at = strchr(block, 'M'); at; at = strchr(at + 1, 'M')) {
@@ -34,7 +34,7 @@ static bool ends_with(const char *block, const char *word)
 	return length > tail && !strcmp(block + length - tail, word);
 }
 
-/* Takes another line into account. True: a program ends here that moves axes. */
+/* Adds a line to the section. True: a program that moves axes ends here. */
 static bool take(struct section *section, const char *block, long line)
 {
 	if (*block == 'O' && ends_with(block, "ENDSUB"))
@@ -43,7 +43,7 @@ static bool take(struct section *section, const char *block, long line)
 		section->nested = true;
 	if (!section->nested && !section->motion && line_shape_moves_axes(block))
 		section->motion = line;
-	/* A subprogram ends: what stood before belongs to it, with or without an O-number (M97 of some controls). */
+	/* A subprogram ends: the lines before belong to it, with or without an O-number (M97 of some controls). */
 	if (has_code(block, "99", "99"))
 		section->motion = 0;
 	return section->motion && (has_code(block, "2", "02") || has_code(block, "30", "30"));

@@ -58,7 +58,7 @@ struct position source_next(struct source *source)
 	return (struct position){source, reader_position(&source->reader), source->reader.line + 1};
 }
 
-/* Opens a regular file only: a pipe of that name would make the program wait. */
+/* Opens only a regular file: the program would wait for a pipe of this name. */
 static FILE *open_regular(struct sources *sources, const char *root, const char *path)
 {
 	int fd = path_sandbox_open(root, path);
@@ -76,7 +76,7 @@ static FILE *open_regular(struct sources *sources, const char *root, const char 
 	return file;
 }
 
-/* The file of a folder, which ends in '/' or is empty; NULL: not there, or outside of the root. */
+/* Finds the file in a folder, whose name ends in '/' or is empty; NULL: no such file, or outside of the root. */
 static struct source *find_in(struct sources *sources, const char *root, const char *folder, size_t length,
 			      const char *name)
 {
@@ -102,7 +102,7 @@ static struct source *find_in(struct sources *sources, const char *root, const c
 	return source;
 }
 
-/* The folder of the program itself, which may be "", or NULL: standard input has none. */
+/* The folder of the program itself, which may be ""; NULL for standard input. */
 static const char *own_folder(const struct sources *sources, size_t *length)
 {
 	const char *name = sources->items[0]->name, *slash = strrchr(name, '/');

@@ -30,7 +30,7 @@ static bool two_lines(const struct comp_way *before, const struct comp_way *afte
 	return isfinite(corner->a) && isfinite(corner->b);
 }
 
-/* The crossing that lies farther along the line, or the nearer one. */
+/* The intersection that is farther along the line, or the nearer one. */
 static bool line_and_arc(const struct comp_way *line, const struct comp_way *arc, bool farther,
 			 struct plane_point *corner)
 {
@@ -65,7 +65,7 @@ bool comp_corner(const struct comp_way *before, const struct comp_way *after, st
 {
 	if (before->is_arc && after->is_arc)
 		return two_arcs(before, after, corner);
-	/* The tool leaves an arc that it follows inside at the first crossing, and enters one at the last. */
+	/* The tool leaves an arc that it follows inside at the first intersection, and enters one at the last. */
 	if (before->is_arc)
 		return line_and_arc(after, before, !before->inside, corner);
 	if (after->is_arc)

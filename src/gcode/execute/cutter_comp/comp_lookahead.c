@@ -40,7 +40,7 @@ static int column_of(const struct interp *interp)
 	return column ? column : interp->block.g_column[G_CUTTER];
 }
 
-/* How far the block moves across the plane. */
+/* The block's distance perpendicular to the plane. */
 static double way_across(const struct interp *interp, const slot_values *target)
 {
 	slot_values here = rotated_frame_straight(&interp->state);
@@ -55,7 +55,7 @@ static void spread_in_plane(const struct interp *interp, struct canon_move *move
 	move->spread[comp_slot_b(interp)] += spread;
 }
 
-/* In turned coordinates, and on a table that is turned, the plane may lie anywhere. */
+/* In turned coordinates, and on a turned table, the plane may have any direction. */
 static void cover_frame(const struct interp *interp, struct canon_move *move)
 {
 	double most = 0;
@@ -99,7 +99,7 @@ static bool check_axes(struct interp *interp, const slot_values *target)
 
 /* ---------------------------------------------------------------- corners */
 
-/* Lets the moves that wait be as far aside as the corner behind them is uncertain. */
+/* Adds the uncertainty of the corner to the spread of the waiting moves before it. */
 static void spread_waiting(struct interp *interp, const struct comp_turn *turn, double *across)
 {
 	struct comp_queue *queue = &interp->comp.queue;
@@ -121,7 +121,7 @@ static void spread_waiting(struct interp *interp, const struct comp_turn *turn, 
 	}
 }
 
-/* The moves between the end of one block and the start of the next: on lines, or on the arc about the corner. */
+/* Makes the moves from the end of a block to the start of the next one: lines, or the arc about the corner. */
 static bool go_round(struct interp *interp, const struct comp_turn *turn, double across, const struct canon_move *move)
 {
 	slot_values here = rotated_frame_straight(&interp->state);
@@ -149,8 +149,8 @@ static bool go_round(struct interp *interp, const struct comp_turn *turn, double
 }
 
 /*
- * Ends the block that waits, goes round the corner, and makes the next move start behind it. `after` is the programmed
- * way of the next block.
+ * Ends the waiting block, moves around the corner, and makes the next move start after it. `after` is the programmed
+ * path of the next block.
  */
 static bool pass_corner(struct interp *interp, const struct comp_way *after, double next_across,
 			struct canon_move *move)
@@ -172,7 +172,7 @@ static bool pass_corner(struct interp *interp, const struct comp_way *after, dou
 	return true;
 }
 
-/* What waits now is the block in hand. */
+/* The current block waits from now on. */
 static void wait_for_next(struct interp *interp, const struct comp_way *way, struct plane_point ahead, double across)
 {
 	struct cutter_comp *comp = &interp->comp;
@@ -197,7 +197,7 @@ void comp_lookahead_begin(struct cutter_comp *comp, int side, double radius)
 	comp->idle_across = 0;
 }
 
-/* The first block: where it ends is found at the next one. */
+/* The first block: its end is determined by the next block. */
 static bool start(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target);
@@ -212,7 +212,7 @@ static bool start(struct interp *interp, const slot_values *target, struct canon
 	return true;
 }
 
-/* The block of G40: from beside the end of the last block straight to its programmed end. */
+/* The block of G40: straight from the point beside the end of the last block to its own programmed end. */
 static bool leave(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
@@ -237,7 +237,7 @@ bool comp_lookahead_line(struct interp *interp, const slot_values *target, struc
 	struct comp_way way = {.point = from};
 	double across = way_across(interp, target);
 
-	/* Less is no direction. */
+	/* A shorter move has no direction. */
 	if (distance(from, to) < SAME_POINT) {
 		comp->idle_across += across;
 		return comp->entered ? comp_add_line(interp, target, move, (struct plane_point){0, 0}, comp->current)
@@ -309,8 +309,8 @@ bool comp_lookahead_leaves(const struct interp *interp)
 }
 
 /*
- * The tool stands beside the end of the last block and goes to the programmed point with the next move, whichever
- * that is: the way there is proved now, and until both axes have been commanded they count as this far aside.
+ * The tool is beside the end of the last block, and any next move takes it to the programmed point. The path to that
+ * point is proved now, and until both axes have been commanded their positions are uncertain by this distance.
  */
 bool comp_lookahead_stop(struct interp *interp)
 {

@@ -7,8 +7,8 @@
 #include "gcode/execute/rotated_frame.h"
 
 /*
- * Radians: how much farther than programmed a trimmed arc may turn. LinuxCNC uses
- * its figures for mm and inches as radians.
+ * Radians: how much more than programmed a shortened arc may turn. LinuxCNC uses its tolerances in mm and inches as
+ * radians.
  */
 #define SLACK_MM 0.0254
 #define SLACK_INCH 0.001
@@ -45,7 +45,7 @@ struct plane_point comp_beside(struct plane_point from, double distance, double 
 	return (struct plane_point){from.a + distance * math_cos(angle), from.b + distance * math_sin(angle)};
 }
 
-/* From straight coordinates (rotated_frame.h), in which moves wait, to the controller's. */
+/* Converts a waiting move from straight coordinates (rotated_frame.h) to the controller's. */
 static void turn_move(const struct state *state, struct canon_move *move)
 {
 	vec3 end = {move->end.v[SLOT_X], move->end.v[SLOT_Y], move->end.v[SLOT_Z]};
@@ -60,7 +60,7 @@ static void turn_move(const struct state *state, struct canon_move *move)
 	move->arc.normal = rotated_frame_normal(state, move->arc.normal);
 }
 
-/* An item that waited. */
+/* Sends an item that has waited. */
 static bool tell_item(struct interp *interp, const struct comp_item *item)
 {
 	struct canon_move move = item->move;
@@ -149,7 +149,7 @@ bool comp_add_line(struct interp *interp, const slot_values *target, const struc
 	return true;
 }
 
-/* The arc as a canonical move has it: the centre at the height of the start. */
+/* The arc of a canonical move: the centre is at the height of the start. */
 static struct canon_arc space_arc(const struct interp *interp, struct plane_point centre)
 {
 	slot_values here = rotated_frame_straight(&interp->state);

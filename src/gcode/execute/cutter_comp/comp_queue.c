@@ -11,7 +11,7 @@
 /* The most blocks between two moves in the plane. LinuxCNC has no limit, but no program needs so many. */
 #define QUEUE_MAX 10000
 
-/* mm: a compensated arc whose radii differ by more is wrong (LinuxCNC, interp_queue.cc). */
+/* mm: a compensated arc whose radii differ by more is an error (LinuxCNC, interp_queue.cc). */
 #define RADIUS_TOLERANCE 0.01
 
 void comp_queue_release(struct comp_queue *queue)
@@ -35,8 +35,8 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item)
 }
 
 /*
- * Radians: the compensated end of a whole circle, or nearly whole one, may lie so far behind its start, because the
- * point common to paths that meet tangentially is known only to the square root of the rounding.
+ * Radians: the compensated end of a full or nearly full circle may be this far past its start, because the common point
+ * of tangential paths is known only to the square root of the rounding.
  */
 #define ENDS_MEET 5e-4
 
@@ -45,7 +45,7 @@ static double sweep_to(const struct comp_queue *queue, const struct comp_item *i
 	double radius = math_hypot(queue->start.a - item->centre.a, queue->start.b - item->centre.b);
 	double sweep = arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns, SAME_POINT / radius);
 
-	/* Compensation takes no turn off an arc. */
+	/* Compensation does not remove a full turn from an arc. */
 	if (fabs(sweep) + 2 * PI <= item->programmed_sweep + ENDS_MEET)
 		sweep += copysign(2 * PI, sweep);
 	return sweep;

@@ -7,19 +7,19 @@
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "geom/tolerance.h"
 
-/* Radians: a path that turns back within this has no side of a corner that is certain. */
+/* Radians: at a reversal of the path within this tolerance, the outside of the corner is not certain. */
 #define REVERSAL 0.0175
 
-/* Radians: of a sharper corner the crossing of the ways beside it is farther away than three radii. */
+/* Radians: at a sharper corner the intersection of the compensated paths is farther away than three radii. */
 #define SHARPEST 2.4
 
-/* Radians: arcs that turn less against their neighbour are meant to be tangent, and need not cross it. */
+/* Radians: below this angle arcs count as tangent to their neighbour, and need not intersect it. */
 #define MEANT_TANGENT 0.01
 
-/* A share of the radius: how far an arc about a corner may be beside the path that is drawn out, at most. */
+/* The greatest distance of an arc about a corner from the extended path, as a share of the radius. */
 #define ROUND_BESIDE_DRAWN 0.42
 
-/* mm: an outside corner that is so flat needs no moves of its own. */
+/* mm: a flatter outside corner needs no extra moves. */
 #define FLAT 1e-3
 
 static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
@@ -52,7 +52,7 @@ static void add(struct comp_turn *turn, struct plane_point point)
 	turn->points[turn->count++] = point;
 }
 
-/* Where the two lines beside the path cross. */
+/* The intersection of the two compensated lines. */
 static struct plane_point line_crossing(const struct comp_corner_shape *c)
 {
 	struct plane_point sum = {c->foot.a + c->next_foot.a - 2 * c->at.a, c->foot.b + c->next_foot.b - 2 * c->at.b};
@@ -60,7 +60,7 @@ static struct plane_point line_crossing(const struct comp_corner_shape *c)
 	return along(c->at, 1 / (1 + dot(c->ahead, c->onward)), sum);
 }
 
-/* The points at which lines that are drawn out go round an outside corner: one, or two if it is acute. */
+/* Adds the points of extended lines around an outside corner: one, or two if the corner is acute. */
 static void add_drawn(struct comp_turn *turn, const struct comp_corner_shape *c)
 {
 	if (c->angle <= PI / 2) {
@@ -73,7 +73,7 @@ static void add_drawn(struct comp_turn *turn, const struct comp_corner_shape *c)
 
 /* ------------------------------------------------------- inside corners */
 
-/* Keeps the crossing that lies nearer to the two feet. */
+/* Keeps the intersection that is nearer to the two feet. */
 static void consider(const struct comp_corner_shape *c, struct plane_point crossing, double *nearest,
 		     struct plane_point *found)
 {
@@ -86,7 +86,7 @@ static void consider(const struct comp_corner_shape *c, struct plane_point cross
 	}
 }
 
-/* The radius of the tool's arc at the corner. */
+/* The radius of the compensated arc at the corner. */
 static double tool_radius(const struct comp_corner_shape *c, const struct comp_way *way)
 {
 	return distance(c->at, way->centre) + (way->inside ? -c->radius : c->radius);
@@ -159,7 +159,7 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 	if (fabs(c->angle) > MEANT_TANGENT)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "an inside corner that the tool (radius %.6g mm) cannot reach without gouging", c->radius);
-	/* Wherever the control ends the block before, it is between the two feet. */
+	/* The control ends the block before at an unknown point between the two feet. */
 	add(turn, c->foot);
 	turn->spread_before = turn->spread_after = distance(c->foot, c->next_foot);
 	return true;
@@ -167,7 +167,7 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 
 /* ------------------------------------------------------ outside corners */
 
-/* Drawn out to where the ways cross, or on a circle, or in between: all of it is proved. */
+/* The path may be extended to the intersection, be a circle, or be between these: all of this is proved. */
 static void turn_between(const struct comp_corner_shape *c, struct comp_turn *turn)
 {
 	const bool by_arcs = c->before->is_arc || c->after->is_arc;
@@ -181,11 +181,11 @@ static void turn_between(const struct comp_corner_shape *c, struct comp_turn *tu
 	add(turn, c->foot);
 	add(turn, line_crossing(c));
 	add(turn, c->next_foot);
-	/* An arc may be drawn out as an arc, which can_cross lets leave its tangent by no more than this. */
+	/* An arc may be extended as an arc; can_cross limits its distance from the tangent to this. */
 	turn->spread = beside + (by_arcs ? 2 * distance(c->foot, c->next_foot) * math_sin(fmin(c->angle, PI / 2)) : 0);
 }
 
-/* False, reported: where the ways cross is too far away, or cannot be told. */
+/* False, reported: the intersection of the paths is too far away, or not known. */
 static bool can_cross(struct interp *interp, const struct comp_corner_shape *c)
 {
 	if (c->angle <= MEANT_TANGENT || (c->angle <= SHARPEST && !(c->before->is_arc && c->before->inside) &&
@@ -208,7 +208,7 @@ static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_for
 		turn_between(c, turn);
 		return;
 	}
-	/* Rounding alone makes a corner of it: an arc between points that are one would be a whole turn. */
+	/* This corner comes only from rounding: an arc between two equal points would be a full turn. */
 	if (form == COMP_CORNER_CIRCULAR && c->angle * c->radius <= 2 * SAME_POINT) {
 		add(turn, c->foot);
 		turn->spread_before = turn->spread_after = distance(c->foot, c->next_foot);
@@ -220,7 +220,7 @@ static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_for
 		turn->on_arc = true;
 		return;
 	}
-	/* Both ways, and no moves of its own for a corner that is nearly straight. */
+	/* The form is not known: the spread covers both, and a nearly straight corner needs no extra moves. */
 	if (form == COMP_CORNER_UNKNOWN && beside < FLAT && !c->before->is_arc && !c->after->is_arc) {
 		add_drawn(turn, c);
 		turn->spread_before = turn->spread_after = beside;
@@ -236,7 +236,7 @@ static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_for
 
 /* ------------------------------------------------------ the way in and out */
 
-/* How far the points that the tool may go to are from this one; every way lies between them. */
+/* The greatest distance from `from` to the points that the tool may reach; every path is between these points. */
 static double farthest(const struct comp_corner_shape *c, const struct comp_turn *drawn, struct plane_point from)
 {
 	double far = fmax(distance(from, c->foot), distance(from, c->next_foot));
@@ -247,8 +247,8 @@ static double farthest(const struct comp_corner_shape *c, const struct comp_turn
 }
 
 /*
- * To the point beside the start of the next block, or away from the one beside the end of the last: type A and inside
- * corners go there straight, type B goes round an outside corner.
+ * The path to the point beside the start of the next block, or from the point beside the end of the last block: type A
+ * and inside corners have a straight path, type B moves around an outside corner.
  */
 static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type, enum comp_corner_form form,
 			bool starting, struct comp_turn *turn)
@@ -278,7 +278,7 @@ static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type,
 		if (starting || !(c->angle > 0))
 			add(turn, c->next_foot);
 		turn->spread = farthest(c, &drawn, turn->points[starting ? 0 : turn->count - 1]);
-		/* The path goes straight on. */
+		/* The path continues straight. */
 		if (turn->spread < SAME_POINT)
 			turn->count = 1;
 		turn->spread_before = starting ? turn->spread : 0;

@@ -13,12 +13,12 @@
 #include "gcode/execute/motion_commands.h"
 #include "geom/tolerance.h"
 
-/* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; a path that turns less goes straight on. */
+/* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; a path that turns less counts as straight. */
 #define STRAIGHT_ON 0.05
 
 /* ---------------------------------------------------------------- corners */
 
-/* The path of the move that waits; false: none waits. */
+/* The path of the waiting move; false: no move waits. */
 static bool way_before(const struct interp *interp, struct plane_point corner, struct comp_way *way)
 {
 	const struct comp_queue *queue = &interp->comp.queue;
@@ -44,9 +44,9 @@ static bool way_before(const struct interp *interp, struct plane_point corner, s
 enum corner { CORNER_STRAIGHT_ON, CORNER_OUTSIDE, CORNER_INSIDE };
 
 /*
- * How the path turns from the present direction to `angle`: beta, -90 to 270 degrees,
- * is positive where the tool goes round the corner. A reversal is an outside
- * corner, unless it is the point of an arc that the tool follows outside.
+ * The turn of the path from the present direction to `angle`: beta, -90 to 270 degrees, is positive if the tool moves
+ * around the outside of the corner. A reversal is an outside corner, unless it is the point of an arc that the tool
+ * follows outside.
  */
 static enum corner turn_at(const struct interp *interp, struct plane_point corner, double angle, bool pointed,
 			   double point_tolerance)
@@ -65,7 +65,7 @@ static enum corner turn_at(const struct interp *interp, struct plane_point corne
 	return beta > STRAIGHT_ON ? CORNER_OUTSIDE : CORNER_STRAIGHT_ON;
 }
 
-/* Ends the path before where the path after crosses it. */
+/* Ends the path before the corner at its intersection with the path after the corner. */
 static bool meet(struct interp *interp, struct plane_point corner, const struct comp_way *after)
 {
 	int column = block_motion_column(&interp->block);
@@ -84,7 +84,7 @@ static bool meet(struct interp *interp, struct plane_point corner, const struct 
 	return comp_send_to(interp, end);
 }
 
-/* Goes round the corner at the present height; a rapid goes straight across. */
+/* Moves around the corner at the present height; a rapid moves straight. */
 static bool go_round(struct interp *interp, struct plane_point corner, struct plane_point end,
 		     const slot_values *target, const struct canon_move *move)
 {
@@ -102,7 +102,7 @@ static bool go_round(struct interp *interp, struct plane_point corner, struct pl
 	}
 	if (!good || !comp_send_all(interp, end))
 		return false;
-	/* These axes are taken to their end already. */
+	/* These axes have already moved to their end. */
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
 		state_set_position(&interp->state, slot, target->v[slot]);
 	return true;
@@ -160,8 +160,8 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 }
 
 /*
- * The tool moves from its point to the side of the programmed end, where it has the
- * direction of the programmed arc: an arc with another radius and centre.
+ * The tool moves from its present point to the point beside the programmed end, where the path has the direction of the
+ * programmed arc: on an arc with another radius and centre.
  */
 static bool enter_by_arc(struct interp *interp, const slot_values *target, struct comp_item *item, double aside,
 			 struct canon_move *move)
@@ -264,7 +264,7 @@ bool cutter_comp_select(struct interp *interp)
 	return true;
 }
 
-/* Axes that the block has moved are no longer aside; in turned coordinates it must have moved all of them. */
+/* The positions of axes that the block has moved are certain again; in turned coordinates it must move all axes. */
 static void tighten(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -282,7 +282,7 @@ static void tighten(struct interp *interp)
 	}
 }
 
-/* The end of a block whose moves wait for the end of a compensated one. */
+/* Queues the end of a block whose moves wait for the end of a compensated move. */
 static bool enqueue_end(struct interp *interp)
 {
 	const struct line_place *at = &interp->at;

@@ -31,8 +31,8 @@ static bool find_radius(struct interp *interp, double *radius)
 }
 
 /*
- * Fanuc B-64484EN, "Cutter compensation": D is the number of an offset, 0 is none, and D is modal. Haas,
- * "D Code": the same. Whether the table holds the whole radius of a tool or its wear alone is known of the setup only.
+ * Fanuc B-64484EN, "Cutter compensation": D is the number of an offset, 0 is none, and D is modal. Haas, "D Code": the
+ * same. Only the setup tells whether the table has the full radius of a tool or only its wear.
  */
 static bool find_radius_in_table(struct interp *interp, double *radius)
 {
@@ -58,7 +58,7 @@ static bool find_radius_in_table(struct interp *interp, double *radius)
 	return true;
 }
 
-/* D and G41 or G42 of controls that look ahead. */
+/* D with G41 or G42 on controls that look ahead. */
 static bool switch_on_ahead(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -79,7 +79,7 @@ static bool switch_on_ahead(struct interp *interp)
 	if (comp->side != 0)
 		return fault(&interp->at, column,
 			     "another side or radius of cutter compensation while it is on; G40 first");
-	/* On a plane that G53.1 has turned the tool to, the rotary axes stand still. */
+	/* On a plane of G53.1 the rotary axes stand still. */
 	if (state->tcp != TCP_OFF && state->tcp != TCP_BY_PLANE)
 		return fault(&interp->at, column,
 			     "cutter compensation under tool centre point control is not supported");
@@ -173,7 +173,7 @@ static bool moves_as_compensated(int motion)
 	return motion == CODE_NONE || motion == G80 || motion == G0 || motion == G1 || motion == G2 || motion == G3;
 }
 
-/* Between G40 and the next move of an axis, no coordinate can be taken from where it stands. */
+/* Between G40 and the next move of an axis, the axis' present coordinate must not be used. */
 static bool check_loose(struct interp *interp)
 {
 	const struct block *block = &interp->block;
