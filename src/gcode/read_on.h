@@ -22,8 +22,8 @@ bool read_on(struct interp *interp, size_t errors_before);
 void read_on_lose(struct interp *interp);
 
 /*
-  * Reports that the setup lacks something. True: the block is carried out as if the setup had it, so that no other fault
-  * follows from this one.
+   * Reports that the setup lacks something. True: the block is carried out as if the setup had it, so that no other
+   * fault follows from this one.
  */
 #define read_on_without(interp, ...) (fault_report(&(interp)->at, __VA_ARGS__), read_on(interp, 0))
 

@@ -218,7 +218,7 @@ static uint32_t idle_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('P');
 	if (block->m_ignored)
 		used |= letter_bits("PQ");
-	/* Builders' M-codes take other words, too: M298 L1 of Brother. In a block that moves they may be another code's. */
+	/* Builders' M-codes take other words, too: M298 L1 of Brother. In a block that moves, they may be another's. */
 	if (block->m_ignored && traits->call_letters && !(block->letters & AXIS_BITS))
 		used |= letter_bits("ELR");
 	return used;
