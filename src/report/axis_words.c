@@ -4,10 +4,10 @@
 
 #include "machine/kinematics_check.h"
 
-/* Cosine: what is nearer than a tenth of a degree to X, Y or Z is called that. */
+/* Cosine: a direction within a tenth of a degree of X, Y or Z is named after it. */
 static const double THE_SAME = 0.9999985;
 
-/* The drawing's axis that the direction lies along, 0 to 2, and its sign; -1: none. */
+/* The drawing's axis along the direction, 0 to 2, and its sign; -1: none. */
 static int along_which(vec3 v, int *sign)
 {
 	const double parts[3] = {v.x, v.y, v.z};
@@ -31,7 +31,7 @@ static void add_way(struct strbuf *out, vec3 v)
 		strbuf_addf(out, "(%.4g %.4g %.4g)", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
-/* Seen from where the letter points: from above for a turn about Z. */
+/* As seen from the point of the vector: from above for a turn about Z. */
 static void add_turn(struct strbuf *out, vec3 v)
 {
 	static const char *const views[] = {"from +X", "from +Y", "from above (+Z)"};
@@ -46,7 +46,7 @@ static void add_turn(struct strbuf *out, vec3 v)
 	}
 }
 
-/* What is on the axis; the tool or the work if it carries one of them. */
+/* The name of what the axis carries: the tool, the work, or other bodies. */
 static const char *carried(int side)
 {
 	return side > 0 ? "the tool" : side < 0 ? "the work" : "what it carries";

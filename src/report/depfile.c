@@ -16,7 +16,7 @@ bool depfile_add_name(struct strbuf *out, const char *name, bool target, struct 
 	for (const char *c = name; *c; c++) {
 		bool quoted = strchr(" \t#:*?[]", *c) || (target && *c == '%');
 
-		/* Backslashes must be doubled directly before a quoted character, and only there. */
+		/* Backslashes must be doubled directly before an escaped character, and only there. */
 		for (size_t i = 0; quoted && i < backslashes; i++)
 			strbuf_add(out, "\\", 1);
 		backslashes = *c == '\\' ? backslashes + 1 : 0;

@@ -1,4 +1,4 @@
-/* depfile.h - writes names of files as make reads them. */
+/* depfile.h - writes file names in the syntax of make. */
 #ifndef FIVECHECK_REPORT_DEPFILE_H
 #define FIVECHECK_REPORT_DEPFILE_H
 
@@ -9,8 +9,8 @@
 
 /*
  * Appends the name, escaped as a target or as a prerequisite of a rule, with a blank before it unless it is the first
- * of its line. False, reported: the name has a line break, which no makefile can hold. Source: manual of GNU make,
- * "Rule Syntax", "Using Wildcard Characters in File Names", "Static Pattern".
+ * of its line. False, reported: the name has a line break, which is impossible in a makefile. Source: manual of GNU
+ * make, "Rule Syntax", "Using Wildcard Characters in File Names", "Static Pattern".
  */
 bool depfile_add_name(struct strbuf *out, const char *name, bool target, struct diag *diag);
 

@@ -15,7 +15,7 @@
 #define HAS_NO_UNITS "(STL has none: units=\"inch\", \"cm\" or \"m\")"
 #define GAUGE_AT_ORIGIN "a mesh has the gauge point at its origin and the tip toward -Z"
 
-/* What each kind says; {words} in braces are those of `fields` and `number_fields`. */
+/* The text of each kind; {words} in braces are the names in `fields` and `number_fields`. */
 static const char *const texts[] = {
 	[DOUBT_LEFT_HANDED] = "X Y Z of the tool relative to the work are left-handed: a sign is wrong or two letters "
 			      "are exchanged; check the directions, or give one of the axes checked=\"reason\"",
@@ -259,7 +259,7 @@ static void add_offset(struct strbuf *out, const struct scene *scene, const stru
 	strbuf_addf(out, "%s", scene->setup->offsets[doubt->item].name);
 }
 
-/* The numbers of a doubt as they are: how many digits matter differs from text to text. */
+/* The numbers of a doubt without rounding: the required digits differ from text to text. */
 static const struct number_field {
 	const char *name;
 	size_t offset;	/* of the number in struct doubt */
@@ -274,7 +274,7 @@ static bool has_name(const char *name, const char *text, size_t length)
 	return strlen(name) == length && !memcmp(name, text, length);
 }
 
-/* Adds the number of that name. False: it is no number. */
+/* Adds the number with this name. False: there is none. */
 static bool add_number(struct strbuf *out, const struct doubt *doubt, const char *name, size_t length)
 {
 	for (size_t i = 0; i < sizeof(number_fields) / sizeof(*number_fields); i++) {

@@ -1,4 +1,4 @@
-/* doubt_text.h - a doubt about the model in one sentence: what is odd, with its numbers, and what to do. */
+/* doubt_text.h - a doubt about the model in one sentence: the problem, with its numbers, and what to do. */
 #ifndef FIVECHECK_REPORT_DOUBT_TEXT_H
 #define FIVECHECK_REPORT_DOUBT_TEXT_H
 

@@ -10,7 +10,7 @@
 #include "report/format/json.h"
 #include "report/machine_report.h"
 
-/* Counts changes that a reader of the old form would stumble over. */
+/* The version of the format: raised by changes that break readers of the old form. */
 enum { FORMAT = 1 };
 
 static json_t *begin(const struct scene *scene, const char *kind)
@@ -57,7 +57,7 @@ static json_t *controller_json(const struct controller *controller)
 	return object;
 }
 
-/* In words, what a positive value does. */
+/* A description of the effect of a positive value. */
 static json_t *words_json(const struct machine *machine, const struct axis *axis)
 {
 	struct strbuf words = {0};

@@ -9,8 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Both append one JSON document: lengths in mm, angles in degrees, rates a minute; null for what there is not. The
- * keys are described in fivecheck(1).
+ * Both append one JSON document: lengths in mm, angles in degrees, rates per minute; null for missing values.
+ * fivecheck(1) describes the keys.
  */
 void machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities);
 void machine_json_add_pairs(struct strbuf *out, const struct scene *scene);

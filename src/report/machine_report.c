@@ -94,7 +94,7 @@ static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
 		    format_units_value(axis->slot, axis->home), wraps[axis->wrap]);
 }
 
-/* The bounds of a rotated box would be too large. */
+/* From all corners: the bounds of a rotated box would be too large. */
 void machine_report_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest)
 {
 	*least = (vec3){INFINITY, INFINITY, INFINITY};
@@ -134,7 +134,10 @@ static void add_body(const struct machine_report *tree, int index, int depth)
 	strbuf_addf(tree->out, "\n");
 }
 
-/* Appends a link's bodies, spindle and workholding, then the links that it carries; recursion ends with the axes. */
+/*
+ * Appends a link's bodies, spindle and workholding, then the links that it carries; the recursion is as deep as the
+ * axes.
+ */
 static void add_link(const struct machine_report *tree, int link, int depth)
 {
 	const struct machine *machine = tree->scene->machine;

@@ -17,7 +17,7 @@ void machine_report_add(struct strbuf *out, struct scene *scene);
 /* Appends the list of oddities. */
 void machine_report_add_oddities(struct strbuf *out, const struct oddities *oddities);
 
-/* What bodies are called in reports: "body", "fixture", "part", "holder", "shank", "cutter". */
+/* The names of roles in reports: "body", "fixture", "part", "holder", "shank", "cutter". */
 const char *machine_report_role(enum body_role role);
 
 /* "linear", "dogleg", "any" */

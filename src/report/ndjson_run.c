@@ -55,7 +55,7 @@ static bool take_header(struct reading *reading, json_t *object)
 	return true;
 }
 
-/* Is the verdict one that a program with so many findings can have? */
+/* Is the verdict possible for a program with this number of findings? */
 static bool fits(const char *verdict, size_t findings)
 {
 	if (!strcmp(verdict, "clear") || !strcmp(verdict, "passed"))
@@ -65,7 +65,7 @@ static bool fits(const char *verdict, size_t findings)
 	return !strcmp(verdict, "incomplete");
 }
 
-/* The line of a program says how many lines of findings stand before it. */
+/* The line of a program gives the number of findings in the lines before it. */
 static bool take_program(struct reading *reading, const json_t *object)
 {
 	const char *verdict = ndjson_run_text(object, "verdict");

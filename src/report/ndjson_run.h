@@ -18,8 +18,8 @@ struct ndjson_run {
 };
 
 /*
- * False, reported: the file cannot be read, is something else, was cut short, holds several runs, or does not have as
- * many findings as it says. Release the run in either case.
+ * False, reported: the file cannot be read, has another format, is incomplete, contains several runs, or has another
+ * number of findings than it says. Release the run in either case.
  */
 bool ndjson_run_load(struct ndjson_run *run, const char *path, struct diag *diag);
 void ndjson_run_release(struct ndjson_run *run);

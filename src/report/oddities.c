@@ -9,7 +9,7 @@
 #include "report/format/format_units.h"
 #include "scene/static_query.h"
 
-/* Bodies this near at home touch: the default tolerance of a check, mm. */
+/* mm: bodies within this distance at home touch: the default tolerance of a check. */
 static const double TOUCH = 0.001;
 
 const char *oddity_kind_name(enum oddity_kind kind)
@@ -123,7 +123,7 @@ static bool is_away(const struct scene *scene, const struct body *body)
 	return body->tool && (!scene->setup || body->tool != scene->setup->initial_tool);
 }
 
-/* Lists overlaps of pairs that can move against each other, unless the user has waived the pair. */
+/* Lists overlaps of pairs that can move relative to each other, unless the user has waived the pair. */
 static void add_overlaps(struct oddities *out, struct scene *scene, struct diag *diag)
 {
 	axis_values home = machine_home(scene->machine);

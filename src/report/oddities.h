@@ -1,4 +1,4 @@
-/* oddities.h - what is odd about meshes, the home position, and the model as a whole (--check-machine). */
+/* oddities.h - conspicuous properties of meshes, the home position, and the model as a whole (--check-machine). */
 #ifndef FIVECHECK_REPORT_ODDITIES_H
 #define FIVECHECK_REPORT_ODDITIES_H
 
@@ -25,16 +25,16 @@ struct oddity {
 	struct strbuf text;	/* one line without its end */
 };
 
-/* Owns its items. All zero is empty. */
+/* Owns its items. All zero is an empty list. */
 struct oddities {
 	struct oddity *items;
 	size_t count, capacity;
 };
 
 /*
- * Appends meshes that are open, face both ways or hold degenerate triangles, bodies that overlap at home, and the
- * doubts of the scene, which model_check has filled. False, reported: two bodies are too far from
- * the origin to be decided.
+ * Appends meshes that are open, face both ways or have degenerate triangles, bodies that overlap at home, and the
+ * doubts of the scene, which model_check has filled. False, reported: two bodies are too far from the origin to be
+ * decided.
  */
 bool oddities_find(struct oddities *oddities, struct scene *scene, struct diag *diag);
 void oddities_release(struct oddities *oddities);

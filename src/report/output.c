@@ -12,12 +12,12 @@
 
 #include "base/mem.h"
 
-/* Bytes. Measured: a table of 34 MB takes a quarter of the system's time that it takes in pieces of 4096 bytes. */
+/* Bytes. Measured: a table of 34 MB needs a quarter of the system time that it needs with pieces of 4096 bytes. */
 enum { BUFFER_SIZE = 1 << 18 };
 
 /*
- * Opens a file without a name in the folder of `target`: an interrupted run leaves nothing behind. -1: the system or
- * the file system cannot do that.
+ * Opens a file without a name in the folder of `target`, so that an interrupted run leaves nothing behind. -1: the
+ * system or the file system does not support this.
  */
 static int open_nameless(const char *target, mode_t mode)
 {
@@ -162,7 +162,7 @@ static void release(struct output *out)
 	*out = (struct output){0};
 }
 
-/* Standard output stays open for what is printed later; closing a copy tells what only closing tells. */
+/* Standard output stays open for later output; closing a copy shows errors that only closing shows. */
 static bool close_file(FILE *file)
 {
 	int copy;

@@ -1,4 +1,4 @@
-/* output.h - where a report goes: standard output, or a file that takes its name only when it is complete. */
+/* output.h - the destination of a report: standard output, or a file that gets its name only when it is complete. */
 #ifndef FIVECHECK_REPORT_OUTPUT_H
 #define FIVECHECK_REPORT_OUTPUT_H
 
@@ -20,7 +20,7 @@ struct output {
 };
 
 /*
- * Opens standard output (path NULL) or a file; the path is borrowed. A regular file stays as it is until output_commit
+ * Opens standard output (path NULL) or a file; the path is borrowed. A regular file is not changed until output_commit
  * replaces it; a pipe, a device and the like are written directly. False: reported.
  */
 bool output_open(struct output *out, const char *path, struct diag *diag);
@@ -40,7 +40,7 @@ bool output_flush(struct output *out);
  */
 bool output_commit(struct output *out, struct diag *diag);
 
-/* Closes the output and leaves the named file as it was. Does nothing if the output is closed. */
+/* Closes the output and does not change the named file. Does nothing if the output is closed. */
 void output_discard(struct output *out);
 
 /* Prints a text on standard output and empties it. False: reported. */

@@ -9,8 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Writes a binary STL in mm and machine coordinates: the machine, the fixtures, the part, the blank whatever was cut of
- * it, and the tool in the spindle (0: none). False, reported: the file is as it was.
+ * Writes a binary STL in mm and machine coordinates: the machine, the fixtures, the part, the blank without any cuts,
+ * and the tool in the spindle (0: none). False, reported: the file is not changed.
  */
 bool pose_write(const char *path, struct scene *scene, const axis_values *axes, int tool, struct diag *diag);
 

@@ -1,4 +1,4 @@
-/* pose_json.h - how near the bodies are at one pose, as a line of JSON: for a machine that is moved by hand. */
+/* pose_json.h - the distances of the bodies at one pose, as a line of JSON: for a machine that is moved by hand. */
 #ifndef FIVECHECK_REPORT_POSE_JSON_H
 #define FIVECHECK_REPORT_POSE_JSON_H
 

@@ -28,7 +28,7 @@ static void add_found(struct strbuf *out, const struct sensitivity *answer)
 	format_units_add_plain(out, answer->b ? answer->b : "");
 }
 
-/* "clear is proved up to 0.9961", and how far it was tried without a proof. */
+/* "clear is proved up to 0.9961", and the largest change that was tried without a proof. */
 static void add_extent(struct strbuf *out, const struct sensitivity *answer, bool clear)
 {
 	if (clear) {

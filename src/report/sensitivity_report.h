@@ -1,4 +1,4 @@
-/* sensitivity_report.h - prints how far a setup may be off before the verdict changes (--sensitivity). */
+/* sensitivity_report.h - prints by how much a setup may be wrong before the verdict changes (--sensitivity). */
 #ifndef FIVECHECK_REPORT_SENSITIVITY_REPORT_H
 #define FIVECHECK_REPORT_SENSITIVITY_REPORT_H
 

@@ -9,7 +9,7 @@
 
 static const struct srcloc nowhere;
 
-/* The place of a run among its shards; 1 of 1 programs if there are no shards. */
+/* The position of a run among its shards; 1 of 1 programs if there are no shards. */
 struct share {
 	json_int_t part, parts;
 	bool of_blocks;
@@ -51,7 +51,7 @@ static bool match_shares(const struct ndjson_run *runs, size_t count, bool *of_b
 	return good;
 }
 
-/* Everything that the headers say must be equal, but for what differs from shard to shard. */
+/* Everything in the headers must be equal, except for the values that differ from shard to shard. */
 static bool match_options(const struct ndjson_run *a, const struct ndjson_run *b, struct diag *diag)
 {
 	const char *key;
@@ -94,7 +94,7 @@ static const json_t *find_file(const json_t *files, const char *name)
 	return NULL;
 }
 
-/* Each file of a that b must have, too, must have the same digest. `optional`: b need not have it. */
+/* Each file of a that must also be in b must have the same digest. `optional`: it may be missing in b. */
 static bool match_files(const struct ndjson_run *a, const json_t *files, const struct ndjson_run *b,
 			const json_t *others, bool optional, struct diag *diag)
 {
@@ -136,7 +136,7 @@ static json_t *without_programs(const struct ndjson_run *run)
 	return rest;
 }
 
-/* A program that came from standard input is not among the files. */
+/* A program from standard input is not among the files. */
 static bool has_program(const struct ndjson_run *run, struct diag *diag)
 {
 	const json_t *files = json_object_get(run->header, "files");
@@ -170,7 +170,7 @@ bool shard_match(const struct ndjson_run *runs, size_t count, bool *of_blocks, s
 		return false;
 	if (*of_blocks && count == 1 && !has_program(&runs[0], diag))
 		return false;
-	/* Any two, since a subprogram may have been read by some shards only. */
+	/* Any two, because a subprogram may have been read by some shards only. */
 	for (size_t i = 0; i < count; i++) {
 		for (size_t k = i + 1; k < count; k++) {
 			if (!match_pair(&runs[i], &runs[k], *of_blocks, diag))

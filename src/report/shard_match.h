@@ -1,6 +1,4 @@
-/*
- * shard_match.h - decides whether results are all shards of one run, which read the same files with the same options.
- */
+/* shard_match.h - decides whether results are all shards of one run, with the same files and options. */
 #ifndef FIVECHECK_REPORT_SHARD_MATCH_H
 #define FIVECHECK_REPORT_SHARD_MATCH_H
 

@@ -48,7 +48,7 @@ static bool load_runs(struct merge *merge, char *const *paths, size_t count)
 	return true;
 }
 
-/* Programs were dealt out one by one: takes the i-th program of each shard, with its findings, for each i. */
+/* Programs were distributed one by one: takes the i-th program of each shard, with its findings, for each i. */
 static void join_programs(struct merge *merge)
 {
 	size_t *next = mem_zalloc(merge->count, sizeof(*next));
@@ -71,7 +71,7 @@ static void join_programs(struct merge *merge)
 	free(next);
 }
 
-/* A finding and its place in the input, which keeps the sorting stable. */
+/* A finding and its position in the input, which makes the sorting stable. */
 struct placed {
 	json_t *finding;
 	double time, fraction;
@@ -90,7 +90,7 @@ static int compare_findings(const void *a, const void *b)
 	return (x->place > y->place) - (x->place < y->place);
 }
 
-/* Adds the findings of all shards in the order of time. Without --all a run ends at the first that fails. */
+/* Adds the findings of all shards in the order of time. Without --all a run ends at the first finding that fails it. */
 static void join_findings(struct merge *merge)
 {
 	bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
@@ -119,7 +119,7 @@ static void join_findings(struct merge *merge)
 	free(found);
 }
 
-/* Appends the elements of `more` that are not there yet; cautions about a shard are left out. */
+/* Appends the elements of `more` that are new; cautions about a shard are left out. */
 static void add_distinct(json_t *array, const json_t *more)
 {
 	for (size_t i = 0; i < json_array_size(more); i++) {

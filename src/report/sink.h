@@ -1,4 +1,4 @@
-/* sink.h - the files, or standard output, that receive the reports of a run, each in its format. */
+/* sink.h - the destinations of the reports of a run, files or standard output, each with its format. */
 #ifndef FIVECHECK_REPORT_SINK_H
 #define FIVECHECK_REPORT_SINK_H
 
@@ -20,7 +20,7 @@ struct sink {
 	size_t left_out;	/* items dropped because of the writer's limit */
 };
 
-/* All zero is empty. */
+/* All zero is an empty list. */
 struct sinks {
 	struct sink items[FORMAT_COUNT];
 	size_t count;
@@ -33,7 +33,7 @@ bool sinks_open(struct sinks *sinks, enum report_format format, const char *path
 /* Writes the beginning of all reports. */
 void sinks_begin(struct sinks *sinks, const struct report_run *run);
 
-/* Writes text that a writer made of findings or programs, and empties it. False once a write has failed. */
+/* Writes text that a writer made from findings or programs, and empties it. False once a write has failed. */
 bool sink_write(struct sink *sink, struct strbuf *text);
 
 /* Hands everything written so far to the system. False once a write has failed. */

@@ -7,7 +7,7 @@
 
 static const struct srcloc nowhere;
 
-/* False: no file is written; a note or an error says why. *good becomes false with an error. */
+/* False: no file is written, and a note or an error gives the reason. After an error *good is false. */
 static bool is_writable(const char *path, const struct stock_remainder *remainder, bool stock, bool *good,
 			struct diag *diag)
 {
@@ -31,7 +31,7 @@ static bool is_writable(const char *path, const struct stock_remainder *remainde
 bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag)
 {
 	const struct mesh *mesh = &remainder->mesh;
-	/* Rounded up: with a smaller excess findings of the next setup would be certain that are not. */
+	/* Rounded up: with a smaller excess, findings of the next setup would wrongly count as certain. */
 	const double excess = ceil(100 * remainder->excess) / 100;
 	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
 	struct output out;

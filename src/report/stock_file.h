@@ -1,4 +1,4 @@
-/* stock_file.h - writes the stock that a program leaves as an STL file (--stock-out). */
+/* stock_file.h - writes the stock that remains after a program as an STL file (--stock-out). */
 #ifndef FIVECHECK_REPORT_STOCK_FILE_H
 #define FIVECHECK_REPORT_STOCK_FILE_H
 
@@ -8,8 +8,8 @@
 #include "stock/stock_mesh.h"
 
 /*
- * Says in a note how exact the file is, or why there is none. `stock`: the setup has one. False, reported: the file is
- * as it was.
+ * A note gives the accuracy of the file, or the reason why there is none. `stock`: the setup has a stock. False,
+ * reported: the file is not changed.
  */
 bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag);
 

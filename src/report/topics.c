@@ -202,7 +202,7 @@ const struct topic topics[TOPIC_COUNT] = {
 
 enum { COLUMNS = 80 };
 
-/* Appends the words of a text, broken into lines. */
+/* Appends the words of a text, divided into lines. */
 static void add_paragraph(struct strbuf *out, const char *text)
 {
 	size_t column = 0;

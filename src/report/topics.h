@@ -1,6 +1,6 @@
 /*
- * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions, statuses of pairs. One table for
- * --explain, for SARIF's rules and, held against it by a test, for the manual page.
+ * topics.h - the meaning of the words in a report: kinds of findings, verdicts, cautions, statuses of pairs. One table
+ * for --explain, for SARIF's rules and, compared by a test, for the manual page.
  */
 #ifndef FIVECHECK_REPORT_TOPICS_H
 #define FIVECHECK_REPORT_TOPICS_H
@@ -28,11 +28,11 @@ enum {
 	TOPIC_COUNT = TOPIC_PAIRS + PAIR_CUTTING + 1
 };
 
-/* Complete sentences. The first says what it is in one line. */
+/* Complete sentences. The first is a definition in one line. */
 struct topic {
-	const char *rule;	/* SARIF's name of the rule; NULL: it is none */
+	const char *rule;	/* SARIF's name of the rule; NULL: it is not a rule */
 	const char *brief;
-	const char *meaning;	/* what it means and why it matters */
+	const char *meaning;	/* its meaning and why it matters */
 	const char *advice;	/* what to do */
 };
 
@@ -41,7 +41,7 @@ extern const struct topic topics[TOPIC_COUNT];
 /* By the same index: "collision", "incomplete", "no-setup", ... ; ends in NULL. */
 extern const char *const topic_names[TOPIC_COUNT + 1];
 
-/* Appends the topic of that name, in lines of up to 80 columns. False: there is none; `out` is as it was. */
+/* Appends the topic with that name, in lines of up to 80 columns. False: there is none; `out` is not changed. */
 bool topics_explain(struct strbuf *out, const char *name);
 
 #endif

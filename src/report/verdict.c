@@ -177,7 +177,7 @@ static bool caution_waived(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* A cutter without a core may be at rapid in the part unseen. */
+/* A cutter without a core may be in the part at rapid without being detected. */
 static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
 {
 	const struct scene_pair *first = NULL;
@@ -202,7 +202,7 @@ static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* Where nothing is known to be inside, something may get there unseen. */
+/* If the inside of a body is undefined, another body may get there undetected. */
 static bool caution_open(struct strbuf *out, const struct scene *scene)
 {
 	const bool several = scene->open_bodies > 1;
@@ -279,7 +279,7 @@ static bool caution_far_cutter(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* Only the first finding of a block and pair is reported; later ones of that pair would be hidden by accepting it. */
+/* Only the first finding of a block and pair is reported; accepting it would hide later ones of that pair. */
 static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 {
 	if (!accepted(v))
@@ -308,7 +308,7 @@ static bool caution_warnings(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* What can be doubted from the files alone; --check-machine says it all. */
+/* Doubts that follow from the files alone; --check-machine gives all details. */
 static bool caution_doubt(struct strbuf *out, const struct verdict *v, size_t i)
 {
 	const struct doubts *doubts = &v->scene->doubts;

@@ -1,4 +1,4 @@
-/* verdict.h - the verdict about a program: one sentence, and cautions that must stand beside it. */
+/* verdict.h - the verdict about a program: one sentence, and cautions that must be printed with it. */
 #ifndef FIVECHECK_REPORT_VERDICT_H
 #define FIVECHECK_REPORT_VERDICT_H
 
@@ -8,14 +8,14 @@
 #include "check/check.h"
 #include "scene/scene.h"
 
-/* Borrows everything. */
+/* All pointers are borrowed. */
 struct verdict {
 	const char *file;
 	enum check_result result;
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	/* Numbers of findings that do not fail the run: waived, of a kind that is not in --fail-on. */
+	/* Numbers of findings that do not fail the run: waived ones, and those of a kind that is not in --fail-on. */
 	long waived, left_out;
 	long first_line;	/* of the first finding that fails the run */
 	const char *first_file;	/* of that finding; NULL: `file` */
@@ -25,12 +25,12 @@ struct verdict {
 
 /*
  * Appends the sentence. It contains "clear" only if every instant was proved; the sampled methods, --parse-only,
- * findings and errors have sentences of their own.
+ * findings and errors have other sentences.
  */
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
 /*
- * The verdict as one word: "clear"; "passed" if no proof was asked for or only a part of the blocks was proved;
+ * The verdict as one word: "clear"; "passed" if no proof was requested or only a part of the blocks was proved;
  * "found"; "accepted" if no finding fails the run; "incomplete", also for NULL.
  */
 const char *verdict_word(const struct verdict *verdict);
@@ -38,7 +38,7 @@ const char *verdict_word(const struct verdict *verdict);
 /* Is every finding accepted, and the check complete? */
 bool verdict_is_accepted(const struct verdict *verdict);
 
-/* In the order in which they are said. A new one needs its row in report/topics.c. */
+/* In the order of printing. A new one needs a row in report/topics.c. */
 enum caution {
 	CAUTION_SAMPLED,
 	CAUTION_NO_PAIRS,
@@ -56,19 +56,19 @@ enum caution {
 };
 enum { CAUTION_COUNT = CAUTION_DOUBT + 1 };
 
-/* Of the doubts about the model so many are cautions of their own; one more counts the rest. */
+/* This many of the doubts about the model are separate cautions; one more caution counts the rest. */
 enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = CAUTION_DOUBT + VERDICT_DOUBTS + 1 };
 
 /* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
 
 /*
- * Does the i-th caution doubt what the verdict takes for granted? The others tell what a person has excused, accepted
- * or waived, or left to another run.
+ * Does the i-th caution doubt an assumption of the verdict? The others report what a person has excused, accepted or
+ * waived, or left to another run.
  */
 bool verdict_caution_is_doubt(int i);
 
-/* How many pairs of the scene have this status. */
+/* The number of pairs of the scene with this status. */
 size_t verdict_pairs(const struct scene *scene, enum pair_status status);
 
 #endif

@@ -11,7 +11,7 @@ bool waiver_match_is_expired(const struct waiver_match *waiving, const struct wa
 	return strcmp(waiver->expires, waiving->today) < 0;
 }
 
-/* Compares texts as the reports print them, since people copy them from there. */
+/* Compares texts as printed in the reports, because people copy them from there. */
 static bool is_same_text(const char *a, const char *b)
 {
 	struct strbuf clean[2] = {{0}}, shown[2] = {{0}};

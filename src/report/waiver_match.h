@@ -9,7 +9,7 @@
 #include "machine/machine.h"
 #include "machine/waivers.h"
 
-/* The waivers of a run and the day with which their last days are compared. Borrows the file. */
+/* The waivers of a run and the day that is compared with their last days. Borrows the file. */
 struct waiver_match {
 	const struct waivers *file;	/* NULL: there are none */
 	char today[DATE_SIZE];
@@ -19,9 +19,9 @@ struct waiver_match {
 bool waiver_match_is_expired(const struct waiver_match *waiving, const struct waiver *waiver);
 
 /*
- * The waiver whose kind, bodies (or axis), block and position fit this finding of the program, or NULL. matched[] has
- * an element for each waiver and counts how many findings it has accepted; a waiver accepts at most `times` findings.
- * The caller clears matched[] before each program. An expired waiver is returned only if no other fits.
+ * The waiver whose kind, bodies (or axis), block and position match this finding of the program, or NULL. matched[] has
+ * an element for each waiver and counts the findings that it has accepted; a waiver accepts at most `times` findings.
+ * The caller clears matched[] before each program. An expired waiver is returned only if no other one matches.
  */
 const struct waiver *waiver_match_find(const struct waiver_match *waiving, int *matched, const struct machine *machine,
 				const char *program, const struct finding *finding);

@@ -8,7 +8,7 @@
 #include "base/xml_text.h"
 #include "report/format/format_units.h"
 
-/* The attributes of a waiver, and how many findings have them. */
+/* The attributes of a waiver, and the number of findings with them. */
 struct group {
 	char *attributes;	/* owned */
 	long times;
@@ -93,7 +93,7 @@ static void add_group(struct groups *groups, char *attributes)
 	groups->items[groups->count++] = (struct group){attributes, 1};
 }
 
-/* The name of a program follows its findings. */
+/* The line with the name of a program follows its findings. */
 static const char *program_after(const struct ndjson_run *run, size_t i)
 {
 	while (!ndjson_run_is_program(run->lines[i]))

@@ -10,7 +10,7 @@
 static void *allocate(void *context, unsigned count, unsigned size)
 {
 	(void)context;
-	/* Not zeroed: zlib asks for no more than malloc gives. */
+	/* Not zeroed: zlib expects no more than from malloc. */
 	return mem_alloc((size_t)count * size);
 }
 
@@ -27,7 +27,7 @@ void deflate_add(struct strbuf *out, const void *bytes, size_t count, enum defla
 	int state = deflateInit(&stream, (int)level);
 	const unsigned char *next = bytes;
 
-	/* The memory cannot run out, and the version is the one that was compiled against. */
+	/* The allocation cannot fail, and the version is the one that was compiled against. */
 	assert(state == Z_OK);
 	stream.next_in = (z_const Bytef *)next;
 	do {

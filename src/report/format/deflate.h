@@ -1,4 +1,4 @@
-/* deflate.h - bytes made smaller by zlib, whose memory comes from mem.h. */
+/* deflate.h - compresses bytes with zlib, whose memory comes from mem.h. */
 #ifndef FIVECHECK_REPORT_FORMAT_DEFLATE_H
 #define FIVECHECK_REPORT_FORMAT_DEFLATE_H
 
@@ -6,7 +6,7 @@
 
 #include "base/strbuf.h"
 
-/* DEFLATE_FAST for what may be long: a fifth larger, several times as fast. */
+/* DEFLATE_FAST for long data: a fifth larger, several times as fast. */
 enum deflate_level { DEFLATE_FAST = 1, DEFLATE_SMALL = 9 };
 
 /* Appends the bytes as one zlib stream (RFC 1950). */

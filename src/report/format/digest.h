@@ -12,7 +12,7 @@ enum { DIGEST_SIZE = 65 };
 
 void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count);
 
-/* False: the file could not be read, see errno, or `cancel` (or NULL) has asked to stop: ECANCELED. */
+/* False: the file could not be read (see errno), or `cancel` (or NULL) requests a stop: ECANCELED. */
 bool digest_file(char digest[DIGEST_SIZE], const char *path, const struct cancel *cancel);
 
 #endif

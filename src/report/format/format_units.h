@@ -29,7 +29,7 @@ void format_units_add_axes(struct strbuf *out, const struct machine *machine, co
  */
 void format_units_add_plain(struct strbuf *out, const char *text);
 
-/* The noun that goes with the number. */
+/* The form of the noun for the number. */
 const char *format_units_noun(size_t count, const char *one, const char *several);
 
 /* "1 pair", "2 pairs" */

@@ -1,4 +1,4 @@
-/* html_text.h - text from anywhere as text of an HTML page. */
+/* html_text.h - any text as text of an HTML page. */
 #ifndef FIVECHECK_REPORT_FORMAT_HTML_TEXT_H
 #define FIVECHECK_REPORT_FORMAT_HTML_TEXT_H
 
@@ -12,7 +12,7 @@
  */
 void html_text_add(struct strbuf *out, const char *text);
 
-/* Appends the value as JSON that may stand inside <script>: there is no < in it. */
+/* Appends the value as JSON that is valid inside <script>: it contains no <. */
 void html_text_add_json(struct strbuf *out, const json_t *value);
 
 #endif

@@ -10,7 +10,7 @@
 #include "geom/vec3.h"
 #include "machine/machine.h"
 
-/* Makes the JSON library use mem_alloc. To be called once, before any other function of the library. */
+/* Makes the JSON library use mem_alloc. Call it once, before any other function of the library. */
 void json_init(void);
 
 /* Sets a key to a value and takes ownership of the value. */

@@ -7,7 +7,7 @@ void range_coder_init(struct range_coder *coder, struct strbuf *out)
 	*coder = (struct range_coder){.out = out, .range = UINT32_MAX, .held_back = 1};
 }
 
-/* Moves the highest byte of `low` out. A byte waits until no carry can change it. */
+/* Writes the highest byte of `low`. A byte is held back until no carry can change it. */
 static void shift_out(struct range_coder *coder)
 {
 	if (coder->low < UINT32_C(0xff000000) || coder->low > UINT32_MAX) {
@@ -26,7 +26,7 @@ static void shift_out(struct range_coder *coder)
 	coder->low = (coder->low & 0xffffff) << 8;
 }
 
-/* By the number of bits seen: how many bits that number and 1 has, up to SLOWEST. */
+/* For each number of bits seen: the number of bits of that number plus 1, up to SLOWEST. */
 static const uint8_t shifts[SEEN_MAX + 1] = {1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, SLOWEST, SLOWEST};
 
 static void learn(struct bit_model *model, uint32_t p, bool bit)

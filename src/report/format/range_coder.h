@@ -16,13 +16,13 @@
 
 #include "base/strbuf.h"
 
-/* What is expected of a bit. At first both values are as likely. */
+/* The prediction for a bit. At first both values have the same probability. */
 struct bit_model {
 	uint16_t learnt;	/* 65536 times the probability of 1, less 32768: 0 is a half */
 	uint8_t seen;	/* bits, up to 16 */
 };
 
-/* What is expected of a whole number. Zeroed memory is a model that has seen nothing. */
+/* The prediction for a whole number. Zeroed memory is a model without experience. */
 enum { NUMBER_BITS = 33 };
 struct number_model {
 	struct bit_model length[NUMBER_BITS + 1];
@@ -48,7 +48,7 @@ void range_coder_bit(struct range_coder *coder, struct bit_model *model, bool bi
  */
 void range_coder_number(struct range_coder *coder, struct number_model *model, uint32_t value);
 
-/* To be called once, after the last bit. */
+/* Call it once, after the last bit. */
 void range_coder_finish(struct range_coder *coder);
 
 #endif

@@ -2,16 +2,16 @@
 
 #include <stdint.h>
 
-/* The index among the characters that must not stand in the text, from 1; 0 for all others. */
+/* The index among the characters that must not be in the text, from 1; 0 for all others. */
 static const unsigned char reserved[128] = {
 	[0] = 1, ['\r'] = 2, [14] = 3, [15] = 4, [26] = 5, [27] = 6, ['<'] = 7, [127] = 8,
 };
 
-/* Groups of seven bits of a run of bytes, the highest first; the last one is filled up with zeros. */
+/* Groups of seven bits of a run of bytes, the highest first; zeros fill the last one. */
 struct groups {
 	const unsigned char *next, *end;	/* bytes that were not read yet */
 	size_t left;	/* groups */
-	unsigned held;	/* its lowest `bits` bits were read, and belong to no group yet */
+	unsigned held;	/* its lowest `bits` bits were read, and are not in a group yet */
 	int bits;
 };
 

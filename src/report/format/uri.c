@@ -23,7 +23,7 @@ static char *current_folder(void)
 	return folder;
 }
 
-/* The rest of an absolute path that begins with the current folder; NULL: it does not. */
+/* The rest of an absolute path that begins with the current folder; NULL: the path does not begin with it. */
 static const char *below_current(const char *path)
 {
 	char *folder = current_folder();

@@ -10,7 +10,7 @@
 #include "report/format/json.h"
 #include "report/glb/glb_buffer.h"
 
-/* A rotary axis turns less than this between two keys, as glTF takes the shorter way. */
+/* Radians: a rotary axis turns less than this between two keys, because glTF uses the shorter way. */
 #define TURN_MAX 1.5
 
 struct glb {
@@ -74,7 +74,7 @@ static json_t *materials(void)
 	return array;
 }
 
-/* The point that the vertices of a link, and the motion of its node, are counted from. */
+/* The origin of the vertices of a link and of the motion of its node. */
 static vec3 origin_of(const struct machine *machine, int link)
 {
 	while (link && !machine->axes[link - 1].rotary)
@@ -82,7 +82,7 @@ static vec3 origin_of(const struct machine *machine, int link)
 	return link ? machine->axes[link - 1].location : (vec3){0, 0, 0};
 }
 
-/* The mesh of a body; -1: it has none. */
+/* The mesh of a body; -1: the body has none. */
 static int add_mesh(struct glb *glb, int body)
 {
 	const struct scene_body *it = &glb->scene->scene->bodies[body];
@@ -111,10 +111,10 @@ static int add_mesh(struct glb *glb, int body)
 
 /* ------------------------------------------------------------------- nodes */
 
-/* Node 0 is the machine, node of link i is 1 + i, then come the bodies. */
+/* Node 0 is the machine, the node of link i is 1 + i, followed by the bodies. */
 enum { NODE_MACHINE, NODE_LINKS };
 
-/* How a link stands to the link that carries it when its axis is at `value`; rotary: a quaternion for x y z, w. */
+/* The translation of a link relative to its carrier when its axis is at `value`. */
 static vec3 translation_of(const struct machine *machine, int link, double value)
 {
 	const struct axis *axis = &machine->axes[link - 1];
@@ -185,7 +185,7 @@ static void add_bodies(struct glb *glb)
 	}
 }
 
-/* glTF allows no empty list of children. */
+/* glTF does not permit an empty list of children. */
 static void drop_empty(const struct glb *glb)
 {
 	for (size_t i = 0; i < json_array_size(glb->nodes); i++) {
@@ -220,7 +220,7 @@ static void add_nodes(struct glb *glb)
 
 /* --------------------------------------------------------------- animation */
 
-/* How many pieces the way between two keys is cut into, so that no axis turns too far in one. */
+/* The number of pieces between two keys for which no axis turns too far in one piece. */
 static int pieces_of(const struct machine *machine, const struct glb_key *from, const struct glb_key *to)
 {
 	double farthest = 0;
@@ -234,7 +234,7 @@ static int pieces_of(const struct machine *machine, const struct glb_key *from, 
 	return 1 + (int)fmin(floor(farthest / TURN_MAX), 10000);
 }
 
-/* All instants of the animation, the keys and what is between them. */
+/* All instants of the animation: the keys and those between them. */
 static struct glb_key *instants_of(const struct glb_scene *scene, size_t *count)
 {
 	struct glb_key *all = NULL;

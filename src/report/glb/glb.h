@@ -14,20 +14,20 @@ struct glb_key {
 	axis_values axes;
 };
 
-/* Everything borrowed. The trees of all bodies have been built. */
+/* All pointers are borrowed. The trees of all bodies have been built. */
 struct glb_scene {
 	const struct scene *scene;
-	int tool;	/* in the spindle: the others are left out */
+	int tool;	/* in the spindle: other tools are left out */
 	int a, b;	/* bodies in colour; -1: none */
-	const struct mesh *stock;	/* what remains of it, in its mesh coordinates; NULL: the blank is shown */
+	const struct mesh *stock;	/* the remaining stock, in its mesh coordinates; NULL: the blank is shown */
 	const struct glb_key *keys;	/* at least one; the last is the pose without animation */
 	size_t key_count;
 };
 
 /*
- * Appends the file. Metres and Y up, as glTF wants it. Below the node of the machine there is one for each axis, with
- * its name, below that of the axis which carries it; bodies are below their axis. Vertices are those of the meshes as
- * floats, counted from the axis' location. Between keys axes move evenly.
+ * Appends the file, in metres with Y up, as glTF requires. Below the node of the machine there is a node for each axis,
+ * with its name, below that of the carrying axis; bodies are below their axis. Vertices are those of the meshes as
+ * floats, relative to the axis' location. Between keys axes move uniformly.
  */
 void glb_add(struct strbuf *out, const struct glb_scene *scene);
 

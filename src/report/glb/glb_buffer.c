@@ -66,7 +66,7 @@ static float most(float a, float b)
 	return a > b ? a : b;
 }
 
-/* Adds the vertices, each once, moved by `place`; the number of their accessor. */
+/* Adds the vertices, each once, moved by `place`; returns the number of their accessor. */
 static int add_vertices(struct glb_buffer *buffer, const struct mesh *mesh, const struct soup *soup, const xform *place)
 {
 	const size_t start = buffer->binary.length;

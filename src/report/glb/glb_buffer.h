@@ -27,7 +27,8 @@ void glb_add_vec3(struct strbuf *out, vec3 v);
 json_t *glb_three(double x, double y, double z);
 
 /*
- * Everything from `start` to the end of the binary as an accessor; its number. Takes over `bounds`, which may be NULL.
+ * Makes an accessor for everything from `start` to the end of the binary; returns its number. Takes over `bounds`,
+ * which may be NULL.
  */
 int glb_accessor(struct glb_buffer *buffer, size_t start, int target, int component, const char *type, size_t count,
 		 json_t *bounds);

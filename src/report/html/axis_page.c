@@ -25,7 +25,7 @@ static void add_zero(struct strbuf *out, const struct axis_pictures *pictures)
 		    "coordinates.");
 }
 
-/* "X from 0 to 90 mm", and what --check-machine says. */
+/* "X from 0 to 90 mm", and the description that --check-machine prints. */
 static void add_axis(struct strbuf *out, const struct axis_pictures *pictures, int index)
 {
 	const struct machine *machine = pictures->scene->machine;
@@ -42,7 +42,10 @@ static void add_axis(struct strbuf *out, const struct axis_pictures *pictures, i
 	strbuf_release(&words);
 }
 
-/* The page: the machine with every axis at 0, and each axis moved alone, with what --check-machine says of it. */
+/*
+ * The page: the machine with every axis at 0, and each axis moved alone, with the description that --check-machine
+ * prints.
+ */
 static void add_page(struct strbuf *out, struct scene *scene)
 {
 	const struct machine *machine = scene->machine;

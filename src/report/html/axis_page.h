@@ -1,4 +1,4 @@
-/* axis_page.h - one HTML page that shows what each axis of a machine does (--check-machine --report, import). */
+/* axis_page.h - one HTML page that shows the motion of each axis of a machine (--check-machine --report, import). */
 #ifndef FIVECHECK_REPORT_HTML_AXIS_PAGE_H
 #define FIVECHECK_REPORT_HTML_AXIS_PAGE_H
 
@@ -8,7 +8,7 @@
 #include "base/strbuf.h"
 #include "scene/scene.h"
 
-/* The same to a file. */
+/* Writes the same to a file. */
 bool axis_page_write(const char *path, struct scene *scene, struct diag *diag);
 
 #endif

@@ -11,7 +11,7 @@
 #include "report/format/json.h"
 #include "report/html/selection.h"
 
-/* A longer window has no lines that a person would read. */
+/* A larger window has lines that are not meant for reading. */
 enum { WINDOW_BYTES = 1 << 20 };
 
 struct code_file {
@@ -27,7 +27,7 @@ static void add_start(struct code_file *file, long at)
 	file->starts[file->windows] = at;
 }
 
-/* Finds where windows begin. */
+/* Finds the starts of the windows. */
 static void scan(struct code_file *file)
 {
 	char bytes[16384];
@@ -52,7 +52,10 @@ static void scan(struct code_file *file)
 	add_start(file, at);
 }
 
-/* Appends the window as valid UTF-8 without the last line's end; bytes 0 become spaces. False: it could not be read. */
+/*
+ * Appends the window as valid UTF-8 without the end of the last line; bytes 0 become spaces. False: it could not be
+ * read.
+ */
 static bool add_window(struct code_file *file, size_t window, struct strbuf *out)
 {
 	const long from = file->starts[window];
@@ -81,7 +84,7 @@ static long lines_of(const struct code_file *file, size_t window)
 	return file->lines - first < WINDOW_LINES ? file->lines - first : WINDOW_LINES;
 }
 
-/* Packs windows in the order of `order` until one does not fit. packed[window] has no text where it was left out. */
+/* Packs windows in the order of `order` until one does not fit. packed[window] is empty if the window was left out. */
 static size_t choose(struct code_file *file, const size_t *order, struct strbuf *packed, size_t budget)
 {
 	size_t used = 0;

@@ -8,13 +8,13 @@
 
 #include "report/html/page.h"
 
-/* Lines to a window. */
+/* Lines per window. */
 enum { WINDOW_LINES = 1024 };
 
 /*
- * Writes windows of the file to the page, up to `budget` bytes of it, those with `marks` (lines, from 1) first; each
- * window goes to the array `windows`. *lines receives the lines of the file, -1 if it cannot be read. *complete:
- * nothing was left out. The result: bytes written.
+ * Writes windows of the file to the page, up to `budget` bytes, those with `marks` (lines, from 1) first; each window
+ * is added to the array `windows`. *lines receives the number of lines of the file, -1 if it cannot be read. *complete:
+ * nothing was left out. Returns the number of bytes written.
  */
 size_t code_windows_write(struct page *page, const char *path, const long *marks, size_t mark_count, size_t budget,
 			  json_t *windows, long *lines, bool *complete);

@@ -4,7 +4,7 @@
 
 #include "base/mem.h"
 
-/* The place of an edge, or the free place where it belongs. */
+/* The place of an edge, or the free place for it. */
 static struct edge *place_of(const struct edge_table *table, uint32_t from, uint32_t to)
 {
 	/* Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4). */
@@ -29,7 +29,7 @@ static struct edge *add(struct edge_table *table, uint32_t from, uint32_t to)
 void edge_table_init(struct edge_table *table, const uint32_t *corners, size_t triangles)
 {
 	*table = (struct edge_table){.capacity = 16, .next = mem_zalloc(3 * triangles + 1, sizeof(*table->next))};
-	/* Both directions of three edges, and room to spare. */
+	/* Both directions of three edges, and some free places. */
 	while (table->capacity < 9 * triangles)
 		table->capacity *= 2;
 	table->edges = mem_zalloc(table->capacity, sizeof(*table->edges));

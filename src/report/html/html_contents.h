@@ -1,4 +1,4 @@
-/* html_contents.h - everything that the report of one program is made of. */
+/* html_contents.h - everything that the report of one program contains. */
 #ifndef FIVECHECK_REPORT_HTML_HTML_CONTENTS_H
 #define FIVECHECK_REPORT_HTML_HTML_CONTENTS_H
 
@@ -11,7 +11,7 @@
 #include "report/html/stock_pack.h"
 #include "report/report.h"
 
-/* Borrows everything. */
+/* All pointers are borrowed. */
 struct html_contents {
 	const struct scene_pack *scene;
 	const struct stock_pack *stock;
@@ -20,7 +20,7 @@ struct html_contents {
 	struct recorder *recorder;	/* closed */
 	const struct report_file *files;	/* that were read */
 	size_t file_count;
-	size_t budget;	/* bytes that the file may have, unless what it must have needs more */
+	size_t budget;	/* bytes that the file may have, unless its indispensable parts need more */
 	bool no_code;	/* leave the program's text out */
 	const struct strbuf *picture;	/* an SVG element and a <figcaption>; or NULL */
 };

@@ -19,7 +19,7 @@ static void pack_json(struct strbuf *out, const json_t *value)
 	strbuf_release(&text);
 }
 
-/* Bytes that the head will need at most, besides those it has now: what it says of a chunk is about so long, packed. */
+/* The most bytes that the head will need in addition: the description of a chunk has about this length, packed. */
 static size_t length_of_head(const json_t *head, const struct recorder *recorder)
 {
 	enum { CHUNK_BYTES = 30 };

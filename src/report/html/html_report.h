@@ -7,7 +7,10 @@
 #include "base/diag.h"
 #include "report/html/html_contents.h"
 
-/* Writes the file, which takes its name when it is complete. False, reported: the file of this name is as it was. */
+/*
+ * Writes the file, which gets its name when it is complete. False, reported: an existing file with this name is not
+ * changed.
+ */
 bool html_report_write(const struct html_contents *report, const char *path, struct diag *diag);
 
 #endif

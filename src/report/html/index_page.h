@@ -1,4 +1,4 @@
-/* index_page.h - the page that names the reports of several programs. */
+/* index_page.h - the page that lists the reports of several programs. */
 #ifndef FIVECHECK_REPORT_HTML_INDEX_PAGE_H
 #define FIVECHECK_REPORT_HTML_INDEX_PAGE_H
 
@@ -7,12 +7,15 @@
 
 #include "base/diag.h"
 
-/* Borrows everything. */
+/* All pointers are borrowed. */
 struct index_page_row {
 	const char *program, *link, *word, *sentence;	/* link: the file name of its report; NULL: there is none */
 };
 
-/* Writes the file, which takes its name when it is complete. False, reported: the file of this name is as it was. */
+/*
+ * Writes the file, which gets its name when it is complete. False, reported: an existing file with this name is not
+ * changed.
+ */
 bool index_page_write(const char *path, const struct index_page_row *rows, size_t count, struct diag *diag);
 
 #endif

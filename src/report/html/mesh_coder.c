@@ -10,18 +10,18 @@
 
 enum { NOBODY = UINT32_MAX };
 
-/* What lies beyond an edge of the walk. */
+/* The triangle or vertex on the other side of an edge of the walk. */
 enum beyond { BEYOND_NONE, BEYOND_NEW, BEYOND_BEFORE, BEYOND_AFTER, BEYOND_OLD, BEYOND_COUNT };
 enum { HISTORY = BEYOND_COUNT * BEYOND_COUNT * BEYOND_COUNT };
 
-/* Steps between vertices that came after the same two steps before: equal parts of a body repeat them. */
+/* Remembers the step that followed two steps: equal parts of a body repeat such steps. */
 enum { MEMORY_BITS = 14, RUN_MAX = 6 };
 struct remembered {
 	int32_t step[3];
-	int run;	/* how often in a row it came again, and 1; 0: nothing is remembered here */
+	int run;	/* how often in a row it was repeated, plus 1; 0: nothing is remembered here */
 };
 
-/* An edge that the walk has still to look beyond, and the third vertex on this side. */
+/* An edge whose other side the walk must still visit, and the third vertex on this side. */
 struct gate {
 	uint32_t from, to, opposite;
 };
@@ -32,12 +32,12 @@ struct coder {
 	const uint16_t (*points)[3];
 	const uint32_t *corners;
 	bool *taken;	/* by triangle */
-	uint32_t *numbers;	/* by point: its place in the code; NOBODY: not coded yet */
-	uint32_t *before, *after;	/* by point: the last neighbours that an open edge comes from, and leads to */
+	uint32_t *numbers;	/* by point: its number in the code; NOBODY: not coded yet */
+	uint32_t *before, *after;	/* by point: the last neighbours before and after it along open edges */
 	uint32_t seen, newest;	/* points that are coded; the last of them, NOBODY: none */
 	struct gate *gates;
 	size_t depth;
-	/* What is expected. */
+	/* The predictions. */
 	struct bit_model begins_new[3];
 	struct bit_model beyond[BEYOND_COUNT][2][2][HISTORY];
 	struct number_model back, back_at_start;
@@ -59,7 +59,7 @@ static uint32_t zigzag(int32_t value)
 	return value < 0 ? 2 * (uint32_t)(-(value + 1)) + 1 : 2 * (uint32_t)value;
 }
 
-/* How many of the values are less. */
+/* How many of the values are smaller. */
 static size_t rank_of(const uint16_t *values, size_t count, int32_t value)
 {
 	size_t low = 0, high = count;
@@ -75,7 +75,7 @@ static size_t rank_of(const uint16_t *values, size_t count, int32_t value)
 	return low;
 }
 
-/* A coordinate that no neighbour has: as one of the values of the mesh, or as a difference. */
+/* A coordinate that no neighbour has: one of the earlier values of the mesh, or a difference. */
 static void code_value(struct coder *coder, int corner, int k, int equal, uint16_t value, int32_t guess)
 {
 	uint16_t *values = coder->values[k];
@@ -94,7 +94,7 @@ static void code_value(struct coder *coder, int corner, int k, int equal, uint16
 	coder->value_counts[k]++;
 }
 
-/* Is the step from the vertex before the one that came here last time? */
+/* Is the step from the last vertex the one that is remembered here? */
 static bool code_again(struct coder *coder, const int32_t step[3])
 {
 	const uint32_t slot = (31 * coder->hashes[0] + coder->hashes[1]) * UINT32_C(0x9e3779b1) >> (32 - MEMORY_BITS);
@@ -112,8 +112,8 @@ static bool code_again(struct coder *coder, const int32_t step[3])
 }
 
 /*
- * A new vertex, corner 0, 1 or 2 of its triangle. near[0] is the vertex that it follows; near[1] and near[2], as far as
- * they are there, the other end of the edge and the vertex on the other side of it.
+ * A new vertex, corner 0, 1 or 2 of its triangle. near[0] is the vertex before it; near[1] and near[2], if they exist,
+ * are the other end of the edge and the vertex on the other side of the edge.
  */
 static void code_vertex(struct coder *coder, int corner, uint32_t point, const uint16_t *const near[3], int near_count)
 {
@@ -155,7 +155,7 @@ static void open_edge(struct coder *coder, uint32_t from, uint32_t to)
 {
 	struct edge *other = edge_table_find(&coder->edges, to, from);
 
-	/* The triangle lies along `to` - `from`: it closes that edge, or opens this one. */
+	/* The triangle has the edge from `to` to `from`: it closes that edge, or opens this one. */
 	if (other->open) {
 		other->open = false;
 		return;
@@ -171,13 +171,13 @@ static void take(struct coder *coder, size_t triangle, uint32_t a, uint32_t b, u
 	open_edge(coder, b, a);
 	open_edge(coder, c, b);
 	open_edge(coder, a, c);
-	/* The last is looked at first: the edge beyond the newest vertex. */
+	/* The last one is visited first: the edge beyond the newest vertex. */
 	coder->gates[coder->depth++] = (struct gate){b, a, c};
 	coder->gates[coder->depth++] = (struct gate){a, c, b};
 	coder->gates[coder->depth++] = (struct gate){c, b, a};
 }
 
-/* A corner, and 1, of a triangle that is not coded and runs along the edge from there. 0: there is none. */
+/* A corner, plus 1, of a triangle that is not coded and has the edge from there. 0: there is none. */
 static uint32_t corner_at(const struct coder *coder, struct edge *edge)
 {
 	while (edge->corners && coder->taken[(edge->corners - 1) / 3])
@@ -185,7 +185,7 @@ static uint32_t corner_at(const struct coder *coder, struct edge *edge)
 	return edge->corners;
 }
 
-/* What lies beyond the gate: three or four questions at most, the likeliest first. */
+/* Codes the other side of the gate by at most three or four questions, the most probable first. */
 static void code_beyond(struct coder *coder, enum beyond beyond, bool before, bool after)
 {
 	static const enum beyond order[] = {BEYOND_NEW, BEYOND_BEFORE, BEYOND_AFTER, BEYOND_NONE};
@@ -233,7 +233,7 @@ static void look_beyond(struct coder *coder, const struct gate *gate)
 	take(coder, triangle, a, b, c);
 }
 
-/* A triangle that shares no open edge with those before. */
+/* Begins with a triangle that shares no open edge with earlier ones. */
 static void begin(struct coder *coder, size_t triangle)
 {
 	static const uint16_t zero[3] = {0};

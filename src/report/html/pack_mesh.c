@@ -37,13 +37,13 @@ static void choose_grid(struct packed_mesh *packed, const struct mesh *mesh, con
 	packed->step = fmax(PACK_MESH_STEP, extent / (GRID_MAX - 1));
 }
 
-/* Without calls: this is done three times for each corner of a mesh. */
+/* Without calls, because this is done three times for each corner of a mesh. */
 static uint16_t quantise(double value, double origin, double step)
 {
 	return (uint16_t)(smaller(larger((value - origin) / step, 0), GRID_MAX) + 0.5);
 }
 
-/* The number of the grid point, which is new or was seen before. */
+/* The number of the grid point, which may be new. */
 static uint32_t number_of(struct grid *grid, const uint16_t point[3])
 {
 	const uint64_t key = (uint64_t)point[0] << 32 | (uint64_t)point[1] << 16 | point[2];
@@ -87,7 +87,7 @@ static void grid_init(struct grid *grid, const struct mesh *mesh, const xform *p
 	}
 }
 
-/* A triangle whose least corner is the first, and the places of its corners on the grid. */
+/* A triangle, rotated so that its smallest corner is the first, and the grid points of its corners. */
 struct placed_triangle {
 	uint64_t keys[3];
 	uint32_t corners[3];
@@ -110,9 +110,9 @@ static uint64_t key_of(const uint16_t point[3])
 }
 
 /*
- * Sorts the triangles by the places of their corners. Then equal parts of a body, as its screws are, begin with the
- * same triangle, are walked in the same order, and have the same steps from vertex to vertex, which cost next to
- * nothing.
+ * Sorts the triangles by the grid points of their corners. Then equal parts of a body, such as its screws, begin with
+ * the same triangle, are walked in the same order, and have the same steps between vertices, which need almost no
+ * bytes.
  */
 static void sort_triangles(struct grid *grid)
 {

@@ -10,7 +10,7 @@
 #include "geom/mesh.h"
 #include "geom/xform.h"
 
-/* mm: the least step of the grid; a finer one would not be seen. */
+/* mm: the smallest step of the grid; a finer one would not be visible. */
 #define PACK_MESH_STEP 0.02
 
 struct packed_mesh {
@@ -20,8 +20,8 @@ struct packed_mesh {
 };
 
 /*
- * Appends the mesh, moved by `place`. No vertex is farther than PACK_MESH_ERROR steps from where `place` moves
- * it. The mesh is not empty and has fewer than 2^30 triangles.
+ * Appends the mesh, moved by `place`. Every vertex is within PACK_MESH_ERROR steps of its exact position. The mesh is
+ * not empty and has fewer than 2^30 triangles.
  */
 #define PACK_MESH_ERROR 0.8661	/* half the diagonal of a cube, rounded up */
 void pack_mesh_add(struct strbuf *out, const struct mesh *mesh, const xform *place, struct packed_mesh *packed);

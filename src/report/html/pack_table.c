@@ -10,7 +10,7 @@ static uint64_t zigzag(int64_t value)
 	return value < 0 ? 2 * (uint64_t)(-(value + 1)) + 1 : 2 * (uint64_t)value;
 }
 
-/* The codes of rows 1 and later of one column. The result: which bits any of them has. */
+/* The codes of rows 1 and later of one column. Returns the bits that any of them has. */
 static uint64_t encode(uint64_t *codes, const int64_t *values, size_t rows, size_t columns)
 {
 	uint64_t bits = 0;

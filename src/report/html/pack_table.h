@@ -10,7 +10,7 @@
 /* Appends the table, not deflated. values[row * columns + column]; magnitudes below 2^51; at least one row. */
 void pack_table_add(struct strbuf *out, const int64_t *values, size_t rows, size_t columns);
 
-/* The table again, from the bytes that pack_table_add appended. */
+/* Reads the table from the bytes that pack_table_add appended. */
 void pack_table_read(int64_t *values, size_t rows, size_t columns, const char *bytes);
 
 #endif

@@ -1,4 +1,4 @@
-/* page.h - an HTML page while it is written: counts its size and numbers its blobs. */
+/* page.h - an HTML page that is being written: counts its size and numbers its blobs. */
 #ifndef FIVECHECK_REPORT_HTML_PAGE_H
 #define FIVECHECK_REPORT_HTML_PAGE_H
 
@@ -21,7 +21,7 @@ void page_text(struct page *page, struct strbuf *text);
 /* The bytes, deflated, as text (seven_bit.h). */
 void page_pack(struct strbuf *out, const struct strbuf *bytes, enum deflate_level level);
 
-/* Appends a blob (report_data.h), packed already. */
+/* Appends a blob (report_data.h) that is already packed. */
 void page_add_blob(struct strbuf *out, int number, const struct strbuf *packed);
 
 /* Writes a packed blob and returns its number. */

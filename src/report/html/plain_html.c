@@ -17,7 +17,7 @@ static int value_of(char digit)
 	return digit <= '9' ? digit - '0' : digit - 'a' + 10;
 }
 
-/* 'sha256-...' of a style or a script, as a policy names it. */
+/* 'sha256-...' of a style or a script, as written in a policy. */
 static void add_hash(struct strbuf *out, struct viewer_file file)
 {
 	char digest[DIGEST_SIZE];
@@ -205,7 +205,7 @@ static void add_statistics(struct strbuf *out, const struct html_contents *repor
 	json_decref(rows);
 }
 
-/* --sensitivity, as the text report says it. */
+/* The results of --sensitivity, as in the text report. */
 static void add_sensitivity(struct strbuf *out, const struct report_program *program)
 {
 	struct strbuf text = {0};
@@ -278,7 +278,7 @@ static const char *headline(const struct report_program *program)
 	return word;
 }
 
-/* What happens first, in a sentence; without a finding the verdict. */
+/* The first event in a sentence; without a finding the verdict. */
 static void add_heading(struct strbuf *out, const struct html_contents *report, const struct recorded_finding *first)
 {
 	static const char *const kinds[FINDING_KINDS] = {

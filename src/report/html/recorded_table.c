@@ -34,7 +34,7 @@ static size_t row_size(const struct recorded_table *table)
 	return table->columns * sizeof(int64_t);
 }
 
-/* Joins the rows of the coarse level two by two. All of them stand for `stride` rows. */
+/* Joins the rows of the coarse level in pairs. Each of them stands for `stride` rows. */
 static void halve(struct recorded_table *table)
 {
 	const size_t n = table->columns;

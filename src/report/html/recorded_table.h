@@ -23,16 +23,16 @@ struct recorded_chunk {
 	long first;	/* row, from 0 */
 	size_t rows;
 	int64_t from, to;	/* column 0 of its first and last row */
-	long offset;	/* in the temporary file, where it stands packed (pack_table.h) */
+	long offset;	/* of the packed chunk (pack_table.h) in the temporary file */
 	size_t length;
 };
 
-/* Column 0 is the time and never falls. Not to be moved after recorded_table_init. */
+/* Column 0 is the time and never decreases. Do not move the struct after recorded_table_init. */
 struct recorded_table {
 	size_t columns;
 	long rows;
 	merge_rows_fn *merge;
-	int64_t *coarse;	/* rows that stand for `stride` rows each; of the last one for `partial` */
+	int64_t *coarse;	/* each row stands for `stride` rows, the last one for `partial` */
 	size_t coarse_rows;
 	long stride, partial;
 	int64_t *open;	/* rows of the chunk that is not complete */
@@ -52,11 +52,12 @@ void recorded_table_release(struct recorded_table *table);
 void recorded_table_add(struct recorded_table *table, const int64_t *row);
 
 /*
- * Completes the last chunk. Nothing may be added afterwards. False: the temporary file failed; table->error says why.
+ * Completes the last chunk. Nothing may be added afterwards. False: the temporary file failed; the reason is in
+ * table->error.
  */
 bool recorded_table_close(struct recorded_table *table);
 
-/* Appends a complete chunk, packed. False: it could not be read; table->error says why. */
+/* Appends a complete chunk, packed. False: it could not be read; the reason is in table->error. */
 bool recorded_table_chunk(struct recorded_table *table, size_t chunk, struct strbuf *out);
 
 #endif

@@ -23,7 +23,7 @@ static struct recorded_row row_of(const struct recorder *recorder, const int64_t
 	return row;
 }
 
-/* Adds a row unless its time is, as a float, that of the row before. */
+/* Adds a row unless its time, as a float, equals that of the row before. */
 static void push(struct recorded_window *window, const struct recorded_row *row)
 {
 	const double start = window->count ? window->rows[0].time : 0;
@@ -46,7 +46,7 @@ static void push_coarse(struct recorder *recorder, struct recorded_window *windo
 	}
 }
 
-/* The rows of a chunk between two times. False: the temporary file failed, which the table remembers. */
+/* Adds the rows of a chunk between two times. False: the temporary file failed; the table remembers the reason. */
 static bool push_chunk(struct recorder *recorder, size_t chunk, double from, double to, struct recorded_window *window)
 {
 	struct recorded_table *path = &recorder->path;

@@ -14,13 +14,13 @@
 #include "report/writers/ndjson.h"
 #include "report/writers/text.h"
 
-/* A block this near before a finding has its plane, however long the program is. */
+/* A block within this many blocks before a finding gets a plane, however long the program is. */
 enum { BESIDE_FINDING = 16 };
 
-/* The triangles beside a plane are nearest to within this share: the exact ones cost several times as much. */
+/* The triangles beside a plane are the nearest ones to within this share: the exact ones cost several times as much. */
 #define PLANE_SHARE 0.8
 
-/* mm/s: no axis is faster; a greater feed says nothing. */
+/* mm/s: no axis is faster; a higher feed carries no information. */
 #define FEED_SHOWN 1e6
 
 /* ------------------------------------------------------------------- path */
@@ -40,7 +40,7 @@ static int64_t whole(double value, double scale)
 	return llround(value / scale);
 }
 
-/* The index of a file. The check keeps one pointer to the name of a file; the program itself is known by its name. */
+/* The index of a file. The check uses one pointer for each file name; the program itself is identified by its name. */
 static size_t file_index(struct recorder *recorder, const char *name)
 {
 	for (size_t i = recorder->file_count; i-- > 0;) {
@@ -179,7 +179,7 @@ static void add_triangles(struct recorder *recorder, struct recorded_finding *fi
 	struct nearest_triangles nearest;
 	xform pose;
 
-	/* The blank's triangles are not those of what remains of the stock. */
+	/* The triangles of the blank are not those of the remaining stock. */
 	if (!pair || pair->stock)
 		return;
 	nearest_of(recorder, pair, &finding->axes, 1, &nearest);
@@ -191,7 +191,7 @@ static void add_triangles(struct recorder *recorder, struct recorded_finding *fi
 	finding->has_triangles = true;
 }
 
-/* The number of the finding's block: the first one of its line that ends after it. 0: not known. */
+/* The number of the finding's block: the first one of its line that ends after it. 0: unknown. */
 static long block_of(const struct recorder *recorder, const struct finding *finding)
 {
 	const long oldest = recorder->blocks >= BLOCK_ENDS ? recorder->blocks - BLOCK_ENDS + 1 : 1;
@@ -208,7 +208,7 @@ static long block_of(const struct recorder *recorder, const struct finding *find
 	return found;
 }
 
-/* The curve must not pass above a finding: of a cutter in the part, no clearance is measured. */
+/* The curve must not be above a finding: between a cutter and the part no clearance is measured. */
 static void bound_block(struct recorder *recorder, const struct finding *finding, long number)
 {
 	const struct scene *scene = recorder->scene;
@@ -270,7 +270,7 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 	if (it->a >= 0 && it->b >= 0)
 		add_triangles(recorder, it);
 	recorder->stock.time = recorder_first(recorder)->stock_time;
-	/* A file that only calls moves nothing, and would not be among them. */
+	/* A file that only calls others moves nothing, and would be missing from the list. */
 	for (size_t i = 0; i < finding->caller_count; i++)
 		file_index(recorder, finding->callers[i].file);
 }
@@ -309,7 +309,7 @@ static bool is_beside_finding(const struct recorder *recorder, long number)
 	return false;
 }
 
-/* Halves the wishes that stand at regular distances. */
+/* Removes every second one of the wishes at regular intervals. */
 static void thin_wishes(struct recorder *recorder)
 {
 	size_t kept = 0, turn = 0;
@@ -322,7 +322,7 @@ static void thin_wishes(struct recorder *recorder)
 	recorder->plane_stride *= 2;
 }
 
-/* Most wishes are given up later: a plane is made when the rest of them is known. */
+/* Most wishes are dropped later: a plane is made when the remaining wishes are known. */
 static void wish_for_plane(struct recorder *recorder, const struct block_end *end, size_t pair, bool forced)
 {
 	if (recorder->wish_count - recorder->wishes_forced >= PLANES_MAX)
@@ -403,7 +403,10 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 			      : pair < recorder->scene->pair_count ? (int64_t)pair : -1;
 	recorded_table_add(&recorder->clearance, row);
 	recorder->bound = fmin(recorder->bound, least);
-	/* Where the bodies are at such a block the clearance is not measured, and another pair may be the nearest. */
+	/*
+	 * In such a block the clearance at the position of the bodies was not measured, and another pair may be the
+	 * nearest.
+	 */
 	if (pair == recorder->scene->pair_count || so_far)
 		return;
 	if (least < recorder->least) {

@@ -1,5 +1,5 @@
 /*
- * recorder.h - what a report needs of one program while it is checked: the path of the axes, findings, clearances.
+ * recorder.h - records one program, while it is checked, for a report: the path of the axes, findings, clearances.
  * Memory does not grow with the program.
  */
 #ifndef FIVECHECK_REPORT_HTML_RECORDER_H
@@ -28,7 +28,7 @@ enum {
 	PLANE_COLUMNS
 };
 
-/* What a one in the columns means. */
+/* The scales of the columns. */
 #define RECORD_TIME 1e-5	/* s */
 #define RECORD_LENGTH 0.01	/* mm */
 #define RECORD_ANGLE 0.001	/* degrees */
@@ -36,10 +36,10 @@ enum {
 #define RECORD_FEED 0.1	/* mm/min */
 #define RECORD_NORMAL 1e-6
 
-/* At most so many planes are kept, and so many more beside findings. */
+/* At most this number of planes is kept, and as many again beside findings. */
 enum { PLANES_MAX = 64 };
 
-/* A finding, with what is drawn of it. */
+/* A finding, with the data for its drawing. */
 struct recorded_finding {
 	json_t *object;	/* as in NDJSON; owned */
 	char *message;	/* owned */
@@ -58,10 +58,10 @@ struct recorded_finding {
 	vec3 triangles[2][3];	/* of a and of b, machine coordinates at the finding's pose */
 };
 
-/* Where a block ended. */
+/* The end of a block. */
 struct block_end {
 	long number;	/* from 1; 0: none */
-	const char *file;	/* its name, as long as the check goes on */
+	const char *file;	/* its name, valid during the check */
 	long line;
 	double from, to;	/* s */
 	axis_values axes;
@@ -70,28 +70,28 @@ struct block_end {
 	int64_t found_pair;	/* their pair in the scene; -1: not known */
 };
 
-/* Blocks between being read and being checked are fewer. */
+/* The number of blocks between reading and checking is smaller. */
 enum { BLOCK_ENDS = 4096 };
 
-/* So many different modes are kept, feeds apart; in a program that has more, some rows name none. */
+/* At most this number of different modes is kept, apart from the feed; in a program with more, some rows have none. */
 enum { MODES_MAX = 512 };
 
-/* At the end of this block the plane between the bodies of this pair is to be shown. */
+/* A request to show the plane between the bodies of this pair at the end of this block. */
 struct plane_wish {
 	struct block_end at;
 	size_t pair;
-	bool forced;	/* it stands beside a finding */
+	bool forced;	/* the block is beside a finding */
 };
 
-/* The name of a file as the check calls it, and a copy that outlives the check. */
+/* The name of a file as used by the check, and a copy that outlives the check. */
 struct recorded_file {
 	const char *interned;
 	char *name;
 };
 
-/* Not to be moved after recorder_init. */
+/* Do not move the struct after recorder_init. */
 struct recorder {
-	struct motion_sink watch;	/* give it to the check: check_options.watch */
+	struct motion_sink watch;	/* pass it to the check: check_options.watch */
 	struct scene *scene;
 	double cap;	/* mm: of the clearances */
 	struct recorded_table path, clearance;
@@ -104,7 +104,7 @@ struct recorder {
 	struct recorded_finding *findings;	/* the first FINDINGS_MAX */
 	size_t finding_count, finding_capacity;
 	long findings_left_out;
-	struct stock_view stock;	/* give it to the check: the stock at the first finding, else at the end */
+	struct stock_view stock;	/* pass it to the check: the stock at the first finding, else at the end */
 	struct block_end *ends;	/* ring: block n at n % BLOCK_ENDS */
 	long blocks;	/* that were read */
 	double now, block_from;	/* s: where the last step, and the block before, ended */
@@ -115,27 +115,27 @@ struct recorder {
 	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
-	size_t least_file;	/* in which it stands: of `files` */
+	size_t least_file;	/* the index of its file in `files` */
 	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
 	double bound;
 	bool sampled;	/* some blocks were not measured */
 	struct plane_wish *wishes;	/* for planes, in the order of time */
 	size_t wish_count, wish_capacity, wishes_forced;
-	long plane_stride;	/* every so many blocks a plane is wished for */
+	long plane_stride;	/* a plane is requested at intervals of this many blocks */
 	int64_t (*planes)[PLANE_COLUMNS];	/* made when the recorder is closed */
 	size_t plane_count;
 	struct sweep sweep;
 };
 
-/* `program` is its file's name, which the report calls it by. The scene must have been built. */
+/* `program`: the name of its file, which the report uses. The scene must have been built. */
 void recorder_init(struct recorder *recorder, struct scene *scene, const char *program, double cap);
 void recorder_release(struct recorder *recorder);
 
-/* To be called for each finding and for each block that was checked (check_sink). */
+/* Call it for each finding and for each checked block (check_sink). */
 void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style);
 void recorder_block(struct recorder *recorder, const struct check_block *block);
 
-/* mm, in thousandths, as a clearance is shown: never more than was proved. */
+/* A clearance in thousandths of a mm, as it is shown: never more than was proved. */
 double recorder_shown(double clearance);
 
 /* Completes the tables. False: a temporary file failed; *error is its errno. */
@@ -149,25 +149,25 @@ struct recorded_row {
 	axis_values axes;
 };
 
-/* Times rise from row to row. The rows are owned. */
+/* Times increase from row to row. The rows are owned. */
 struct recorded_window {
 	struct recorded_row *rows;
 	size_t count;
 };
 
 /*
- * The path of the last WINDOW_SECONDS before the first finding, or as much of that as there are WINDOW_ROWS rows for;
- * its last row is the finding. Without a finding the coarse level of the whole path. Empty if nothing moves. The
- * recorder is closed.
+ * The path of the last WINDOW_SECONDS before the first finding, or as much of it as WINDOW_ROWS rows hold; the last row
+ * is the finding. Without a finding, the coarse level of the whole path. Empty if nothing moves. The recorder must be
+ * closed.
  */
 #define WINDOW_SECONDS 20.0
 enum { WINDOW_ROWS = 8192 };
 struct recorded_window recorder_window(struct recorder *recorder);
 
-/* The point between the bodies that were nearest, in machine coordinates. False: there are none below the cap. */
+/* The point between the nearest bodies, in machine coordinates. False: there are none below the cap. */
 bool recorder_nearest_point(struct recorder *recorder, vec3 *point);
 
-/* What a one means in the column of this axis of the machine. */
+/* The scale of the column of this axis of the machine. */
 double recorder_axis_scale(const struct axis *axis);
 
 #endif

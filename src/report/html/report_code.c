@@ -7,7 +7,7 @@
 #include "report/format/json.h"
 #include "report/html/code_windows.h"
 
-/* Lines of a file that a reader looks for first. */
+/* The lines of a file that a reader looks for first. */
 struct marks {
 	long *lines;	/* owned */
 	size_t count, capacity;

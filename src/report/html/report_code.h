@@ -8,7 +8,7 @@
 #include "report/html/html_contents.h"
 #include "report/html/page.h"
 
-/* Writes the text to the page, up to `budget` bytes of it, and returns what describes it. */
+/* Writes the text to the page, up to `budget` bytes, and returns its description. */
 json_t *report_code_json(struct page *page, const struct html_contents *report, size_t budget);
 
 #endif

@@ -7,7 +7,8 @@
 #include "report/html/html_contents.h"
 
 /*
- * Everything but path, clearance, planes and code. Threads that write reports at a time share the scene: it is copied.
+ * Everything but path, clearance, planes and code. A copy, because threads that write reports at the same time share
+ * the scene.
  */
 json_t *report_head_json(const struct html_contents *report);
 

@@ -10,7 +10,7 @@
 #include "report/html/report_data.h"
 #include "report/html/selection.h"
 
-/* Shares of what is left of the size after what a report must have; the program's text gets the rest. */
+/* Shares of the size that remains after the indispensable parts of a report; the program's text gets the rest. */
 #define PATH_SHARE 0.55
 #define CLEARANCE_SHARE 0.15
 
@@ -29,7 +29,7 @@ static int write_table(struct page *page, const int64_t *values, size_t rows, si
 	return blob;
 }
 
-/* A short table that is there as a whole needs no coarse level. */
+/* A short table that is complete needs no coarse level. */
 static bool is_short(const struct recorded_table *table)
 {
 	return table->chunk_count <= SHORT_CHUNKS;
@@ -40,7 +40,7 @@ static enum deflate_level level_of(const struct recorded_table *table)
 	return is_short(table) ? DEFLATE_SMALL : DEFLATE_FAST;
 }
 
-/* The coarse level; with `start` the first row of all comes first. */
+/* The coarse level; with `start`, after the first row of the table. */
 static json_t *write_coarse(struct page *page, const struct recorded_table *table, bool start)
 {
 	const size_t n = table->columns, extra = start && memcmp(table->first, table->coarse, n * sizeof(int64_t)) != 0;
@@ -65,7 +65,7 @@ static size_t chunk_at(const struct recorded_table *table, int64_t time)
 	return i;
 }
 
-/* Packs chunks, those of findings first, until one does not fit. packed[i] has no text where chunk i was left out. */
+/* Packs chunks, those of findings first, until one does not fit. packed[i] is empty if chunk i was left out. */
 static bool choose_chunks(struct recorded_table *table, const struct recorder *recorder, size_t budget,
 			  struct strbuf *packed)
 {
@@ -105,7 +105,7 @@ static json_t *chunk_json(struct page *page, const struct recorded_chunk *chunk,
 	return object;
 }
 
-/* Writes the chunks that fit and adds what describes them. False: the temporary file failed. */
+/* Writes the chunks that fit and adds their description. False: the temporary file failed. */
 static bool write_chunks(struct page *page, struct recorded_table *table, const struct recorder *recorder,
 			 size_t budget, json_t *object)
 {
@@ -141,7 +141,7 @@ static json_t *new_table(void)
 	return object;
 }
 
-/* Up to where the program was checked, s. */
+/* s: the time up to which the program was checked. */
 static double checked_until(const struct html_contents *report)
 {
 	const struct recorder *recorder = report->recorder;
@@ -197,7 +197,7 @@ static json_t *path_json(const struct html_contents *report)
 	return object;
 }
 
-/* The smallest clearance that was measured, and where. */
+/* The smallest measured clearance, and its place. */
 static json_t *smallest_json(const struct recorder *recorder)
 {
 	json_t *object;
@@ -249,7 +249,7 @@ static json_t *planes_json(struct page *page, const struct recorder *recorder)
 
 static size_t rest_of(const struct html_contents *report, const struct page *page, size_t reserved)
 {
-	/* Tags, and what describes the pieces in the head, take less than a thirtieth. */
+	/* Tags, and the description of the pieces in the head, take less than a thirtieth. */
 	const size_t used = page->written + reserved + report->budget / 30;
 
 	return used < report->budget ? report->budget - used : 0;

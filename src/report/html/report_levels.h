@@ -1,6 +1,6 @@
 /*
- * report_levels.h - what of a report grows with the program: path, clearances, planes and the program's text, within
- * its size.
+ * report_levels.h - the parts of a report that grow with the program: path, clearances, planes and the program's text,
+ * within the size of the report.
  */
 #ifndef FIVECHECK_REPORT_HTML_REPORT_LEVELS_H
 #define FIVECHECK_REPORT_HTML_REPORT_LEVELS_H
@@ -13,8 +13,8 @@
 #include "report/html/page.h"
 
 /*
- * Writes all levels to the page and adds what describes them to the head. `reserved`: bytes that other parts will need.
- * False: a temporary file failed, and the recorder's tables say why.
+ * Writes all levels to the page and adds their description to the head. `reserved`: bytes that other parts will need.
+ * False: a temporary file failed, and the reason is in the recorder's tables.
  */
 bool report_levels_write(struct page *page, const struct html_contents *report, json_t *head, size_t reserved);
 

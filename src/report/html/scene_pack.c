@@ -164,7 +164,7 @@ static json_t *turned_of(const struct turned *turned, const xform *place)
 	return object;
 }
 
-/* Half the diagonal of a cell of the grid, and the rounding of the viewer's floats (24 bits). */
+/* Half the diagonal of a cell of the grid, plus the rounding of the viewer's floats (24 bits). */
 double scene_pack_accuracy(const struct packed_mesh *mesh)
 {
 	const vec3 o = mesh->origin;
@@ -199,7 +199,7 @@ static void pack_body(struct packed_body *packed, const struct body *body, const
 {
 	struct strbuf bytes = {0};
 
-	/* Only tools are sure to be what their outline says. */
+	/* Only tools are certain to have the shape of their outline. */
 	if (body->tool && turned_init(&packed->turned, &bvh->mesh))
 		return;
 	pack_mesh_add(&bytes, &bvh->mesh, &body->placement, &packed->mesh);

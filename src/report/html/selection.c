@@ -18,7 +18,7 @@ static int compare(const void *a, const void *b)
 	return (x->piece > y->piece) - (x->piece < y->piece);
 }
 
-/* Lowers distances to what the piece before, or after, has and one more. */
+/* Lowers each distance to at most one more than that of the piece before, or after. */
 static void spread(struct ranked *ranked, size_t pieces)
 {
 	for (size_t i = 1; i < pieces; i++) {

@@ -4,13 +4,13 @@
 
 #include "scene/scene.h"
 
-/* The index of the body in the report: of a core, that of its cutter. */
+/* The index of the body in the report; for a core, that of its cutter. */
 int shown_body(const struct scene *scene, int body);
 
-/* The index of the body of that name; -1: there is none, or the name is NULL. */
+/* The index of the body with that name; -1: there is none, or the name is NULL. */
 int shown_body_named(const struct scene *scene, const char *name);
 
-/* The pair of these bodies, as a finding has them; of a cutter and the part any of their pairs. NULL: there is none. */
+/* The pair of these bodies, as in a finding; for a cutter and the part any of their pairs. NULL: there is none. */
 const struct scene_pair *shown_pair(const struct scene *scene, int a, int b);
 
 #endif

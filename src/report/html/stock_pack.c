@@ -31,13 +31,13 @@ void stock_pack_init(struct stock_pack *out, const struct recorder *recorder, si
 		out->when = recorder_first(recorder) ? STOCK_AT_FINDING : STOCK_AT_END;
 		out->excess = view->excess;
 	}
-	/* A mesh of nothing cannot be packed. */
+	/* An empty mesh cannot be packed. */
 	if (!view->cut || view->mesh.count) {
 		const struct scene_body *stock = &recorder->scene->bodies[out->body];
 
 		pack(out, stock, view->cut ? &view->mesh : &stock->bvh->mesh, most);
 		out->excess += view->cut ? scene_pack_accuracy(&out->mesh) : 0;
-		/* Rounded up: it is shown with one decimal. */
+		/* Rounded up, because it is shown with one decimal. */
 		out->excess = ceil(10 * out->excess) / 10;
 	}
 }

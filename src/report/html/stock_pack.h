@@ -13,10 +13,10 @@ struct stock_pack {
 	int body;	/* its index in the scene; -1: there is no stock */
 	struct packed_mesh mesh;	/* without triangles: nothing is drawn */
 	struct strbuf blob;	/* owned */
-	bool left_out;	/* there would be too many */
-	/* mm: what lies deeper than this below the surface that is drawn is certainly there; of the blank 0 */
+	bool left_out;	/* the mesh would need too many bytes */
+	/* mm: material deeper than this below the drawn surface is certainly there; 0 for the blank */
 	double excess;
-	/* At the start: no cutter was in the blank by then, and it is drawn. */
+	/* At the start: no cutter has been in the blank by then, and the blank is drawn. */
 	enum stock_instant { STOCK_AT_START, STOCK_AT_FINDING, STOCK_AT_END } when;
 };
 
@@ -24,7 +24,7 @@ struct stock_pack {
 void stock_pack_init(struct stock_pack *pack, const struct recorder *recorder, size_t most);
 void stock_pack_release(struct stock_pack *pack);
 
-/* Writes the mesh to the page, and what tells of it to the head. */
+/* Writes the mesh to the page, and its description to the head. */
 void stock_pack_write(const struct stock_pack *pack, struct page *page, json_t *head);
 
 /* Appends a sentence with a space before it; nothing if there is no stock. */

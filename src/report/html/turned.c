@@ -9,7 +9,7 @@
 #include "base/units.h"
 
 /*
- * An edge of the outline: in the half plane y = 0, x >= 0, of a triangle whose third corner is in front of that plane.
+ * An edge of the outline: an edge in the half plane y = 0, x >= 0 of a triangle whose third corner is in front of it.
  */
 struct outline_edge {
 	struct turned_corner from, to;
@@ -47,7 +47,7 @@ static bool same_corner(struct turned_corner a, struct turned_corner b)
 	return same_double(a.r, b.r) && same_double(a.z, b.z);
 }
 
-/* The edge that begins at the corner; NULL: none. */
+/* The edge that begins at the corner; NULL: there is none. */
 static const struct outline_edge *edge_from(const struct outline *outline, struct turned_corner corner)
 {
 	for (size_t i = 0; i < outline->count; i++) {
@@ -57,7 +57,7 @@ static const struct outline_edge *edge_from(const struct outline *outline, struc
 	return NULL;
 }
 
-/* The edge that begins on the axis, which no other edge leads to. */
+/* The edge that begins on the axis and has no edge before it. */
 static const struct outline_edge *first_edge(const struct outline *outline)
 {
 	const struct outline_edge *first = NULL;
@@ -72,8 +72,7 @@ static const struct outline_edge *first_edge(const struct outline *outline)
 }
 
 /*
- * Follows the outline from the axis to the axis. Corners nearer than a tenth of TURNED_ERROR to the one before are
- * left out.
+ * Follows the outline from the axis to the axis. Leaves out corners within a tenth of TURNED_ERROR of the one before.
  */
 static bool follow(struct turned *turned, const struct outline *outline)
 {
@@ -105,7 +104,7 @@ static size_t count_facets(const struct mesh *mesh, double top)
 	return count;
 }
 
-/* Is the distance between the ends of two sides at a right angle at most half of TURNED_ERROR? */
+/* Is the hypotenuse of these two sides at most half of TURNED_ERROR? */
 static bool is_near(double x, double y)
 {
 	return x * x + y * y <= TURNED_ERROR * TURNED_ERROR / 4;
@@ -128,7 +127,7 @@ static bool is_explained(const struct turned *turned, const float p[3])
 	return false;
 }
 
-/* Every vertex is explained, and there are as many triangles as two caps and the bands between them have. */
+/* Are all vertices explained, and is the number of triangles that of two caps and the bands between them? */
 static bool explains(const struct turned *turned, const struct mesh *mesh, size_t edges)
 {
 	if (turned->facets < 3 || mesh->count != 2 * turned->facets * (edges - 1))

@@ -1,4 +1,6 @@
-/* turned.h - meshes of turned bodies, as tool_solid makes them, told by their outline instead of their triangles. */
+/*
+ * turned.h - represents meshes of turned bodies, as tool_solid makes them, by their outline instead of their triangles.
+ */
 #ifndef FIVECHECK_REPORT_HTML_TURNED_H
 #define FIVECHECK_REPORT_HTML_TURNED_H
 
@@ -12,8 +14,8 @@ struct turned_corner {
 };
 
 /*
- * Regular polygons of `facets` vertices about the Z axis, one for each corner of the outline and its first vertex at y
- * = 0; bands between neighbours, and a cap at either end.
+ * Regular polygons of `facets` vertices about the Z axis, one for each corner of the outline, the first vertex at y =
+ * 0; bands between neighbours, and a cap at each end.
  */
 struct turned {
 	size_t facets;
@@ -22,7 +24,7 @@ struct turned {
 };
 
 /*
- * Finds the outline of a mesh. No vertex of the mesh is farther than TURNED_ERROR from one of the polygons' vertices or
+ * Finds the outline of a mesh. Every vertex of the mesh is within TURNED_ERROR of one of the polygons' vertices or
  * centres. False: the mesh is not such a body.
  */
 #define TURNED_ERROR 0.005

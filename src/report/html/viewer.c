@@ -2,7 +2,7 @@
 
 #include "report/html/viewer_files.h"
 
-/* Each array ends in one byte more than the file. */
+/* Each array has one byte more than the file. */
 #define FILE_OF(array) ((struct viewer_file){(const char *)(array), sizeof(array) - 1})
 
 struct viewer_file viewer_script(void)

@@ -10,7 +10,7 @@ struct viewer_file {
 };
 
 struct viewer_file viewer_script(void);
-/* Inflates the script and runs it. */
+/* The script that inflates the viewer and runs it. */
 struct viewer_file viewer_boot_script(void);
 struct viewer_file viewer_style(void);
 

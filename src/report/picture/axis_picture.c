@@ -11,14 +11,14 @@
 
 enum { WIDTH = 960, HEIGHT = 640, ARC_STEPS = 24 };
 
-/* mm: the size of a machine without any body. */
+/* mm: the assumed size of a machine without bodies. */
 #define LEAST_SIZE 400
 
 #define TURN (30 * 3.14159265358979323846 / 180)
 
 /* ------------------------------------------------------------------- camera */
 
-/* Bounds as the camera sees them: right, up, toward. */
+/* Bounds in the camera's directions: right, up, toward. */
 struct bounds {
 	vec3 least, greatest;
 };
@@ -31,7 +31,7 @@ static void extend(struct bounds *bounds, const struct camera *camera, vec3 p)
 	bounds->greatest = vec3_max(bounds->greatest, seen);
 }
 
-/* A point of the link's geometry as the axes stand. */
+/* A point of the link's geometry at the positions of the axes. */
 static vec3 place(const struct machine *machine, int link, const axis_values *axes, vec3 p)
 {
 	const xform pose = machine_pose(machine, link, axes);
@@ -61,7 +61,7 @@ static void extend_by_all(struct bounds *bounds, const struct axis_pictures *pic
 		       place(machine, machine->workholding.link, axes, machine->workholding.frame.translation));
 }
 
-/* The greatest of 1, 2, 5, 10, 20 and so on that is not above the length, which is 1 or more. */
+/* The largest of 1, 2, 5, 10, 20 and so on that is not above the length, which is 1 or more. */
 static double round_down(double length)
 {
 	double decade = 1;
@@ -71,7 +71,7 @@ static double round_down(double length)
 	return decade * (5 * decade <= length ? 5 : 2 * decade <= length ? 2 : 1);
 }
 
-/* The motion begins at 0 where the travel allows it. */
+/* The motion begins at 0 if the travel permits it. */
 static struct axis_motion motion_of(const struct axis *axis, double length)
 {
 	const double least = axis->limit_min, most = axis->limit_max, amount = fmin(length, most - least);
@@ -116,7 +116,7 @@ void axis_pictures_init(struct axis_pictures *pictures, const struct scene *scen
 	middle = vec3_lerp(bounds.least, bounds.greatest, 0.5);
 	camera->centre = vec3_add(vec3_add(vec3_scale(middle.x, camera->right), vec3_scale(middle.y, camera->up)),
 				  vec3_scale(middle.z, camera->toward));
-	/* Marks and arrows need some room beside the bodies. */
+	/* Marks and arrows need some space beside the bodies. */
 	camera->scale = 1 / (1.25 * fmax(LEAST_SIZE, fmax(bounds.greatest.x - bounds.least.x,
 							  (bounds.greatest.y - bounds.least.y) * WIDTH / HEIGHT)));
 }
@@ -134,7 +134,7 @@ static vec3 project(const struct sketch *sketch, vec3 p)
 	return camera_project(&sketch->pictures->camera, &(struct raster){.width = WIDTH, .height = HEIGHT}, p);
 }
 
-/* A line through the points with a head at its end; white around it, so that it is seen on every ground. */
+/* A line through the points with a head at its end; a white border makes it visible on every background. */
 static void add_arrow(const struct sketch *sketch, const vec3 *points, size_t count)
 {
 	const vec3 end = project(sketch, points[count - 1]), before = project(sketch, points[count - 2]);
@@ -176,7 +176,7 @@ static void add_vector(const struct sketch *sketch, vec3 from, vec3 v, const cha
 	add_word(sketch, points[1], word);
 }
 
-/* A third of a turn about a line, in its positive sense. */
+/* A third of a turn about a line, in the positive direction. */
 static void add_turn(const struct sketch *sketch, vec3 centre, vec3 direction, double radius, const char *word)
 {
 	const vec3 helper = fabs(direction.z) < 0.9 ? (vec3){0, 0, 1} : (vec3){1, 0, 0};
@@ -232,7 +232,7 @@ static void add_directions(struct sketch *sketch)
 	add_vector(sketch, corner, (vec3){0, 0, length}, "Z");
 }
 
-/* The middle of what the link carries; if that is nothing, of what is mounted on it. */
+/* The middle of the bodies that the link carries; without bodies, of the mounts on it. */
 static vec3 middle_of(const struct stage *stage, int link)
 {
 	const struct machine *machine = stage->scene->machine;
@@ -272,7 +272,7 @@ static void add_motion(struct sketch *sketch, const struct stage *before, const 
 		add_vector(sketch, middle, vec3_scale(amount, direction), name);
 		return;
 	}
-	/* The point of the axis that is nearest to what turns. */
+	/* The point of the axis nearest to the rotating bodies. */
 	at = vec3_add(location, vec3_scale(vec3_dot(vec3_sub(middle, location), direction), direction));
 	add_vector(sketch, vec3_sub(at, vec3_scale(0.2 * sketch->pictures->size, direction)),
 		   vec3_scale(0.4 * sketch->pictures->size, direction), "");
@@ -281,7 +281,7 @@ static void add_motion(struct sketch *sketch, const struct stage *before, const 
 
 /* ------------------------------------------------------------------- picture */
 
-/* The outline of what moves, where it came from. */
+/* The outline of the moving bodies at their start. */
 static void add_ghost(struct strbuf *out, const struct axis_pictures *pictures, const struct stage *before)
 {
 	struct strbuf outlines = {0};

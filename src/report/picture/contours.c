@@ -48,9 +48,7 @@ static void push(struct tracer *tracer, struct corner at)
 	tracer->corners[tracer->count++] = at;
 }
 
-/*
- * Follows an outline with the inside to the right, from the upper side of a pixel. The result: twice its area, signed.
- */
+/* Follows an outline with the inside on the right, from the upper side of a pixel. Returns twice its area, signed. */
 static long trace(struct tracer *tracer, int x, int y)
 {
 	const struct corner start = {x, y};
@@ -107,7 +105,7 @@ static void simplify(struct tracer *tracer, size_t from, size_t to, double toler
 	simplify(tracer, farthest, to, tolerance);
 }
 
-/* The corner that is farthest from the first one. */
+/* The corner farthest from the first one. */
 static size_t farthest_corner(const struct tracer *tracer)
 {
 	const struct corner *c = tracer->corners;

@@ -44,7 +44,7 @@ static void add_triangle(struct draft *draft, const vec3 p[3], uint8_t paint)
 	draft->triangles[draft->count++] = triangle;
 }
 
-/* Around the points, of which there is at least one. */
+/* A ball around the points, of which there is at least one. */
 static struct ball ball_around(const vec3 *points, size_t count)
 {
 	vec3 least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
@@ -58,9 +58,12 @@ static struct ball ball_around(const vec3 *points, size_t count)
 	return (struct ball){vec3_lerp(least, greatest, 0.5), vec3_norm(vec3_sub(greatest, least)) / 2};
 }
 
-/* -------------------------------------------------------------- what is seen */
+/* -------------------------------------------------------------- visibility */
 
-/* What any of the cameras can see: what is around a ray from the stage's point at one of the heights, in any turn. */
+/*
+ * The region that any of the cameras can see: around a ray from the stage's point at one of the heights, in any
+ * horizontal direction.
+ */
 struct sight {
 	vec3 point;
 	double radius;	/* mm, of a picture's corner from its middle */
@@ -78,7 +81,7 @@ static struct sight sight_of(const struct stage *stage, double scale)
 	return sight;
 }
 
-/* May what is inside the ball be in a picture? With `behind` also behind the point, where it can hide nothing. */
+/* Can the content of the ball be in a picture? `behind`: also behind the point, where it can hide nothing. */
 static bool is_in_sight(const struct sight *sight, const struct ball *ball, bool behind)
 {
 	const vec3 way = vec3_sub(ball->centre, sight->point);
@@ -96,7 +99,7 @@ static bool is_in_sight(const struct sight *sight, const struct ball *ball, bool
 	return false;
 }
 
-/* Adds the triangles of a body, as far as they may be seen. */
+/* Adds the triangles of a body that may be visible. */
 static void add_body(struct draft *draft, const struct stage *stage, const struct sight *sight, int body)
 {
 	const struct scene_body *it = &stage->scene->bodies[body];
@@ -168,7 +171,7 @@ void draft_release(struct draft *draft)
 	*draft = (struct draft){0};
 }
 
-/* May what is inside the ball be in the picture? Most is beside it. */
+/* Can the content of the ball be in the picture? Most is beside it. */
 static bool is_framed(const struct camera *camera, const struct draft *draft, const struct ball *ball)
 {
 	const vec3 way = vec3_sub(ball->centre, camera->centre);

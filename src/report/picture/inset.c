@@ -5,7 +5,7 @@
 
 #include "report/picture/silhouettes.h"
 
-/* A third of the large picture's width, with everything four times as large. */
+/* A third of the large picture's width, enlarged four times. */
 enum { SHARE = 3, ENLARGED = 4 };
 
 static long shown_in(const struct raster *raster, const struct inset *inset)
@@ -19,7 +19,7 @@ static long shown_in(const struct raster *raster, const struct inset *inset)
 	return count;
 }
 
-/* The corner that has least of the bodies that meet. The names of the bodies stand in the upper left one. */
+/* The corner that shows least of the bodies that meet. The names of the bodies are in the upper left one. */
 static struct inset choose_corner(const struct raster *raster, int gap, int below)
 {
 	const int width = raster->width / SHARE, height = raster->height / SHARE;

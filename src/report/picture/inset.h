@@ -10,9 +10,9 @@ struct inset {
 };
 
 /*
- * Draws what is around the middle of the raster, in which the stage was drawn with this camera, several times as large
- * into one of its corners, with a frame of `line` pixels. `below`: pixels that stay free at the lower edge. Returns
- * where it is.
+ * Draws the surroundings of the raster's middle, in which the stage was drawn with this camera, enlarged into one of
+ * its corners, with a frame of `line` pixels. `below`: pixels that stay free at the lower edge. Returns the place of
+ * the inset.
  */
 struct inset inset_add(struct raster *raster, const struct stage *stage, const struct camera *camera, int line,
 		       int below);

@@ -15,14 +15,14 @@
 
 enum { WIDTH = 960, HEIGHT = 640, RING = 34, LINE = 2 };
 
-/* Pixels at the lower edge for the title; the size of its letters, as it is and at least. */
+/* Pixels at the lower edge for the title; the normal and the smallest size of its letters. */
 enum { TITLE = 40, FONT_SIZE = 17, FONT_SIZE_MIN = 9 };
-/* How wide the letters of a sentence are on average, in their size. */
+/* The average width of letters in a sentence, as a share of their size. */
 #define LETTER_WIDTH 0.52
 
 /* ------------------------------------------------------------------- SVG */
 
-/* Pixels of a quick picture to one of its raster, in both directions: its outlines are a little coarser. */
+/* Pixels of a quick picture per pixel of its raster, in both directions: its outlines are a little coarser. */
 #define QUICK_PIXEL (4.0 / 3)
 
 static void add_ring(struct strbuf *out, double x, double y)
@@ -38,7 +38,7 @@ static unsigned label_colour(enum paint_class class)
 	return (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3));
 }
 
-/* A small square of the body's colour and its name, on a ground that keeps them readable whatever is behind. */
+/* A small square in the body's colour and its name, on a background that keeps them readable. */
 static void add_label(struct strbuf *out, const struct stage *stage, int body, enum paint_class class, int row)
 {
 	const char *name = stage->scene->bodies[body].body->name;
@@ -67,7 +67,7 @@ static bool has_pair(const struct stage *stage)
 	return stage->a >= 0 && stage->b >= 0;
 }
 
-/* What is written in the picture. */
+/* The texts in the picture. */
 static void add_words(struct strbuf *out, const struct stage *stage, const char *title)
 {
 	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"%d\" fill=\"#16202b\">\n", FONT_SIZE);
@@ -144,10 +144,10 @@ void picture_add_caption(struct strbuf *out, const struct stage *stage, const ch
 
 /* ------------------------------------------------------------------- PNG */
 
-/* Pixels of the raster to a pixel of the image, in both directions. */
+/* Pixels of the raster per pixel of the image, in both directions. */
 enum { SUPERSAMPLES = 3 };
 
-/* How much of a pixel at this distance from the ring's line is covered. */
+/* The covered share of a pixel at this distance from the ring's line. */
 static double cover(double distance, double width)
 {
 	return fmin(fmax(width / 2 + 0.5 - fabs(distance), 0), 1);

@@ -6,8 +6,8 @@
 #include "report/picture/stage.h"
 
 /*
- * Appends an element <svg> of a few tens of kB, with `title` for screen readers. `fine`: with more detail, the title
- * and the names of both bodies below and above the picture; else they are for the caption.
+ * Appends an element <svg> of a few tens of kB, with `title` for screen readers. `fine`: with more detail, and with the
+ * title and the names of both bodies in the picture; otherwise they belong in the caption.
  */
 void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine);
 

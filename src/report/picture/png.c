@@ -24,7 +24,7 @@ static void add_chunk(struct strbuf *out, const char *kind, const struct strbuf 
 	add_u32(out, (uint32_t)crc32(0, (const Bytef *)out->text + start, (uInt)(out->length - start)));
 }
 
-/* Each row begins with its filter: 2, the difference to the row above. */
+/* Each row begins with its filter: 2, the difference from the row above. */
 static void add_rows(struct strbuf *out, const unsigned char *pixels, size_t width, size_t height)
 {
 	const size_t row = 3 * width;

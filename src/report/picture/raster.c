@@ -46,7 +46,7 @@ static void pixels_between(double low, double high, int most, int *first, int *e
 {
 	const double from = low - 0.5, to = high - 0.5;
 
-	/* Casts instead of ceil and floor, which are calls: this is done for each triangle. */
+	/* Casts instead of ceil and floor, which are function calls: this is done for each triangle. */
 	*first = !(from > 0) ? 0 : from > most ? most : (int)from + (from > (int)from);
 	*end = !(to >= 0) ? 0 : to + 1 > most ? most : (int)to + 1;
 }
@@ -65,7 +65,10 @@ bool raster_may_show(const struct raster *raster, const vec3 p[3])
 	return x[0] < x[1] && y[0] < y[1];
 }
 
-/* Where a side of a triangle crosses the middle of row y, in pixels to the centre of the first one: at + y slope. */
+/*
+ * The crossing of a side of a triangle with the middle of row y, in pixels from the centre of the first one: at + y
+ * slope.
+ */
 struct side {
 	double at, slope;
 };
@@ -77,8 +80,8 @@ struct sides {
 };
 
 /*
- * Each side begins at its upper end, so that two triangles that share a side find the same numbers and leave no gap. A
- * level side bounds the rows, not what is seen of them.
+ * Each side begins at its upper end, so that two triangles with a common side get the same numbers and leave no gap. A
+ * horizontal side limits the rows, not the pixels in them.
  */
 static struct sides sides_of(const vec3 p[3], double area)
 {
@@ -117,8 +120,9 @@ static void narrow(const struct sides *sides, int y, double *low, double *high)
 }
 
 /*
- * Paints `count` pixels side by side where nothing nearer is; depths change by `step` from one to the next. Without a
- * branch, and in floats, as depths are kept, so that compilers do several at once: most of a picture's time goes here.
+ * Paints `count` adjacent pixels where nothing is nearer; depths change by `step` from one to the next. It has no
+ * branches and uses floats, like the depth buffer, so that compilers vectorise it: most of a picture's time is spent
+ * here.
  */
 static void draw_pixels(float *restrict depths, uint8_t *restrict paints, int count, float first, float step,
 			uint8_t paint)
@@ -136,7 +140,7 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
 	const vec3 b = vec3_sub(p[1], p[0]), c = vec3_sub(p[2], p[0]);
-	double depth, right, down;	/* of the first pixel; change to the next pixel and to the next row */
+	double depth, right, down;	/* of the first pixel; the changes to the next pixel and to the next row */
 	struct sides sides;
 	int columns[2], rows[2];
 

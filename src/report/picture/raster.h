@@ -20,7 +20,7 @@ void raster_release(struct raster *raster);
 /* Is there a pixel whose centre the triangle might cover? Most triangles of a small picture have none. */
 bool raster_may_show(const struct raster *raster, const vec3 corners[3]);
 
-/* Draws a triangle: x and y in pixels, z its depth. What lies outside is cut off. */
+/* Draws a triangle: x and y in pixels, z its depth. Parts outside are cut off. */
 void raster_triangle(struct raster *raster, const vec3 corners[3], uint8_t paint);
 
 #endif

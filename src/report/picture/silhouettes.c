@@ -4,10 +4,13 @@
 
 #include "report/picture/stage.h"
 
-/* A surface that is seen at a flat angle falls back evenly: an edge falls back more than this times as much. */
+/*
+ * At an edge the depth increases more than this times as much as on the surface before it, which may be seen at a flat
+ * angle.
+ */
 #define STEEPER 3
 
-/* Does the surface end within `width` pixels in this direction? Outside of the raster nothing ends. */
+/* Does the surface end within `width` pixels in this direction? Nothing ends outside the raster. */
 static bool ends(const struct raster *raster, int x, int y, int dx, int dy, double jump)
 {
 	const int there_x = x + dx, there_y = y + dy, back_x = x - dx, back_y = y - dy;

@@ -4,12 +4,12 @@
 
 #include "report/picture/raster.h"
 
-/* What lies behind an edge is farther by this share of a picture's width, as it is seen. */
+/* As a share of a picture's width: the surface behind an edge is farther away by at least this. */
 #define SILHOUETTE_JUMP 0.008
 
 /*
- * Paints the nearer side of each such edge in the darkest level of its class, `width` pixels wide. What lies behind is
- * at least `jump` farther, in the unit of the depths.
+ * Paints the nearer side of each such edge in the darkest level of its class, `width` pixels wide. The surface behind
+ * is at least `jump` farther, in the unit of the depths.
  */
 void silhouettes_add(struct raster *raster, int width, double jump);
 

@@ -9,7 +9,7 @@
 
 /* ------------------------------------------------------------------ paints */
 
-/* Bright enough that black text and the bodies that matter stand out. */
+/* Bright enough for black text and the important bodies to stand out. */
 static const uint32_t darkest[PAINT_CLASSES] = {
 	[PAINT_NONE] = 0xf7f9fb, [PAINT_BASE] = 0xaab6c3, [PAINT_MOVING] = 0xa4b8cc, [PAINT_FIXTURE] = 0xb0b8bf,
 	[PAINT_PART] = 0xcdb896, [PAINT_TOOL] = 0xb4b4b4, [PAINT_A] = 0x8e0d14, [PAINT_B] = 0xa85a00,
@@ -88,7 +88,7 @@ vec3 camera_project(const struct camera *camera, const struct raster *raster, ve
 		      0.5 * raster->height - scale * vec3_dot(off, camera->up), vec3_dot(off, camera->toward)};
 }
 
-/* Unit vectors, which point to the lights: a strong one above the eye, from the left, and a weak one from the right. */
+/* Unit vectors toward the lights: a strong one above the eye, from the left, and a weak one from the right. */
 struct lights {
 	vec3 strong, weak;
 };
@@ -106,7 +106,7 @@ static struct lights lights_of(const struct camera *camera)
 	return (struct lights){light_from(camera, -0.55, 0.9), light_from(camera, 1.2, 0)};
 }
 
-/* Where little matters, few steps of brightness are enough. */
+/* Unimportant bodies need few steps of brightness. */
 static int level_of(enum paint_class class, double bright)
 {
 	const int steps = class < PAINT_A ? 3 : PAINT_LEVELS - 1;
@@ -197,7 +197,7 @@ static void draw_body(const struct stage *stage, const struct camera *camera, st
 	}
 }
 
-/* A triangle of the contact, a little nearer than the body's own at the same place. */
+/* A triangle of the contact, slightly nearer than the body's own triangle at the same place. */
 static void draw_contact(const struct camera *camera, struct raster *raster, const vec3 p[3], enum paint_class class)
 {
 	const struct lights lights = lights_of(camera);

@@ -15,7 +15,7 @@ static struct camera look_from(double turn, double rise)
 	return (struct camera){.right = right, .up = vec3_cross(toward, right), .toward = toward};
 }
 
-/* All that is there. */
+/* A camera for everything. */
 static void frame_all(const struct stage *stage, struct camera *camera)
 {
 	vec3 least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
@@ -34,7 +34,7 @@ static void frame_all(const struct stage *stage, struct camera *camera)
 	camera->scale = 1 / fmax(1, 0.9 * vec3_norm(vec3_sub(greatest, least)));
 }
 
-/* About the contact: the smaller body should be seen whole, the larger one as far as it helps. */
+/* A camera for the contact: the smaller body should be visible as a whole, the larger one as far as it helps. */
 static void frame_contact(const struct stage *stage, struct camera *camera)
 {
 	double a, b;
@@ -59,7 +59,7 @@ static bool is_of_b(uint8_t paint)
 	return class == PAINT_B || class == PAINT_CONTACT_B || class == PAINT_NEAR_B;
 }
 
-/* How well a small picture shows the contact: both bodies beside it, and nothing in front of it. */
+/* The quality of a small picture of the contact: both bodies beside it, and nothing in front of it. */
 static double score(const struct raster *raster)
 {
 	const int middle_x = raster->width / 2, middle_y = raster->height / 2, reach = raster->height / 5;
@@ -80,7 +80,7 @@ static double score(const struct raster *raster)
 	return 4 * fmin(near_a, near_b) + fmin(a, b) + 0.3 * (near_a + near_b);
 }
 
-/* Is the contact in front of whatever else is drawn at its place, give or take a little? */
+/* Is the contact in front of everything else at its position, to within a tolerance? */
 static bool sees_point(const struct stage *stage, const struct camera *camera, const struct raster *raster)
 {
 	const vec3 at = camera_project(camera, raster, stage->point);
@@ -108,22 +108,22 @@ struct camera camera_usual(void)
 }
 
 /*
- * People expect a view from the front, and from above the horizon, but not from the top. There a block shows its top
- * and two sides.
+ * People expect a view from the front, and from above the horizon, but not from the top. Such a view of a block shows
+ * its top and two sides.
  */
 static double familiar(int turn, int rise)
 {
 	return (rise == draft_rises[0] ? 1.2 : 1) * (turn <= 0 ? 1.1 : 1) * (turn % 90 ? 1.15 : 1);
 }
 
-/* A direction to look from, in degrees, and how well it shows the contact. */
+/* A viewing direction, in degrees, and how well it shows the contact. */
 struct candidate {
 	int turn, rise;
 	double score;
 };
 
 /*
- * Twelve turns at the usual height; the best of these also from the other heights; the best of all these in finer
+ * Twelve directions at the usual height; the best of these also at the other heights; the best of all these in finer
  * pictures, whose drafts are ROUGH times as fine.
  */
 enum { TURNS = 12, RISEN = 4, CANDIDATES = TURNS + (DRAFT_RISES - 1) * RISEN, JUDGED_FINELY = 6, ROUGH = 3 };
@@ -146,7 +146,7 @@ static void judge_all(const struct stage *stage, const struct draft *draft, stru
 	}
 }
 
-/* The best first; of equals the one that came first. */
+/* The best first; among equals the earliest one. */
 static void sort_candidates(struct candidate *candidates, int count)
 {
 	for (int i = 1; i < count; i++) {

@@ -12,7 +12,7 @@ void svg_areas_add(struct strbuf *out, const struct raster *raster, double toler
 		if (outlines.length) {
 			const uint32_t colour = paint_colour((uint8_t)paint);
 
-			/* The stroke closes the gaps that outlines of neighbours leave. */
+			/* The stroke closes gaps between the outlines of neighbours. */
 			strbuf_addf(out, "<path fill=\"#%06x\" stroke=\"#%06x\" d=\"%s\"/>\n", (unsigned)colour,
 				    (unsigned)colour, outlines.text);
 		}

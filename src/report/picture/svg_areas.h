@@ -5,7 +5,7 @@
 #include "base/strbuf.h"
 #include "report/picture/raster.h"
 
-/* Appends a <path> for each paint; `tolerance` and `least` as contours_add has them. */
+/* Appends a <path> for each paint; `tolerance` and `least` as for contours_add. */
 void svg_areas_add(struct strbuf *out, const struct raster *raster, double tolerance, int least);
 
 #endif

@@ -47,12 +47,12 @@ static void add_text(struct strbuf *row, const char *text)
 	strbuf_release(&clean);
 }
 
-/* The most bytes that put_integer writes: a sign, the digits of 64 bits, a point and a 0 before it. */
+/* The largest number of bytes that put_integer writes: a sign, the digits of 64 bits, a point and a 0 before it. */
 enum { INTEGER_BYTES = 24 };
 
 /*
- * Writes an integer with so many of its digits behind a point at `to`; returns where it ends. A large table has
- * millions of them, and printf takes ten times as long.
+ * Writes an integer with this many of its digits after a point at `to`; returns the end. A large table has millions of
+ * them, and printf takes ten times as long.
  */
 static char *put_integer(char *to, long long value, int places)
 {
@@ -72,8 +72,8 @@ static char *put_integer(char *to, long long value, int places)
 }
 
 /*
- * Texts are copied in blocks of so many bytes, which is faster than a call for each. They have as many bytes of room
- * behind them.
+ * Texts are copied in blocks of this many bytes, which is faster than a call for each. Each text has this much room
+ * after it.
  */
 enum { COPIED = 32 };
 
@@ -86,7 +86,7 @@ static void add_room(struct strbuf *text)
 	text->text[length] = '\0';
 }
 
-/* Writes a text at `to`, which has COPIED bytes more room than the text is long; returns where it ends. */
+/* Writes a text at `to`, which has COPIED bytes more room than the text is long; returns the end. */
 static inline char *put_text(char *to, const struct strbuf *text)
 {
 	for (size_t at = 0; at < text->length; at += COPIED)
@@ -110,7 +110,7 @@ static void set_text(struct strbuf *buf, const char *text)
 	strbuf_add(buf, text, strlen(text));
 }
 
-/* The fields with the names of the program and the file; as a rule they are those of the block before. */
+/* The fields with the names of the program and the file; usually they are those of the block before. */
 static const struct strbuf *names_of(struct table_names *names, const char *program, const char *file)
 {
 	if (is_text(&names->program, program) && is_text(&names->file, file))
@@ -124,7 +124,7 @@ static const struct strbuf *names_of(struct table_names *names, const char *prog
 	return &names->fields;
 }
 
-/* Writes a field with an integer at `to`; returns where it ends. */
+/* Writes a field with an integer at `to`; returns the end. */
 static char *put_integer_field(char *to, long long value)
 {
 	to = put_integer(to, value, 0);
@@ -132,7 +132,7 @@ static char *put_integer_field(char *to, long long value)
 	return to;
 }
 
-/* The fields that tell the program, the file, the line and the block. */
+/* The fields with the program, the file, the line and the block. */
 static void set_place(struct block_tables *tables, const char *program, const struct check_block *block)
 {
 	const struct strbuf *names = names_of(&tables->names, program, block->file);
@@ -145,7 +145,7 @@ static void set_place(struct block_tables *tables, const char *program, const st
 	place->length = (size_t)(to - place->text);
 }
 
-/* Writes what the rows of each pair have in common, once for the whole table. */
+/* Writes the common fields of the rows of each pair, once for the whole table. */
 static void name_pairs(struct block_tables *tables, const struct scene *scene)
 {
 	if (tables->pairs)
@@ -162,12 +162,11 @@ static void name_pairs(struct block_tables *tables, const struct scene *scene)
 	}
 }
 
-/* The most bytes of a clearance: a number that printf writes with "%.4f" has at most 309 digits before the point. */
+/* The largest number of bytes of a clearance: printf writes at most 309 digits before the point with "%.4f". */
 enum { CLEARANCE_BYTES = 320 };
 
 /*
- * Writes mm with four digits behind the point, rounded down, so that the printed number is proved, too; returns where
- * it ends.
+ * Writes mm with four digits after the point, rounded down, so that the printed number is proved, too; returns the end.
  */
 static char *put_rounded_down(char *to, double mm)
 {
@@ -194,7 +193,7 @@ static const struct strbuf *capped_end(struct block_tables *tables, struct pair_
 	return &fields->capped;
 }
 
-/* Writes a row at `to`, which has room for it; returns where it ends. */
+/* Writes a row at `to`, which has room for it; returns the end. */
 static char *put_clearance(char *to, struct block_tables *tables, const struct pair_clearance *least)
 {
 	struct pair_fields *fields = &tables->pairs[least->pair];
@@ -209,7 +208,7 @@ static char *put_clearance(char *to, struct block_tables *tables, const struct p
 	return to;
 }
 
-/* Rows are handed to the file when there are so many bytes of them. */
+/* Rows are written to the file when they have this many bytes. */
 enum { ROWS_KEPT = 1 << 11 };
 
 static void add_clearances(struct block_tables *tables, const struct scene *scene, const char *program,

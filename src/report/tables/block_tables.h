@@ -10,23 +10,23 @@
 #include "report/output.h"
 #include "scene/scene.h"
 
-/* A program and a file of it, and how both are written as fields of a table, the commas behind them included. */
+/* A program and a file of it, and both as fields of a table, including the commas after them. */
 struct table_names {
 	struct strbuf program, file, fields;
 };
 
-/* What the rows of one pair have in common. */
+/* The common fields of the rows of one pair. */
 struct pair_fields {
-	struct strbuf names;	/* of its bodies, the comma behind them included */
+	struct strbuf names;	/* of its bodies, including the comma after them */
 	struct strbuf capped;	/* the whole end of a row with the cap, from the names on; empty: not written yet */
 };
 
-/* All zero is none. */
+/* All zero: no tables. */
 struct block_tables {
 	struct output clearance, timing;
 	struct strbuf rows;	/* of clearances, not written yet */
-	struct strbuf row, place;	/* of the present row and block */
-	double cap;	/* mm: in the rows' ends that are written already */
+	struct strbuf row, place;	/* of the current row and block */
+	double cap;	/* mm: in the row ends that are written already */
 	struct table_names names;	/* of the last block */
 	struct pair_fields *pairs;	/* owned: of each pair of the scene; NULL: none written yet */
 	size_t pair_count;

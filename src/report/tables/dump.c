@@ -10,7 +10,7 @@ struct dump {
 	struct diag *diag;
 	const char *name;
 	struct strbuf row;
-	bool past_limit;	/* said once */
+	bool past_limit;	/* it was reported once */
 };
 
 static bool dump_header(struct dump *dump)
@@ -37,7 +37,7 @@ static double greatest_deviation(const struct span *span)
 
 static bool dump_step(struct dump *dump, const struct motion_step *step)
 {
-	/* Where a move goes nowhere, but the axes may be beside it. */
+	/* The path of the move has no length, but the axes may be beside it. */
 	if (!(step->seconds > 0))
 		return true;
 	strbuf_addf(&dump->row, "%ld\t%d\t%d", step->line, step->move, step->tool);

@@ -79,7 +79,7 @@ static void add_work(struct strbuf *out, const struct check_stats *stats, enum c
 		strbuf_addf(out, "  samples       %ld\n", stats->samples);
 }
 
-/* Shares of the wall time and s: below these, waiting for files and the scheduler is normal. */
+/* Shares of the wall time, and seconds: below these, waiting for files and the scheduler is normal. */
 #define PROCESSOR_SHARE 0.75
 #define WALL_LEAST 0.1
 

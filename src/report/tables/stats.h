@@ -9,12 +9,12 @@
 #include "check/check.h"
 #include "scene/scene.h"
 
-/* Sums over the programs of a run; all zero to begin with. */
+/* Sums over the programs of a run; all zero at the start. */
 struct run_stats {
 	size_t programs;
 	size_t clear, incomplete, accepted;	/* programs; accepted: with findings that do not fail the run */
 	long waived;	/* findings */
-	size_t pairs_required;	/* of the program that has most */
+	size_t pairs_required;	/* of the program that has the most */
 	struct check_stats check;
 	double seconds_load;	/* for machine, setup, meshes and pairs */
 	double seconds_wall, seconds_processor;	/* of the whole process, all threads */
@@ -25,8 +25,8 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 	       bool accepted);
 
 /*
- * Appends one line: blocks, pairs, times and the rate. If the processor was busy with something else for more than a
- * quarter of the time, the line says how much time it had for this process.
+ * Appends one line: blocks, pairs, times and the rate. If the processor was busy with other work for more than a
+ * quarter of the time, the line gives the time that it had for this process.
  */
 void stats_add_line(struct strbuf *out, const struct run_stats *sums, enum check_method method);
 

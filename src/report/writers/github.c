@@ -1,4 +1,4 @@
-/* github.c - findings as workflow commands, which GitHub shows beside the lines of a pull request. */
+/* github.c - findings as workflow commands, which GitHub shows at the lines of a pull request. */
 #include "report/writers/writers.h"
 
 #include "base/utf8.h"
@@ -86,7 +86,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 {
 	(void)run;
 	(void)items;
-	/* One notice for all waived findings: the ten items are needed for findings that fail. */
+	/* One notice for all waived findings: the ten permitted items are needed for findings that fail. */
 	if (end->sums->waived)
 		strbuf_addf(out, "::notice title=fivecheck::%ld waived (--waivers)\n", end->sums->waived);
 	if (end->left_out)
@@ -101,9 +101,9 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 }
 
 /*
- * A line "::error file=...,line=...,col=...,title=...::text" for each finding and each error, at most ten, since GitHub
- * shows no more of one step; then their remaining number. A "::notice" for each caution, at most ten as well. Source:
- * GitHub, "Workflow commands for GitHub Actions".
+ * A line "::error file=...,line=...,col=...,title=...::text" for each finding and each error, at most ten, because
+ * GitHub shows no more for one step; then the number of the others. A "::notice" for each caution, at most ten as well.
+ * Source: GitHub, "Workflow commands for GitHub Actions".
  */
 const struct report_writer github_writer = {
     .name = "github",

@@ -1,4 +1,4 @@
-/* junit.c - results as CI servers read those of unit tests: a test case for each program. */
+/* junit.c - results in the format of unit tests for CI servers: a test case for each program. */
 #include "report/writers/writers.h"
 
 #include <libxml/tree.h>
@@ -11,7 +11,7 @@
 #include "base/utf8.h"
 #include "report/writers/text.h"
 
-/* Makes text that XML 1.0 allows (section 2.2): no control characters but tab and line feed, no U+FFFE and U+FFFF. */
+/* Makes text that XML 1.0 permits (section 2.2): no control characters but tab and line feed, no U+FFFE and U+FFFF. */
 static char *xml_text(const char *text)
 {
 	struct strbuf clean = {0};
@@ -100,7 +100,7 @@ static void add_node(struct strbuf *out, xmlDoc *doc, xmlNode *node)
 	xmlBufferFree(buffer);
 }
 
-/* The seconds that the check took; they differ from run to run. */
+/* The seconds of the check; they differ from run to run. */
 static void set_time(xmlNode *testcase, const struct report_program *program)
 {
 	const struct check_stats *stats = program->verdict ? program->verdict->stats : NULL;
@@ -160,12 +160,12 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 }
 
 /*
- * One test suite. A program with findings has a failure, an incomplete one has an error. The message has the first
- * place, the text has all of them.
+ * One test suite. A program with findings has a failure, an incomplete one has an error. The message gives the first
+ * place, the text all of them.
  *
  * There is no published standard. The form is that of the schema of Jenkins' xUnit plugin (junit-10.xsd) with one
- * attribute more, "file", by which GitLab links to the program. The schema that Ant's users know wants the computer's
- * name and a time of day, which reports of the same input must not differ by.
+ * additional attribute, "file", with which GitLab links to the program. The schema known from Ant requires the
+ * computer's name and a time of day, but reports of the same input must be equal.
  */
 const struct report_writer junit_writer = {
 	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",

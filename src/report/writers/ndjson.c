@@ -166,7 +166,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	ndjson_finding(out, run->scene->machine, finding, style);
 }
 
-/* All cautions, or those alone that doubt what the verdict takes for granted. */
+/* All cautions, or only those that doubt an assumption of the verdict. */
 static json_t *cautions_of(const struct verdict *verdict, bool doubts_alone)
 {
 	json_t *array = json_array();
@@ -265,9 +265,9 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 }
 
 /*
- * The first line has the kind "header" and the number of this format. Then come findings as they are found, a line of
- * kind "program" after the findings of each program, and a last line of kind "summary": without it, the
- * file was cut short.
+ * The first line has the kind "header" and the number of this format. Findings follow as they are found, a line of kind
+ * "program" after the findings of each program, and a last line of kind "summary". Without the last line the file is
+ * incomplete.
  */
 const struct report_writer ndjson_writer = {
 	.name = "ndjson", .mark = "{\"kind\":\"header\"",

@@ -15,13 +15,13 @@ void ndjson_put_options(json_t *object, const struct report_run *run);
 /* The files with their SHA-256, or null where it is unknown, as an array of objects, which the caller releases. */
 json_t *ndjson_files(const struct report_file *files, size_t count);
 
-/* The keys of a limit that say which one it is, what was commanded, and with which offsets, added to the object. */
+/* The keys of a limit: which one it is, the commanded position, and the offsets; added to the object. */
 void ndjson_put_limit(json_t *object, const struct finding *finding);
 
 /* The cautions of a verdict (NULL: none) as an array of strings, which the caller releases. */
 json_t *ndjson_cautions(const struct verdict *verdict);
 
-/* Likewise those of them that doubt what the verdict takes for granted (verdict_caution_is_doubt). */
+/* The same for those that doubt an assumption of the verdict (verdict_caution_is_doubt). */
 json_t *ndjson_doubts(const struct verdict *verdict);
 
 /* Why the check of a program is incomplete, as an array of objects, which the caller releases. */
@@ -31,8 +31,8 @@ enum { NDJSON_FORMAT = 2 };
 
 /*
  * The finding as a JSON object, which the caller releases. Keys, in this order: kind file line column move fraction a b
- * axes time point clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is
- * an object in the order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of
+ * axes time point clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an
+ * object in the order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but the keys of
  * ndjson_put_limit. A finding that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason`
  * and `expires`. Bytes that are not UTF-8 become U+FFFD.
  */

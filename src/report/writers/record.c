@@ -18,7 +18,7 @@ static json_t *options_of(const struct report_run *run)
 	ndjson_put_options(object, run);
 	json_put(object, "fail_on_warnings", json_boolean(run->fail_on_warnings));
 	json_put(object, "shard", json_shard(run->shard, run->shards, run->options->shards > 0));
-	/* On another day other waivers have expired. */
+	/* On another day other waivers are expired. */
 	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
 	return object;
 }
@@ -38,7 +38,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	(void)style;
 }
 
-/* The number of blocks that are proved: 0 unless the program is clear. */
+/* The number of proved blocks: 0 unless the program is clear. */
 static long proved(const struct verdict *verdict)
 {
 	bool all = verdict && verdict->result == CHECK_CLEAR && verdict->options->method == CHECK_CERTIFIED;

@@ -1,4 +1,4 @@
-/* sarif.c - results as SARIF 2.1.0, which code hosts show beside the lines of a change. */
+/* sarif.c - results as SARIF 2.1.0, which code hosts show at the lines of a change. */
 #include "report/writers/writers.h"
 
 #include <string.h>
@@ -43,7 +43,7 @@ static json_t *rules_of(void)
 	return array;
 }
 
-/* Everything of the run up to its results, which follow one by one. */
+/* Everything of the run before its results, which follow one by one. */
 static void add_begin(struct strbuf *out, const struct report_run *run)
 {
 	json_t *tool = json_object(), *driver = json_object();
@@ -133,7 +133,7 @@ static void add_result(struct strbuf *out, int rule, struct finding_style style,
 	json_add_line(out, result);
 }
 
-/* NULL: the block stands in the program itself. */
+/* NULL: the block is in the program itself. */
 static json_t *callers_of(const struct finding *f)
 {
 	json_t *array = f->caller_count ? json_array() : NULL;
@@ -189,7 +189,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	strbuf_release(&block);
 }
 
-/* A column counts bytes; SARIF wants UTF-16 units, which the line itself tells. Without the line: no column. */
+/* A column counts bytes; SARIF requires UTF-16 units, which need the text of the line. Without the line: no column. */
 static json_t *location_of_error(const struct report_program *program, const struct report_error *error)
 {
 	const char *file = error->file ? error->file : program->name;

@@ -20,7 +20,7 @@ static void add_bodies(struct strbuf *out, const struct finding *f, const char *
 	add_body(out, f->b, f->link_b);
 }
 
-/* What the cutter does while it is too deep in the part. */
+/* The motion of the cutter while it is too deep in the part. */
 static const char *how_it_moves(const struct finding *f)
 {
 	switch (f->step_class) {
@@ -114,7 +114,7 @@ static void add_origin(struct strbuf *out, const struct finding *f)
 		strbuf_addf(out, ", no tool length");
 }
 
-/* Of a finding with the stock: does it hold for all that can be left? */
+/* For a finding with the stock: is it certain for every stock that may remain? */
 static const char *certainty(const struct finding *f)
 {
 	return f->certain ? "certain: they meet in this block where no cutter has been"
@@ -320,7 +320,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 		    const struct strbuf *items)
 {
 	(void)items;
-	/* Statistics of an incomplete check would say nothing. */
+	/* Statistics of an incomplete check would be meaningless. */
 	if (run->quiet || end->status > 1)
 		return;
 	if (run->stats)

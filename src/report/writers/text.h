@@ -10,11 +10,11 @@
 #include "report/report.h"
 #include "report/verdict.h"
 
-/* Appends the message alone: "head (Z) meets table (C)". */
+/* Appends the message only: "head (Z) meets table (C)". */
 void text_message(struct strbuf *out, const struct finding *finding);
 
 /*
- * Appends the message and, of a limit, what was commanded and with which offsets, and of a finding with the stock
+ * Appends the message and, for a limit, the commanded position and the offsets, and for a finding with the stock
  * whether it is certain: for reports that have no lines below the message.
  */
 void text_sentence(struct strbuf *out, const struct finding *finding);
@@ -23,8 +23,8 @@ void text_sentence(struct strbuf *out, const struct finding *finding);
 void text_headline(struct strbuf *out, const struct finding *finding, struct finding_style style);
 
 /*
- * Appends a finding: the headline, then indented lines with the block, the place in it, the time and the axes; for
- * bodies also the point and the distance; for a limit what was commanded; for a start-overlap the <pair> line that
+ * Appends a finding: the headline, then indented lines with the block, the position in it, the time and the axes; for
+ * bodies also the point and the distance; for a limit the commanded position; for a start-overlap the <pair> line that
  * would waive it.
  */
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,

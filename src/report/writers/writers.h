@@ -1,4 +1,4 @@
-/* writers.h - the one list of output formats. A new format is a file in this folder and a line in this list. */
+/* writers.h - the list of all output formats. A new format needs a file in this folder and a line in this list. */
 #ifndef FIVECHECK_REPORT_WRITERS_WRITERS_H
 #define FIVECHECK_REPORT_WRITERS_WRITERS_H
 
@@ -15,7 +15,7 @@
 	X(SARIF, sarif) \
 	X(GITHUB, github)
 
-/* Written by --record, which is an option of its own. */
+/* Written by --record, which is a separate option. */
 #define RECORD_WRITERS(X) X(RECORD, record)
 
 #define WRITER_FORMAT(upper, lower) FORMAT_##upper,
@@ -36,7 +36,7 @@ RECORD_WRITERS(WRITER_DECLARATION)
 /* Indexed by enum report_format. */
 extern const struct report_writer *const report_writers[FORMAT_COUNT];
 
-/* What --format accepts; ends in NULL. */
+/* The values that --format accepts; ends in NULL. */
 extern const char *const writer_names[];
 
 #endif
