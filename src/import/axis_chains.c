@@ -99,7 +99,7 @@ vec3 axis_chains_direction(int slot, bool carries_work)
 	return units[slot % 3];
 }
 
-/* Adds the axes of a chain to the base. Returns the link at its end. */
+/* Adds the axes of a chain to the base. Returns the link at the end of the chain. */
 static int hang(struct machine_description *d, const struct axis_description *axes, const char *letters)
 {
 	int link = 0;

@@ -41,30 +41,30 @@ static bool fault(const struct reading *r, const char *what)
 
 /* ----------------------------------------------------------- kinematics */
 
-/* Where rotary axes are, and how what they carry turns for a positive value. */
+/* The places of rotary axes, and the direction of rotation of the bodies that they carry for a positive value. */
 enum { ROTARY_MAX = 3 };
 
 struct rotary {
 	char letter;
 	vec3 direction;
-	const char *pins[3];	/* their sum, and the next row's, is the location; or NULL */
+	const char *pins[3];	/* their sum, with that of the next row, is the location; or NULL */
 	const char *more[3];
-	bool turned;	/* it turns the other way if the pin conventional-directions is set */
-	bool nutating;	/* the pin nut-angle tilts it from Z towards `direction` */
+	bool turned;	/* the direction is reversed if the pin conventional-directions is set */
+	bool nutating;	/* the pin nut-angle tilts it from Z toward `direction` */
 };
 
 /*
- * The work follows the rotary axes of the trt modules: p = Rz(-c) (Rx(-a) (q - a0) + a0 ...), so that the table turns
- * with a positive sense, as long as conventional-directions is not set. xyzab_tdr_kins has p = Rx(a) (Ry(b) q - dz) +
- * dz, so that B carries A, and both turn with a negative sense. The head of 5axiskins points to (sin b cos c, sin b
- * sin c, -cos b), that of maxkins to (sin b, 0, -cos b), or to (-sin b, 0, -cos b) with conventional-directions; its
- * table has p = Rz(c) q. xyzacb_trsrn has p = Rx(a) t, and t = q + c0 - Rz(c) (c0 - b0 + R(b) b0): its table turns
- * with a negative sense, its head with a positive one, about Z through c0 and about (0, sin nut-angle, cos nut-angle)
- * through b0; xyzbca_trsrn has the same with X and Y exchanged. Source: the sources of these modules of LinuxCNC.
+ * The work follows the rotary axes of the trt modules: p = Rz(-c) (Rx(-a) (q - a0) + a0 ...), so the table rotates in
+ * the positive direction, unless conventional-directions is set. xyzab_tdr_kins has p = Rx(a) (Ry(b) q - dz) + dz, so B
+ * carries A, and both rotate in the negative direction. The head of 5axiskins points to (sin b cos c, sin b sin c, -cos
+ * b), that of maxkins to (sin b, 0, -cos b), or to (-sin b, 0, -cos b) with conventional-directions; its table has p =
+ * Rz(c) q. xyzacb_trsrn has p = Rx(a) t, and t = q + c0 - Rz(c) (c0 - b0 + R(b) b0): its table rotates in the negative
+ * direction, its head in the positive one, about Z through c0 and about (0, sin nut-angle, cos nut-angle) through b0;
+ * xyzbca_trsrn has the same with X and Y exchanged. Source: the sources of these modules of LinuxCNC.
  */
 static const struct module {
 	const char *name;
-	const char *pins;	/* what the names of its pins begin with, if it is not its own name; or NULL */
+	const char *pins;	/* the beginning of the names of its pins, if it is not its own name; or NULL */
 	const char *table, *head;	/* letters of the rotary axes, from the base on */
 	struct rotary rotary[ROTARY_MAX];
 	double pivot;	/* mm or inch: the default of pivot-length; 0: it has none */
@@ -129,7 +129,7 @@ static bool find_module(const struct reading *r, const struct module **module)
 	return false;
 }
 
-/* The value of a pin of the module; *value is its default. False: reported. */
+/* The value of a pin of the module; *value has its default. False: reported. */
 static bool read_pin(struct reading *r, const struct module *module, const char *pin, bool bit, double *value)
 {
 	struct strbuf name = {0};
@@ -192,7 +192,7 @@ static bool locate(struct reading *r, const struct module *module, const struct 
 
 /* ----------------------------------------------------------------- axes */
 
-/* Adds the letters of a text to the joints: blanks count for nothing. False: one is no axis. */
+/* Adds the letters of a text to the joints; blanks are ignored. False: one is not an axis. */
 static bool take_letters(struct reading *r, const char *text, size_t length)
 {
 	size_t joints = 0, axes = 0;
@@ -211,7 +211,7 @@ static bool take_letters(struct reading *r, const char *text, size_t length)
 	return joints > 0;
 }
 
-/* coordinates= of the kinematics module says which joint moves which axis, else [TRAJ]COORDINATES. */
+/* The axis of each joint, from coordinates= of the kinematics module, else from [TRAJ]COORDINATES. */
 static bool find_joints(struct reading *r)
 {
 	static const char word[] = "coordinates=";
@@ -229,7 +229,7 @@ static bool find_joints(struct reading *r)
 	       fault(r, "neither coordinates= of [KINS]KINEMATICS nor COORDINATES of [TRAJ] names the axes");
 }
 
-/* What [JOINT_n] of each joint of the axis, or [AXIS_L], says; the narrower of several travels. */
+/* Reads [JOINT_n] of each joint of the axis, or [AXIS_L]; of several travels the narrowest is used. */
 static bool read_travel(struct reading *r, const char *section, double scale, struct axis_description *axis)
 {
 	double least = -INFINITY, most = INFINITY, rate = 0, home = NAN;
@@ -242,7 +242,7 @@ static bool read_travel(struct reading *r, const char *section, double scale, st
 	axis->limit_min = fmax(axis->limit_min, scale * least);
 	axis->limit_max = fmin(axis->limit_max, scale * most);
 	rate *= 60 * (axis->rotary ? 1 : scale);
-	/* Some files have a rate that stands for none. */
+	/* Some files use a very high rate for none. */
 	if (rate > 0 && rate < 1e9 && (!(axis->rate_max > 0) || rate < axis->rate_max))
 		axis->rate_max = rate;
 	if (!isnan(home) && !axis->home.given && fabs(home) > 0)
@@ -250,7 +250,7 @@ static bool read_travel(struct reading *r, const char *section, double scale, st
 	return true;
 }
 
-/* A linear axis without an end never leaves its travel, so that no position is refused. */
+/* A linear axis without limits never leaves its travel, so no position is rejected. */
 static void warn_endless(struct reading *r, char letter)
 {
 	import_machine_todo(r->machine, "Add limit_min and limit_max of the axis %c.", letter);
@@ -275,7 +275,7 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 		joint = joint || ini_file_text(&r->ini, strbuf_text(&section), "MAX_LIMIT");
 		good = read_travel(r, strbuf_text(&section), scale, axis);
 	}
-	/* Where joints are not axes, the travel of an axis is that of the point that is programmed. */
+	/* If joints are not axes, the travel of an axis is that of the programmed point. */
 	strbuf_clear(&section);
 	strbuf_addf(&section, "AXIS_%c", letter);
 	if (good && (identity || !joint))
@@ -283,7 +283,7 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 	strbuf_release(&section);
 	if (good && axis->home.given)
 		axis->home.value = fmin(fmax(axis->home.value, axis->limit_min), axis->limit_max);
-	/* Axes without an end have limits that nobody reaches. */
+	/* Axes without limits have very large ones. */
 	if (axis->limit_min <= -linear_limit)
 		axis->limit_min = -INFINITY;
 	if (axis->limit_max >= linear_limit)
@@ -294,17 +294,17 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 			fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
 }
 
-/* The linear axes behind the rotary ones of a head. */
+/* The linear axes carried by the rotary ones of a head. */
 static void set_head_direction(struct reading *r, const struct module *module, char letter, vec3 *direction)
 {
 	const bool both = module->table[0] != '\0';
 
-	/* A quill moves along the tool, out for positive values. */
+	/* A quill moves along the tool, outward for positive values. */
 	if (letter == 'W')
 		*direction = (vec3){0, 0, -1};
 	if (!both || (letter != 'U' && letter != 'V'))
 		return;
-	/* maxkins takes both off the position of the tool. */
+	/* maxkins subtracts both from the position of the tool. */
 	*direction = letter == 'U' ? (vec3){-1, 0, 0} : (vec3){0, -1, 0};
 	if (letter == 'U')
 		diag_warning(r->diag, place(r),
@@ -341,7 +341,7 @@ static bool make_axis(struct reading *r, const struct module *module, char lette
 
 /* ---------------------------------------------------------------- chain */
 
-/* The axes that carry the work: the user's, else those that the module knows. */
+/* The axes that carry the work: those of the user, else those that the module defines. */
 static bool find_table(const struct reading *r, const struct module *module, struct axis_letters *table)
 {
 	if (!axis_letters_read(table, "table", r->options->table, r->order, r->diag))
@@ -412,7 +412,7 @@ static bool find_unit(struct reading *r)
 		r->unit = MM_PER_INCH;
 		return true;
 	}
-	/* A number is the count of units in a millimetre. */
+	/* A number is the number of units in a millimetre. */
 	if (!decimal_read(text, strcspn(text, " \t"), &value) || !(value > 1e-3 && value < 1e3))
 		return fault(r, "LINEAR_UNITS of [TRAJ] must be mm or inch");
 	r->unit = 1 / value;

@@ -9,7 +9,7 @@
 #include "machine/library/library_file.h"
 #include "machine/library/vericut_text.h"
 
-/* What stands between the start of an XML file and its root element is short. */
+/* The text between the start of an XML file and its root element is short. */
 #define HEAD_MAX 4096
 
 static const struct {
@@ -24,11 +24,11 @@ static const struct {
 
 static const char *skip_space(const char *at)
 {
-	/* A byte order mark may come first. */
+	/* The file may begin with a byte order mark. */
 	return at + strspn(at, " \t\r\n\xef\xbb\xbf");
 }
 
-/* The name of the first element, or NULL. Declarations and comments before it are passed over. */
+/* The name of the first element, or NULL. Skips declarations and comments before it. */
 static const char *root_name(const char *text)
 {
 	const char *at = skip_space(text);
@@ -40,7 +40,7 @@ static const char *root_name(const char *text)
 	return at && *at == '<' ? at + 1 : NULL;
 }
 
-/* Is the root element of the XML file the one of this name? */
+/* Does the root element of the XML file have this name? */
 static bool is_root(const char *text, const char *name)
 {
 	const char *root = root_name(text);
@@ -54,7 +54,7 @@ static bool is_root(const char *text, const char *name)
 	return !strncmp(root, name, length) && root[length] && strchr(" \t\r\n/>", root[length]);
 }
 
-/* Is the line the name of a section, such as [DISPLAY]? No JSON begins so. */
+/* Is the line the name of a section, such as [DISPLAY]? JSON does not begin like this. */
 static bool is_section(const char *line)
 {
 	size_t name = line[0] == '[' ? strspn(line + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
@@ -62,7 +62,7 @@ static bool is_section(const char *line)
 	return name && line[1 + name] == ']';
 }
 
-/* The first line of an ini file that says something is a section, or takes in a file that has some. */
+/* In an ini file the first line with content is a section, or includes a file with sections. */
 static bool is_ini(const char *text)
 {
 	const char *line = skip_space(text);
@@ -82,7 +82,7 @@ static bool ends_with(const char *path, const char *end)
 	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
 }
 
-/* A machine of FreeCAD's CAM workbench: JSON, as tool libraries are. */
+/* A machine of FreeCAD's CAM workbench: JSON, like tool libraries. */
 static bool is_freecad(const char *path, const char *text)
 {
 	return *skip_space(text) == '{' && (ends_with(path, ".fcm") || strstr(text, "\"freecad_version\"")) &&
@@ -120,12 +120,12 @@ static const char *own_advice(const char *text)
 	return NULL;
 }
 
-/* What is known of a file that cannot be imported, so that its owner knows what to do. */
+/* Advice for a file that cannot be imported. */
 static const char *advice(const char *path, const struct file_bytes *file)
 {
 	const char *text = file->bytes;
 
-	/* Also if there is white space alone. */
+	/* Also for a file of white space only. */
 	if (skip_space(text) == text + file->count)
 		return "this file is empty";
 	if (own_advice(text))

@@ -1,4 +1,4 @@
-/* file_kind.h - tells by its content what a file of another program is. */
+/* file_kind.h - determines the kind of a file of another program by its content. */
 #ifndef FIVECHECK_IMPORT_FILE_KIND_H
 #define FIVECHECK_IMPORT_FILE_KIND_H
 
@@ -17,7 +17,7 @@ enum file_kind {
 	FILE_TOOLS	/* what machine/library/library_file.h reads */
 };
 
-/* False, reported: the file cannot be read, or is none of these. */
+/* False, reported: the file cannot be read, or is of none of these kinds. */
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag);
 
 #endif

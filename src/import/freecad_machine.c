@@ -12,7 +12,7 @@
 #include "import/axis_chains.h"
 #include "machine/library/json_file.h"
 
-/* FreeCAD takes a vector shorter than this for none, and one with more than this along Z for an axis along Z. */
+/* FreeCAD ignores a shorter vector, and treats one with a larger part along Z as an axis along Z. */
 #define SHORTEST 1e-6
 #define ALONG_Z 0.9
 
@@ -55,7 +55,7 @@ static bool fault(const struct reading *r, const char *format, ...)
 	return false;
 }
 
-/* Notes something to be done by hand, and says it at once. */
+/* Notes a task for the user, and reports it at once. */
 static void warn(struct reading *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void warn(struct reading *r, const char *format, ...)
@@ -98,7 +98,7 @@ static bool is_none(vec3 v)
 
 /*
  * "joint" is {"origin": [], "axis": []}, or two vectors: the first versions of FreeCAD write the direction of a linear
- * axis first, later ones last. A joint of two vectors, neither of them 0, of a linear axis is therefore refused.
+ * axis first, later ones last. Therefore a joint of a linear axis with two vectors other than 0 is rejected.
  */
 static bool read_joint(const struct reading *r, const json_t *data, char letter, struct axis_description *axis)
 {
@@ -123,7 +123,7 @@ static bool read_joint(const struct reading *r, const json_t *data, char letter,
 	return true;
 }
 
-/* "limits" has the travel, and in files of the first versions the axis itself. */
+/* "limits" contains the travel, and in files of the first versions the axis itself. */
 static bool read_travel(struct reading *r, const json_t *data, char letter, struct axis_description *axis)
 {
 	const double scale = axis->rotary ? radians(1) : r->unit;
@@ -184,7 +184,7 @@ static bool read_parent(const struct reading *r, const json_t *data, char letter
 
 /* ------------------------------------------------------------------- axes */
 
-/* The letters first, so that a parent may stand behind its child. */
+/* Reads the letters first, because a parent may come after its child. */
 static bool read_letters(struct reading *r, const json_t *axes)
 {
 	static const char usual[] = "XYZABCUVW";
@@ -204,7 +204,9 @@ static bool read_letters(struct reading *r, const json_t *axes)
 	return *r->letters.text || fault(r, "the machine has no axes");
 }
 
-/* Controls count X, Y and Z towards their letter: a direction against it is a mirrored machine, or another meaning. */
+/*
+ * Controls count X, Y and Z toward their letter: an opposite direction is a mirrored machine, or has another meaning.
+ */
 static bool judge_direction(const struct reading *r, char letter, const struct axis_description *axis)
 {
 	if (axis->rotary || axis->slot > SLOT_Z ||
@@ -248,13 +250,13 @@ static struct freecad_axis *axis_of(struct reading *r, char letter)
 	return &r->axes[slot_of_letter(letter)];
 }
 
-/* FreeCAD computes with a table whose axis along Z stands on the one across Z. */
+/* FreeCAD computes with a table whose axis along Z is carried by the one perpendicular to Z. */
 static bool is_along_z(const struct axis_description *axis)
 {
 	return fabs(vec3_unit(axis->direction).z) > ALONG_Z;
 }
 
-/* The turn of an axis among those without a parent. */
+/* The position of an axis among those without a parent. */
 static int turn_of(const struct freecad_axis *axis, enum side side)
 {
 	if (!axis->axis.rotary)
@@ -262,7 +264,7 @@ static int turn_of(const struct freecad_axis *axis, enum side side)
 	return side == SIDE_TABLE && is_along_z(&axis->axis) ? 2 : 1;
 }
 
-/* The next axis of the side: its parent is placed. 0: none is left, or all that are left wait for another. */
+/* The next axis of the side: its parent is placed. 0: none remains, or all that remain wait for another. */
 static char next_axis(struct reading *r, enum side side)
 {
 	for (int turn = 0; turn < 4; turn++)
@@ -313,7 +315,7 @@ static bool table_agrees(struct reading *r, const char *table)
 	return true;
 }
 
-/* The sides of all axes: the user's, else their roles. */
+/* The sides of all axes: those of the user, else from their roles. */
 static bool find_sides(struct reading *r)
 {
 	struct axis_letters asked;
@@ -348,7 +350,7 @@ static bool find_head(struct reading *r, const char *table, struct axis_letters 
 
 	if (r->options->head || r->options->table)
 		return axis_letters_head(head, r->options->head, r->letters.text, table, place(r), r->diag);
-	/* Several rotary axes are refused by the first, and parents are heeded by the second. */
+	/* The first call rejects several rotary axes; the second takes parents into account. */
 	if (!axis_letters_head(&usual, NULL, r->letters.text, table, place(r), r->diag) ||
 	    !order_side(r, SIDE_HEAD, &ordered))
 		return false;
@@ -418,7 +420,7 @@ static bool read_tool(struct reading *r, const json_t *data)
 	return true;
 }
 
-/* The frame of the base moves all axes alike, so that nothing that is checked depends on it. */
+/* The frame of the base moves all axes in the same way, so no check depends on it. */
 static bool judge_base(struct reading *r, const json_t *data)
 {
 	const json_t *frame = json_object_get(json_object_get(data, "kinematics"), "base_frame");
@@ -435,7 +437,10 @@ static void take_control(struct reading *r, const json_t *root)
 {
 	const char *post = json_string_value(json_object_get(json_object_get(root, "postprocessor"), "file_name"));
 
-	/* The name of a post-processor is a good guess; the comment of the machine file still asks. */
+	/*
+	 * The name of a post-processor is a good guess; a comment of the machine file still asks the user to confirm
+	 * it.
+	 */
 	for (int i = 0; post && dialect_names[i]; i++)
 		if (!strcmp(post, dialect_names[i]))
 			r->machine->description.controller.told.dialect = i;

@@ -9,11 +9,11 @@
 #include "import/import.h"
 
 /*
- * The role of an axis says whether it carries the work or the tool; files of the first versions have none, and then
- * options->table does. A linear axis counts the tool relative to the work; a rotary axis turns what it carries about
- * its vector, as FreeCAD computes. Of two rotary axes on one side, FreeCAD's "parent" contradicts in its own machines
- * what it computes: the order is taken where both agree, else options->table and options->head have to say it. Such a
- * file names no body. False: reported.
+ * The role of an axis shows whether it carries the work or the tool; files of the first versions have no roles, and
+ * then options->table is needed. A linear axis counts the tool relative to the work; a rotary axis rotates the bodies
+ * that it carries about its vector, as FreeCAD computes. For two rotary axes on one side, FreeCAD's "parent"
+ * contradicts its computation in its own machines: the order is used if both agree, else options->table and
+ * options->head must give it. Such a file has no bodies. False: reported.
  */
 bool freecad_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
 			  struct diag *diag);

@@ -142,7 +142,7 @@ static bool connects(const struct hal_command *command, const char *pin)
 	return false;
 }
 
-/* The last command of this name about this pin or signal, or NULL. */
+/* The last command with this name for this pin or signal, or NULL. */
 static const struct hal_command *last(const struct hal_values *hal, const char *name, const char *what)
 {
 	for (size_t i = hal->count; i > 0; i--)

@@ -19,8 +19,8 @@ struct hal_values {
 };
 
 /*
- * Reads the commands of [HAL]HALCMD and of the files of [HAL]HALFILE beside the ini file. Files of LIB: come with the
- * control and say nothing about the machine: they are left out. False, reported: a file cannot be read. Release it in
+ * Reads the commands of [HAL]HALCMD and of the files of [HAL]HALFILE beside the ini file. Files of LIB: belong to the
+ * control and do not describe the machine: they are left out. False, reported: a file cannot be read. Release it in
  * either case.
  */
 bool hal_values_read(struct hal_values *hal, const struct ini_file *ini, struct diag *diag);
@@ -34,8 +34,8 @@ enum hal_found {
 };
 
 /*
- * The value that setp gives to the pin, or sets to its signal. *value stays as it is unless it is HAL_SET. A pin that
- * is a bit may be TRUE (1) or FALSE (0), too.
+ * The value that setp gives to the pin, or sets to its signal. *value is not changed unless the result is HAL_SET. For
+ * a bit, the value may also be TRUE (1) or FALSE (0).
  */
 enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, bool bit, double *value);
 

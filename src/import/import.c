@@ -10,7 +10,7 @@
 #include "base/strbuf.h"
 #include "machine/body.h"
 
-/* A longer name is cut: it would only make messages hard to read. */
+/* A longer name is shortened: it would only make messages hard to read. */
 #define NAME_MAX_BYTES 60
 
 void import_machine_release(struct import_machine *machine)
@@ -40,7 +40,7 @@ void import_machine_todo(struct import_machine *machine, const char *format, ...
 
 /* ------------------------------------------------------------------- names */
 
-/* Names of bodies become names of files, and some file systems do not tell upper from lower case. */
+/* Names of bodies become file names, and some file systems do not distinguish upper and lower case. */
 static bool is_taken(const struct import_machine *machine, const char *name)
 {
 	for (; machine; machine = machine->beside)
@@ -50,7 +50,7 @@ static bool is_taken(const struct import_machine *machine, const char *name)
 	return false;
 }
 
-/* Appends letters, digits and what joins them; every other run of characters becomes one '_'. */
+/* Appends letters, digits and the characters that join them; every other run of characters becomes one '_'. */
 static void add_plain(struct strbuf *out, const char *text)
 {
 	bool joined = false;

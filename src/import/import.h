@@ -1,5 +1,6 @@
 /*
- * import.h - what a file of another program says of a machine and its setup, before it is written as fivecheck's own.
+ * import.h - the contents of a file of another program, a machine and its setup, before they are written as fivecheck's
+ * files.
  */
 #ifndef FIVECHECK_IMPORT_IMPORT_H
 #define FIVECHECK_IMPORT_IMPORT_H
@@ -12,51 +13,51 @@
 #include "geom/mesh.h"
 #include "machine/description.h"
 
-/* More things to do by hand than a reader notes. */
+/* More tasks for the user than a reader notes. */
 enum { IMPORT_TODO_MAX = 24 };
 
 /*
  * A reader fills in the description as the reader of machine.xml would: lengths in mm, angles in radians, everything in
- * machine coordinates with every axis at 0. The paths of the bodies' meshes are those that the meshes will have beside
- * machine.xml; `meshes` has their triangles, in mm.
+ * machine coordinates with every axis at 0. The paths of the bodies' meshes are the ones that the meshes will have
+ * beside machine.xml; `meshes` has their triangles, in mm.
  */
 struct import_machine {
 	struct machine_description description;
 	struct mesh *meshes;	/* the n-th belongs to the n-th body; owned */
 	size_t mesh_capacity, body_capacity, pair_capacity;
-	bool dialect_known, rapid_known;	/* else the file says nothing of it */
+	bool dialect_known, rapid_known;	/* else the file does not contain it */
 	const char *tool_name, *work_name;	/* of the components that carry tools and the work; or NULL */
 	const struct import_machine *beside;	/* whose bodies must have other names; or NULL */
 	const char *folder;	/* of the meshes, beside the file; NULL: stl */
-	size_t left_out;	/* bodies whose meshes are not there */
-	const char *todo[IMPORT_TODO_MAX];	/* what has to be done by hand, for comments of the machine file */
+	size_t left_out;	/* bodies whose meshes are missing */
+	const char *todo[IMPORT_TODO_MAX];	/* tasks for the user, for comments of the machine file */
 	size_t todo_count;
 };
 
 /* All zero is an empty machine. */
 void import_machine_release(struct import_machine *machine);
 
-/* What the user decides about a file. */
+/* The decisions of the user about a file. */
 struct import_options {
 	const char *meshes;	/* a folder in which meshes are searched first; or NULL */
-	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
+	bool skip_missing;	/* leave out bodies whose meshes are missing, with a warning each */
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 	const char *head;	/* of those that carry the tool; or NULL: not given */
-	const char *device;	/* name, uuid or id of the device to take, where there are several; or NULL */
+	const char *device;	/* name, uuid or id of the device to use, if there are several; or NULL */
 };
 
 /*
  * Adds a body whose mesh the machine takes over. Its name is made from `wanted`; if that name is taken or empty,
- * `otherwise` stands before it, and then a number after it. Returns the body; it is valid until the next one is added.
+ * `otherwise` is put before it, and then a number after it. Returns the body; it is valid until the next one is added.
  */
 struct body_description *import_machine_add_body(struct import_machine *machine, const char *wanted,
 						 const char *otherwise, int link, const xform *frame,
 						 struct mesh *mesh);
 
-/* Adds a pair that is always checked; a pair that is there already keeps the greater clearance. */
+/* Adds a pair that is always checked; an existing pair keeps the larger clearance. */
 void import_machine_add_pair(struct import_machine *machine, const char *a, const char *b, double clearance);
 
-/* Notes what has to be done by hand, as a printf does; notes beyond IMPORT_TODO_MAX are left out. */
+/* Notes a task for the user, like printf; notes beyond IMPORT_TODO_MAX are left out. */
 void import_machine_todo(struct import_machine *machine, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

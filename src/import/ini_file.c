@@ -11,7 +11,7 @@
 #include "base/mem.h"
 #include "base/strbuf.h"
 
-/* Files that include each other end here. */
+/* Files that include each other end at this depth. */
 enum { INCLUDE_DEPTH = 4 };
 static const char include[] = "#INCLUDE ";
 
@@ -36,7 +36,7 @@ const char *ini_file_beside(struct arena *arena, const char *path, const char *n
 	return kept;
 }
 
-/* The text between two places, without blanks around it, in the arena. */
+/* The text between two positions, without blanks around it, in the arena. */
 static const char *trimmed(struct arena *arena, const char *from, const char *to)
 {
 	char *copy;
@@ -117,7 +117,7 @@ static bool read_line(struct reading *r, const char *line, size_t length)
 	return true;
 }
 
-/* A line whose last character is a backslash goes on in the next one; *lines says how often. */
+/* A line whose last character is a backslash continues in the next one; *lines counts the lines. */
 static size_t line_length(const char *text, long *lines)
 {
 	size_t length = strcspn(text, "\n");
@@ -184,7 +184,7 @@ bool ini_file_number(const struct ini_file *ini, const char *section, const char
 
 	if (!entry)
 		return true;
-	/* A comment may follow. */
+	/* A comment may follow the value. */
 	length = strcspn(entry->value, " \t#;");
 	if (length && decimal_read(entry->value, length, &number) && isfinite(number)) {
 		*value = number;

@@ -19,24 +19,24 @@ struct ini_file {
 	size_t count, capacity;
 };
 
-/* False, reported: it cannot be read, or a line is none of an ini file. Release it in either case. */
+/* False, reported: the file cannot be read, or a line is not one of an ini file. Release it in either case. */
 bool ini_file_read(struct ini_file *ini, const char *path, struct diag *diag);
 void ini_file_release(struct ini_file *ini);
 
-/* The first entry with this name behind `after` (NULL: from the first on), or NULL. */
+/* The first entry with this name after `after` (NULL: from the first entry on), or NULL. */
 const struct ini_entry *ini_file_next(const struct ini_file *ini, const struct ini_entry *after, const char *section,
 				      const char *key);
 
 /* The value of the first entry with this name, or NULL. */
 const char *ini_file_text(const struct ini_file *ini, const char *section, const char *key);
 
-/* A number; *value stays as it is if there is no such entry. False, reported: it is no number. */
+/* A number; *value is not changed if there is no such entry. False, reported: it is not a number. */
 bool ini_file_number(const struct ini_file *ini, const char *section, const char *key, double *value,
 		     struct diag *diag);
 
 /*
- * The path of the file that `path` names as `name`: in the folder of `path`, unless the name is absolute. In the
- * arena.
+ * The path of the file `name` that the file `path` refers to: in the folder of `path`, unless the name is absolute. In
+ * the arena.
  */
 const char *ini_file_beside(struct arena *arena, const char *path, const char *name);
 

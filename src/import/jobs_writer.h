@@ -5,10 +5,10 @@
 #include "base/strbuf.h"
 #include "import/import_project.h"
 
-/* The name of a setup's file, for messages and beside the job file. */
+/* The name of a setup's file, for messages and in the job file. */
 void jobs_writer_setup_name(struct strbuf *out, const struct import_project *project, size_t setup);
 
-/* Appends a job file with every setup that has programs. False: none has, and nothing was appended. */
+/* Appends a job file with every setup that has programs. False: no setup has programs, and nothing was appended. */
 bool jobs_writer_xml(struct strbuf *out, const struct import_project *project, const char *origin);
 
 #endif

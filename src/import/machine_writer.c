@@ -13,11 +13,11 @@
 #include "control/dialects.h"
 #include "geom/stl_bytes.h"
 
-/* Rates of a usual machining centre, mm and degrees a minute, where the file has none. Only times depend on them. */
+/* Rates of a usual machining centre, mm and degrees a minute, for files without rates. Only times depend on them. */
 #define LINEAR_RATE 30000.0
 #define ROTARY_RATE 7200.0
 
-/* A value below this, mm or degrees, is what rounding left of 0. */
+/* A value below this, mm or degrees, is the rounding of 0. */
 #define NOTHING 1e-9
 
 static double degrees(double radians)
@@ -25,7 +25,7 @@ static double degrees(double radians)
 	return radians * 180 / math_acos(-1);
 }
 
-/* Shows values that were meant to be round as such: the difference is far below any tolerance. */
+/* Rounds values that were meant to be round: the difference is far below any tolerance. */
 static double tidy(double value)
 {
 	double rounded = nearbyint(value * 1e6) / 1e6;
@@ -45,7 +45,7 @@ static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
 	strbuf_addf(out, " %s=\"%.15g %.15g %.15g\"", attribute, tidy(v.x), tidy(v.y), tidy(v.z));
 }
 
-/* Directions keep all their digits: an angle error grows with the distance. */
+/* Directions keep all their digits: the effect of an angle error grows with the distance. */
 static void add_direction(struct strbuf *out, vec3 v)
 {
 	const double parts[3] = {v.x, v.y, v.z};
@@ -59,11 +59,11 @@ static void add_direction(struct strbuf *out, vec3 v)
 /* fixed angles about X, Y and Z, degrees: R = Rz Ry Rx. */
 static vec3 fixed_angles(const mat3 *r)
 {
-	/* The columns' parts: r->x.z is the element in row 3, column 1. */
+	/* The elements of the columns: r->x.z is in row 3, column 1. */
 	double level = math_hypot(r->x.x, r->x.y);
 	vec3 angles = {0, degrees(math_atan2(-r->x.z, level)), 0};
 
-	/* Where Y is +-90 degrees, X and Z turn about the same line: Z takes all of it. */
+	/* If Y is +-90 degrees, X and Z rotate about the same line: Z gets the whole rotation. */
 	if (level < 1e-9) {
 		angles.z = degrees(math_atan2(-r->y.x, r->y.y));
 		return angles;
@@ -154,7 +154,7 @@ static void add_axis_tag(struct strbuf *out, const struct axis_description *axis
 
 static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth);
 
-/* The chain is at most nine axes deep. NOLINTNEXTLINE(misc-no-recursion) */
+/* The recursion is at most nine axes deep. NOLINTNEXTLINE(misc-no-recursion) */
 static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth)
 {
 	add_bodies(out, d, link, depth);
@@ -222,7 +222,7 @@ void machine_writer_todo(struct strbuf *out, const struct import_machine *machin
 	}
 }
 
-/* A machine file takes names of up to 200 bytes; a byte that is not UTF-8 becomes three. */
+/* A machine file permits names of up to 200 bytes; a byte that is not UTF-8 becomes three. */
 static void add_name(struct strbuf *out, const char *name)
 {
 	enum { NAME_MAX_BYTES = 200 };

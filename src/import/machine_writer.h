@@ -6,12 +6,12 @@
 #include "import/import.h"
 
 /*
- * Appends the XML. `origin` says in a comment what the file was made from. What the other program does not say is
- * marked with TODO, as `fivecheck init` does: the control, and rates that are missing.
+ * Appends the XML. `origin`: the source of the file, for a comment. Data that the other program does not have is marked
+ * with TODO, as by `fivecheck init`: the control, and rates that are missing.
  */
 void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin);
 
-/* Appends comments that say what has to be done by hand. */
+/* Appends comments with the tasks for the user. */
 void machine_writer_todo(struct strbuf *out, const struct import_machine *machine);
 
 /* Appends the attributes location, if it is needed or not 0, and rotation, if it is not 0. */

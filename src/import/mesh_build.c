@@ -5,9 +5,9 @@
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 
-/* mm: meshes farther away than this are drawn in another unit than was said. The same limit holds for XML files. */
+/* mm: meshes farther away than this are drawn in another unit than given. The same limit holds for XML files. */
 #define COORDINATE_MAX 1e7
-/* mm: how far facets may leave the round solid that they enclose. */
+/* mm: the largest deviation of facets from the round solid that they enclose. */
 #define FACET_DEVIATION 0.01
 enum { FACETS_MIN = 24, FACETS_MAX = 4096 };
 
@@ -51,7 +51,7 @@ static void add_quad(struct mesh_build *build, vec3 a, vec3 b, vec3 c, vec3 d)
 	mesh_build_add(build, second);
 }
 
-/* Has the solid room within the limit? A triangle that is left out would be a hole in it. */
+/* Is the size of the solid within the limit? A triangle that is left out would be a hole in it. */
 static bool is_within(const struct mesh_build *build, double size)
 {
 	return build->scale * size <= COORDINATE_MAX / 2;
@@ -74,7 +74,10 @@ bool mesh_build_block(struct mesh_build *build, vec3 size)
 	return true;
 }
 
-/* So many facets that a circle's circumscribed polygon leaves it by the deviation at most: r (1 / cos(pi / n) - 1). */
+/*
+ * The number of facets for which a circle's circumscribed polygon deviates by at most the deviation: r (1 / cos(pi / n)
+ * - 1).
+ */
 static int facets_of(double radius)
 {
 	const double pi = math_acos(-1);
@@ -92,7 +95,10 @@ bool mesh_build_frustum(struct mesh_build *build, double radius, double radius_e
 	const double step = 2 * math_acos(-1) / n, outer = 1 / math_cos(step / 2);
 
 	for (int i = 0; good && i < n; i++) {
-		/* The last facet ends at the very corner where the first begins: otherwise the mesh is open there. */
+		/*
+		 * The last facet ends exactly at the corner where the first one begins: otherwise the mesh would be
+		 * open there.
+		 */
 		const double a = step * i, b = step * ((i + 1) % n);
 		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0},
 			   to = {outer * math_cos(b), outer * math_sin(b), 0};
@@ -102,7 +108,7 @@ bool mesh_build_frustum(struct mesh_build *build, double radius, double radius_e
 
 		const vec3 side[3] = {low[2], low[1], high[2]}, other[3] = {low[2], high[2], high[1]};
 
-		/* An end of radius 0 is a point: what would have it twice is no triangle. */
+		/* An end of radius 0 is a point: a triangle with this point twice is left out. */
 		if (radius > 0) {
 			mesh_build_add(build, low);
 			mesh_build_add(build, side);

@@ -8,7 +8,7 @@
 #include "geom/mesh.h"
 #include "geom/vec3.h"
 
-/* All zero but for the scale, mm per unit of the corners, is empty. */
+/* All zero but for the scale (mm per unit of the corners) is an empty collection. */
 struct mesh_build {
 	double scale;
 	struct mesh mesh;
@@ -23,14 +23,14 @@ void mesh_build_finish(struct mesh_build *build, struct mesh *out);
 void mesh_build_discard(struct mesh_build *build);
 
 /*
- * The solids that machine files describe by sizes, mm. The block stands with a corner at 0; the others on 0, along Z.
+ * The solids that machine files describe by sizes, mm. The block has a corner at 0; the others stand on 0, along Z.
  * False, and nothing is added: a size is not finite, or beyond 10 km.
  */
 bool mesh_build_block(struct mesh_build *build, vec3 size);
 
 /*
- * A cylinder or a cone with the given radii at 0 and at `height`. Its facets enclose the true solid and leave it by
- * 0.01 mm at most.
+ * A cylinder or a cone with the given radii at 0 and at `height`. Its facets enclose the true solid and deviate from it
+ * by at most 0.01 mm.
  */
 bool mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height);
 

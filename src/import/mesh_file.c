@@ -23,7 +23,7 @@ static bool is_harmless(const char *part, size_t length)
 	return length > 0 && strncmp(part, ".", length) != 0 && strncmp(part, "..", length) != 0;
 }
 
-/* Appends the entry of the folder whose name is the part, whatever its case; the exact name is preferred. */
+/* Appends the entry of the folder with this name, in upper or lower case; the exact name is preferred. */
 static bool add_entry(struct strbuf *path, const char *part, size_t length)
 {
 	size_t before = path->length;
@@ -46,7 +46,7 @@ static bool add_entry(struct strbuf *path, const char *part, size_t length)
 	return found;
 }
 
-/* Is the relative path there, below what *path holds? */
+/* Does the relative path exist below *path? */
 static bool follow(struct strbuf *path, const char *relative)
 {
 	while (*relative) {

@@ -24,7 +24,7 @@ static bool fault(struct diag *diag, const char *path, const char *what)
 
 /* ------------------------------------------------------------- triangles */
 
-/* What is not finite, or too far away, is refused by mesh_build. */
+/* mesh_build rejects coordinates that are not finite, or too far away. */
 static bool read_triangle(FILE *in, bool y_up, vec3 corners[3])
 {
 	unsigned char bytes[36];
@@ -68,7 +68,7 @@ static bool read_part(struct mesh_parts *parts, const char *line, FILE *in, doub
 	return true;
 }
 
-/* What the program prints (src/mesh/main.c). */
+/* Reads the output of the program (src/mesh/main.c). */
 static bool read_output(struct mesh_parts *parts, const char *path, FILE *in, double scale, bool y_up,
 			struct diag *diag)
 {

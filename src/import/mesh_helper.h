@@ -1,4 +1,4 @@
-/* mesh_helper.h - reads meshes by the program fivecheck-mesh, which knows formats that the import does not. */
+/* mesh_helper.h - reads meshes with the program fivecheck-mesh, which reads formats that the import does not. */
 #ifndef FIVECHECK_IMPORT_MESH_HELPER_H
 #define FIVECHECK_IMPORT_MESH_HELPER_H
 
@@ -13,7 +13,7 @@ struct mesh_part {
 	struct mesh_build build;
 };
 
-/* All zero is empty. */
+/* All zero is an empty list. */
 struct mesh_parts {
 	struct mesh_part *items;	/* owned, with their triangles */
 	size_t count, capacity;

@@ -16,8 +16,8 @@ static const char program[] = "fivecheck-mesh";
 #endif
 
 /*
- * Bytes of memory, and seconds of processor time: more than any model of a machine takes. Sanitizers reserve terabytes
- * of addresses, of which they use little.
+ * Bytes of memory, and seconds of processor time: more than any model of a machine needs. Sanitizers reserve terabytes
+ * of addresses, most of which they do not use.
  */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer)
 #define MEMORY_MAX RLIM_INFINITY
@@ -26,7 +26,7 @@ static const char program[] = "fivecheck-mesh";
 #endif
 enum { SECONDS_MAX = 60 };
 
-/* The program stands beside this one (in a build), in libexec beside its folder, or is found as commands are. */
+/* The program is beside this one (in a build), in libexec beside its folder, or found like a command. */
 static void find_program(struct strbuf *name)
 {
 	static const char *const folders[] = {"", "../libexec/fivecheck/"};
@@ -52,7 +52,7 @@ static void limit(int resource, rlim_t most)
 	setrlimit(resource, &both);
 }
 
-/* In the child; it writes into the pipe and nowhere else. */
+/* In the child process, which writes only into the pipe. */
 static _Noreturn void run(const char *name, const char *path, int out)
 {
 	char *const arguments[] = {(char *)name, (char *)path, NULL};
@@ -68,7 +68,7 @@ static _Noreturn void run(const char *name, const char *path, int out)
 	_exit(127);
 }
 
-/* The end of a pipe that the program writes to, or NULL. */
+/* The read end of the pipe that the program writes to, or NULL. */
 static FILE *start(const char *name, const char *path, pid_t *child)
 {
 	FILE *in = NULL;

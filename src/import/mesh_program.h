@@ -1,6 +1,6 @@
 /*
- * mesh_program.h - starts the program fivecheck-mesh. WebAssembly has no processes: its build takes
- * src/wasi/mesh_program.c in place of mesh_program.c.
+ * mesh_program.h - starts the program fivecheck-mesh. WebAssembly has no processes: its build uses
+ * src/wasi/mesh_program.c instead of mesh_program.c.
  */
 #ifndef FIVECHECK_IMPORT_MESH_PROGRAM_H
 #define FIVECHECK_IMPORT_MESH_PROGRAM_H
@@ -16,7 +16,7 @@ struct mesh_program {
 /* Runs the program on the file, with a limit of time and memory. False: it cannot be started. */
 bool mesh_program_start(struct mesh_program *running, const char *path);
 
-/* Waits for its end, which a program that still prints does not delay. */
+/* Waits for its end; a program that still prints does not delay it. */
 void mesh_program_end(struct mesh_program *running);
 
 #endif

@@ -52,7 +52,7 @@ static bool has_item(const xmlNode *component, const char *type)
 	return false;
 }
 
-/* A control calls its spindles S; they tell a speed and no angle. */
+/* A control names its spindles S; they have a speed and no angle. */
 static bool is_spindle(const xmlNode *component)
 {
 	const char *native = foreign_attribute(component, "nativeName"), *name = foreign_attribute(component, "name");
@@ -66,7 +66,7 @@ static bool is_spindle(const xmlNode *component)
 	       (has_item(component, "ROTARY_VELOCITY") || has_item(component, "SPINDLE_SPEED"));
 }
 
-/* The letter of X, X1 and the like; 0: it is none. */
+/* The letter of X, X1 and the like; 0: the name is not one of an axis. */
 static char letter_of(const char *name)
 {
 	char letter;
@@ -127,7 +127,7 @@ static bool read_components(struct reading *r)
 
 /* ------------------------------------------------------------------- chains */
 
-/* The letter of the axis that carries the Motion; 0: the base does. False: reported. */
+/* The letter of the axis that carries the Motion; 0: the base carries it. False: reported. */
 static bool carrier(struct reading *r, const xmlNode *motion, char *letter)
 {
 	*letter = 0;
@@ -159,7 +159,7 @@ static void reverse(struct axis_letters *letters)
 	}
 }
 
-/* The axes from the base up to the one that carries the Motion. */
+/* The axes from the base to the one that carries the Motion. */
 static bool climb(struct reading *r, const xmlNode *motion, struct axis_letters *letters)
 {
 	char letter;
@@ -179,7 +179,7 @@ static bool climb(struct reading *r, const xmlNode *motion, struct axis_letters 
 	return true;
 }
 
-/* The axes that do not carry the tool must be one chain of their own: it carries the work. */
+/* The axes that do not carry the tool must be a single chain: it carries the work. */
 static bool find_work(struct reading *r, const char *head, struct axis_letters *table)
 {
 	struct axis_letters chain;
@@ -204,7 +204,7 @@ static bool find_work(struct reading *r, const char *head, struct axis_letters *
 				   "the work, from the base on, with --table=LETTERS");
 }
 
-/* An axis that carries another by its Motion must stand before it in the same chain. */
+/* An axis that carries another by its Motion must precede it in the same chain. */
 static bool judge_asked(struct reading *r, const char *letters)
 {
 	for (const char *at = letters; *at; at++) {
@@ -278,7 +278,7 @@ static bool take_motion(struct reading *r, struct mtconnect_axis *axis, bool car
 	       judge_direction(r, axis, carries_work);
 }
 
-/* Does the Motion say where it is? */
+/* Does the Motion define its place? */
 static bool has_place(const xmlNode *motion)
 {
 	return motion && (foreign_child(motion, "Origin") || foreign_child(motion, "OriginDataSet") ||
@@ -357,7 +357,7 @@ static bool build(struct reading *r)
 	if (r->spindle && r->spindles == 1) {
 		if (!mtconnect_line(&r->xml, r->device, r->spindle, &direction, NULL))
 			return false;
-		/* Z counts from the work to the spindle, the tool points the other way (ISO 841). */
+		/* Z counts from the work to the spindle; the tool points in the opposite direction (ISO 841). */
 		d->spindles[0].direction = vec3_scale(-1, direction);
 		import_machine_todo(r->machine, "Tools are taken to point against the Axis of the spindle's Motion: "
 						"compare it with the machine.");
@@ -385,7 +385,7 @@ static const char *name_of_device(const xmlNode *device)
 	return "";
 }
 
-/* Is it the device that the user asks for? Without a question each is. */
+/* Is it the device that the user selected? Without a selection every device is. */
 static bool is_asked_for(const struct reading *r, const xmlNode *device)
 {
 	static const char *const names[] = {"name", "uuid", "id"};
@@ -399,7 +399,7 @@ static bool is_asked_for(const struct reading *r, const xmlNode *device)
 	return !r->options->device;
 }
 
-/* The one device with axes that is asked for. False: reported, with the names of those that are there. */
+/* The only device with axes, or the selected one. False, reported with the names of the devices. */
 static bool find_device(struct reading *r)
 {
 	const xmlNode *devices = foreign_child(xml_root(&r->xml), "Devices");

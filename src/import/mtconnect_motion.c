@@ -7,10 +7,10 @@
 #include "base/units.h"
 #include "machine/xml/foreign_xml.h"
 
-/* mm, and of directions: a difference below this is what rounding left. */
+/* mm, and for directions: a smaller difference is rounding. */
 #define AGREE 1e-6
 
-/* No machine has a longer chain; a circle of parents does. */
+/* No machine has a longer chain; a cycle of parents has. */
 enum { CHAIN_MAX = 64 };
 
 const xmlNode *mtconnect_next(const xmlNode *root, const xmlNode *node)
@@ -87,7 +87,7 @@ static bool read_entries(struct xml_reader *xml, const xmlNode *node, const char
 	return true;
 }
 
-/* <Name>1 2 3</Name> or <NameDataSet>; *found: one of them is there. */
+/* <Name>1 2 3</Name> or <NameDataSet>; *found: one of them exists. */
 static bool read_three(struct xml_reader *xml, const xmlNode *parent, const char *name, const char *data_set,
 		       const char *keys, double values[3], bool *found)
 {
@@ -101,7 +101,7 @@ static bool read_three(struct xml_reader *xml, const xmlNode *parent, const char
 
 /* ------------------------------------------------------------------- frames */
 
-/* The order in which several angles of a Rotation follow each other is not said in the standard. */
+/* The standard does not define the order of several angles of a Rotation. */
 static bool read_rotation(struct xml_reader *xml, const xmlNode *transformation, mat3 *rotation)
 {
 	static const vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -124,7 +124,7 @@ static bool read_rotation(struct xml_reader *xml, const xmlNode *transformation,
 	return turned <= 1;
 }
 
-/* What the Motion says of its own place: an Origin in its coordinate system, or a Transformation. */
+/* The place that the Motion defines: an Origin in its coordinate system, or a Transformation. */
 static bool read_place(struct xml_reader *xml, const xmlNode *motion, xform *place)
 {
 	const xmlNode *transformation = foreign_child(motion, "Transformation");
@@ -146,7 +146,7 @@ static bool read_place(struct xml_reader *xml, const xmlNode *motion, xform *pla
 	return true;
 }
 
-/* The place of the Motion if every Transformation counts from the parent. */
+/* The place of the Motion if every Transformation is relative to the parent. */
 static bool chain_place(struct xml_reader *xml, const xmlNode *device, const xmlNode *motion, xform *place)
 {
 	*place = xform_identity();

@@ -24,7 +24,7 @@ static const struct unit rotary_rates[] = {{"DEGREE/SECOND", SECONDS_PER_MINUTE}
 					   {"REVOLUTION/MINUTE", 360},
 					   {NULL, 0}};
 
-/* False, reported: the unit is none of these. A document that leaves it out has the first one, as the standard says. */
+/* False, reported: the unit is none of these. According to the standard a document without a unit has the first one. */
 static bool read_unit(struct xml_reader *xml, const xmlNode *node, const struct unit *units, double *scale)
 {
 	const char *name = foreign_attribute(node, "units");
@@ -95,7 +95,7 @@ static bool read_specifications(struct xml_reader *xml, const xmlNode *node, str
 	return true;
 }
 
-/* Does the data item count in machine coordinates? */
+/* Is the data item in machine coordinates? */
 static bool is_machine_item(const xmlNode *device, const xmlNode *item)
 {
 	const char *name = foreign_attribute(item, "coordinateSystemIdRef"), *id;

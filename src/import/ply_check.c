@@ -8,9 +8,9 @@
 
 enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 32 };
 
-/* Bytes of a value; of a list, of its count and of each item. */
+/* Bytes of a value; for a list, bytes of its count and of each item. */
 struct ply_property {
-	size_t size, count_size;	/* count_size 0: no list */
+	size_t size, count_size;	/* count_size 0: it is not a list */
 };
 
 struct ply_element {
@@ -25,7 +25,7 @@ struct ply_header {
 	size_t element_count;
 };
 
-/* 0: no type of PLY. */
+/* 0: it is not a type of PLY. */
 static size_t size_of(const char *type)
 {
 	static const struct {
@@ -57,7 +57,7 @@ static bool read_property(struct ply_header *header, char *words[4], size_t coun
 	return property.size > 0;
 }
 
-/* One line of the header, cut into words. False: it is none, or there is too much. */
+/* One line of the header, divided into words. False: it is not a header line, or has too many words. */
 static bool read_header_line(struct ply_header *header, char *line)
 {
 	char *words[5] = {NULL}, *rest = NULL;
@@ -79,7 +79,7 @@ static bool read_header_line(struct ply_header *header, char *line)
 	return !strcmp(words[0], "property") && read_property(header, words + 1, count - 1);
 }
 
-/* What stands behind the header, or NULL. */
+/* The text after the header, or NULL. */
 static const char *read_header(struct ply_header *header, const char *bytes)
 {
 	char line[256];

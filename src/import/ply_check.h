@@ -1,4 +1,4 @@
-/* ply_check.h - is a PLY file complete? The library that reads it fills up what is missing. */
+/* ply_check.h - is a PLY file complete? The library that reads it fills in missing data. */
 #ifndef FIVECHECK_IMPORT_PLY_CHECK_H
 #define FIVECHECK_IMPORT_PLY_CHECK_H
 
@@ -6,7 +6,7 @@
 
 #include "base/diag.h"
 
-/* Does the file hold as many elements as its header says? False: reported. */
+/* Does the file have as many elements as its header says? False: reported. */
 bool ply_check(const char *path, struct diag *diag);
 
 #endif

@@ -7,7 +7,7 @@
 #include "base/xml_text.h"
 #include "import/machine_writer.h"
 
-/* Rounded to what a reader of the file can check, and so that the lengths of sections still add up. */
+/* Rounded to a precision that a reader of the file can check, and so that the lengths of sections still add up. */
 static double shown(double value)
 {
 	return nearbyint(value * 1e9) / 1e9;
@@ -80,7 +80,7 @@ static void add_axis_value(struct strbuf *out, int slot, double value)
 	add_number(out, letter, slot_is_rotary(slot) ? degrees(value) : value);
 }
 
-/* What a setup cannot take over without an answer stands in a comment. */
+/* Values that a setup cannot use without an answer of the user are written as a comment. */
 static void write_offset(struct strbuf *out, const struct length_offset_description *offset)
 {
 	bool doubtful = offset->d_of_control && offset->radius.given && fabs(offset->radius.value) > 0;

@@ -7,8 +7,8 @@
 #include "machine/description.h"
 
 /*
- * Appends a setup file with the tools and offsets of `tools`, and with the bodies and work offsets of `job` (NULL: they
- * are not known). `origin` says in a comment what it was made from.
+ * Appends a setup file with the tools and offsets of `tools`, and with the bodies and work offsets of `job` (NULL:
+ * unknown). `origin`: the source of the file, for a comment.
  */
 void setup_writer_xml(struct strbuf *out, const struct setup_description *tools, const struct import_setup *job,
 		      const char *origin);

@@ -20,7 +20,7 @@
 struct urdf_link {
 	const xmlNode *node;
 	const char *name;
-	const xmlNode *joint;	/* that carries it; NULL: it is the root */
+	const xmlNode *joint;	/* the joint that carries it; NULL: it is the root */
 	xform frame;	/* in machine coordinates with every axis at 0, mm */
 	int link;	/* of the machine */
 	bool placed;
@@ -49,7 +49,7 @@ static bool numbers_fault(struct reading *r, const xmlNode *node, const char *na
 	return false;
 }
 
-/* Numbers separated by blanks in an attribute; those that are absent stay. False: reported. */
+/* Numbers separated by blanks in an attribute; without the attribute they are not changed. False: reported. */
 static bool read_numbers(struct reading *r, const xmlNode *node, const char *name, size_t count, double *values)
 {
 	const char *text = node ? foreign_attribute(node, name) : NULL;
@@ -134,7 +134,7 @@ static bool read_links(struct reading *r)
 
 /* ----------------------------------------------------------------- axes */
 
-/* The letter of an axis that stands alone in the name; 0: there is none, or more than one. */
+/* The letter of an axis that is a separate word of the name; 0: there is none, or more than one. */
 static char letter_of(const char *name)
 {
 	char found = 0;
@@ -152,7 +152,7 @@ static char letter_of(const char *name)
 	return found;
 }
 
-/* <limit>: radians or metres, and per second. */
+/* <limit>: radians or metres, and these per second. */
 static bool read_limits(struct reading *r, const xmlNode *joint, bool endless, struct axis_description *axis)
 {
 	const xmlNode *limit = foreign_child(joint, "limit");
@@ -228,7 +228,7 @@ static bool place(struct reading *r, struct urdf_link *link, const struct urdf_l
 	return add_axis(r, link, parent, type);
 }
 
-/* Parents before children; a circle of links is never reached. */
+/* Places parents before children; a cycle of links is never reached. */
 static bool place_all(struct reading *r)
 {
 	size_t placed = 0, before;
@@ -262,7 +262,7 @@ static bool place_all(struct reading *r)
 
 /* --------------------------------------------------------------- bodies */
 
-/* What stands behind "package://name/" or "file://"; otherwise the whole. */
+/* The text after "package://name/" or "file://"; otherwise all of it. */
 static const char *path_of(const char *written)
 {
 	static const char package[] = "package://", file[] = "file://";
@@ -332,7 +332,7 @@ static bool read_cylinder(struct reading *r, const xmlNode *shape, struct mesh *
 	return true;
 }
 
-/* Boxes and cylinders of URDF stand with their middle at the origin, those of mesh_build do not. */
+/* Boxes and cylinders of URDF have their middle at the origin, those of mesh_build do not. */
 static void center(xform *frame, double x, double y, double z)
 {
 	frame->translation = xform_apply(frame, (vec3){-METRE * x / 2, -METRE * y / 2, -METRE * z / 2});
@@ -440,7 +440,7 @@ static bool read_machine(struct reading *r)
 		if (!add_bodies(r, &r->links[i]))
 			return false;
 	add_mounts(r);
-	/* The texts of the file end with it. */
+	/* The texts of the file are released with it. */
 	for (size_t i = 0; i < d->axis_count; i++)
 		d->axes[i].title = arena_strdup(&d->arena, d->axes[i].title);
 	return true;

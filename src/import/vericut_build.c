@@ -23,7 +23,7 @@ static bool is_work(const struct vericut_part *part)
 
 bool vericut_part_is_model(const xmlNode *node)
 {
-	/* Each of these is in models only; a model that was not recognised would be a body that nobody misses. */
+	/* Each of these occurs in models only; a model that was not recognised would be missing without notice. */
 	return foreign_attribute(node, "Mirror") || foreign_child(node, "File") || foreign_child(node, "Position");
 }
 
@@ -43,7 +43,7 @@ static const struct vericut_part *find(const struct vericut_build *build, const 
 	return NULL;
 }
 
-/* "": parts that carry each other in a circle. */
+/* "": parts that carry each other in a cycle. */
 static const char *carrier_of(const struct vericut_build *build, const struct vericut_part *part)
 {
 	for (size_t steps = 0; steps <= build->count; steps++) {
@@ -89,7 +89,7 @@ static bool read_parts(struct vericut_build *build, const xmlNode *root, struct 
 
 /* --------------------------------------------------------------------- mount */
 
-/* The first stock or design that has a model; NULL: there is none. False, reported: others have another carrier. */
+/* The first stock or design with a model; NULL: there is none. False, reported: others have another carrier. */
 static bool find_work(const struct vericut_build *build, const struct vericut_part **first)
 {
 	*first = NULL;
@@ -111,7 +111,7 @@ static bool find_work(const struct vericut_build *build, const struct vericut_pa
 	return true;
 }
 
-/* The component on which the place is that <To> names. */
+/* The component to which the place in <To> belongs. */
 static const char *place_of(const xmlNode *setup, const xmlNode *to, struct arena *arena)
 {
 	const char *name = foreign_text(arena, to);
@@ -124,7 +124,7 @@ static const char *place_of(const xmlNode *setup, const xmlNode *to, struct aren
 	return foreign_text(arena, foreign_child(system, "Attach"));
 }
 
-/* The carrier of the first work offset that lies on a component of the setup; NULL: none does. */
+/* The carrier of the first work offset on a component of the setup; NULL: there is none. */
 static const char *mount_of_offsets(const struct vericut_build *build, const xmlNode *setup, struct arena *arena)
 {
 	const xmlNode *table = foreign_child(foreign_child(setup, "GCode"), "Table");
@@ -184,7 +184,7 @@ static bool is_looks(const char *attribute)
 	return false;
 }
 
-/* Does `b` have the attributes that `a` has? */
+/* Does `b` have the attributes of `a`? */
 static bool has_attributes(const xmlNode *b, const xmlNode *a)
 {
 	for (const xmlAttr *at = a->properties; at; at = at->next) {
@@ -197,7 +197,7 @@ static bool has_attributes(const xmlNode *b, const xmlNode *a)
 	return true;
 }
 
-/* Is all the same but looks? What has elements in it has no text. */
+/* Are the elements equal except for their appearance? Elements with children have no text. */
 static bool is_same_element(const xmlNode *a, const xmlNode *b, struct arena *arena)
 {
 	const xmlNode *in_a = foreign_child(a, NULL), *in_b = foreign_child(b, NULL);
@@ -212,7 +212,7 @@ static bool is_same_element(const xmlNode *a, const xmlNode *b, struct arena *ar
 	return !in_a && !in_b;
 }
 
-/* The first part of the machine in `a` that `b` does not have; NULL: it has all. */
+/* The first part of the machine in `a` that is missing in `b`; NULL: none is. */
 static const struct vericut_part *find_difference(const struct vericut_build *a, const struct vericut_build *b,
 						  struct arena *arena)
 {

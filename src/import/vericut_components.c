@@ -57,7 +57,7 @@ static bool read_component(struct vericut_components *components, struct xml_rea
 	return true;
 }
 
-/* Places what hangs on what is placed already. Returns how many there were. */
+/* Places the components attached to placed ones. Returns the new number of placed ones. */
 static size_t place_more(struct vericut_components *components, size_t placed)
 {
 	size_t before = placed;
@@ -99,7 +99,7 @@ static bool place_all(struct vericut_components *components)
 	return true;
 }
 
-/* False, reported: a component of the machine hangs on nothing known, or there are two bases. */
+/* False, reported: a component of the machine is attached to an unknown one, or there are two bases. */
 static bool find_parents(struct vericut_components *components)
 {
 	const struct vericut_component *base = NULL;
@@ -188,7 +188,7 @@ bool vericut_components_read(struct vericut_components *components, struct xml_r
 	return true;
 }
 
-/* What is attached to the mount has no parent; all others have one, since the mount is their carrier. */
+/* A component attached to the mount has no parent; all others have one, because the mount is their carrier. */
 bool vericut_components_mounted(struct vericut_components *components, const struct vericut_build *build,
 				struct arena *arena)
 {

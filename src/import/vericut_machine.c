@@ -22,7 +22,7 @@ struct reading {
 	struct diag *diag;
 };
 
-/* `xml` is the reader of the file that has the node. */
+/* `xml`: the reader of the file with the node. */
 static void warn(const struct xml_reader *xml, const xmlNode *node, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
@@ -65,7 +65,7 @@ static bool axis_direction(const struct vericut_component *c, const xmlNode *lin
 }
 
 /*
- * Does the axis move against its positive sense, because it carries the work? DisableAuto ("off") of version 7.0 became
+ * Does the axis move in the negative direction, because it carries the work? DisableAuto ("off") of version 7.0 became
  * PartSide ("auto") in 7.1.
  */
 static bool is_reversed(const struct vericut_component *c, const xmlNode *link, bool *reversed)
@@ -84,7 +84,7 @@ static bool is_reversed(const struct vericut_component *c, const xmlNode *link, 
 	return true;
 }
 
-/* The slot of the control's axis that moves the component: Register names it. -1: none does. */
+/* The slot of the control's axis that moves the component, from Register. -1: there is none. */
 static int slot_of(const xmlNode *link)
 {
 	const char *name = foreign_attribute(link, "Register");
@@ -93,7 +93,7 @@ static int slot_of(const xmlNode *link)
 	return letter ? (int)(letter - AXIS_LETTERS) : -1;
 }
 
-/* <TlRecord>: the travel. Of several, which hold under conditions, the widest counts. */
+/* <TlRecord>: the travel. Of several conditional ones, the widest is used. */
 static bool read_travel(struct xml_reader *xml, const xmlNode *link, struct axis_description *axis)
 {
 	const double scale = axis->rotary ? math_acos(-1) / 180 : xml->unit;
@@ -126,7 +126,7 @@ static bool read_travel(struct xml_reader *xml, const xmlNode *link, struct axis
 	return true;
 }
 
-/* mm or degrees a minute. 0: the file does not say it. */
+/* mm or degrees a minute. 0: the file has no rate. */
 static bool read_rate(struct xml_reader *xml, const xmlNode *link, struct axis_description *axis)
 {
 	double rate = 0;
@@ -175,7 +175,7 @@ static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNo
 	return true;
 }
 
-/* What no register of the control moves stands still where it is drawn. */
+/* A component without a register of the control stays where it is drawn. */
 static bool read_axis(struct reading *r, struct vericut_component *c)
 {
 	const xmlNode *link = foreign_child(c->node, "Link");
@@ -220,7 +220,7 @@ static const xmlNode *location_row(const struct reading *r, const char *name)
 	return NULL;
 }
 
-/* The value of a linear axis in the row. False, reported: it is no number. An axis that has none keeps *value. */
+/* The value of a linear axis in the row. False, reported: it is not a number. Without a value *value is not changed. */
 static bool read_location(struct reading *r, const xmlNode *row, int slot, double *value)
 {
 	const xmlNode *at = row && slot <= SLOT_Z ? foreign_child(row, "Value") : NULL;
@@ -237,7 +237,7 @@ static bool read_location(struct reading *r, const xmlNode *row, int slot, doubl
 
 /*
  * Programs start at the reference location, else at the initial one, else at 0; but within the travel. Only the first
- * three values of a location are known to be those of X, Y and Z.
+ * three values of a location are known: those of X, Y and Z.
  */
 static bool read_home(struct reading *r)
 {
@@ -292,7 +292,7 @@ static bool read_models(struct reading *r)
 
 /* ------------------------------------------------------------------ mounts */
 
-/* The first component of the type, with a warning if there are more; NULL: there is none. */
+/* The first component of the type, with a warning if there are several; NULL: there is none. */
 static const struct vericut_component *choose(const struct reading *r, const char *type)
 {
 	const struct vericut_component *chosen = NULL;
@@ -312,7 +312,7 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 	return chosen;
 }
 
-/* What carries the work; NULL: nothing does. A setup says what it stands on. */
+/* The carrier of the work; NULL: there is none. A setup defines it. */
 static const struct vericut_component *find_work(const struct reading *r)
 {
 	const struct vericut_component *mount = NULL;
@@ -322,7 +322,7 @@ static const struct vericut_component *find_work(const struct reading *r)
 	return mount ? mount : choose(r, "attach");
 }
 
-/* Tools are mounted with their gauge point at the component's origin, and point against its Z. */
+/* Tools are mounted with their gauge point at the component's origin, and point opposite to its Z. */
 static void read_mounts(struct reading *r)
 {
 	struct machine_description *d = &r->machine->description;
@@ -352,8 +352,8 @@ static void read_mounts(struct reading *r)
 }
 
 /*
- * What a setup fixes to the machine beside the work is kept from all that moves against it, as a fixture is; without
- * these pairs the bodies of a link next to it may be excused as neighbours.
+ * Bodies that a setup attaches to the machine beside the work are checked against everything that moves relative to
+ * them, like fixtures. Without these pairs the bodies of a neighbouring link might be excused.
  */
 static void add_pairs_of_setup(struct reading *r)
 {

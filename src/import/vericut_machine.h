@@ -8,17 +8,17 @@
 #include "import/vericut_build.h"
 
 /*
- * What is taken over: components with their places, axes with travels and rapid rates, models, the mount of tools and
- * of work, and the pairs of the collision list with their tolerances as clearances. Everything else of the file, such
- * as colours, tables of locations and accelerations, is no matter of collisions or stands in the setup.
+ * The reader uses: components with their places, axes with travels and rapid rates, models, the mounts of tools and of
+ * work, and the pairs of the collision list with their tolerances as clearances. Everything else in the file, such as
+ * colours, tables of locations and accelerations, does not affect collisions or belongs to the setup.
  *
- * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
+ * An axis that carries the work moves in the negative direction, as in VERICUT unless DisableAuto or PartSide says
  * otherwise (ISO 841: a positive value is a motion of the tool relative to the work).
  *
- * `build`: the components of a setup, which the machine gets as far as they belong to it, and which say what carries
+ * `build`: the components of a setup. Those that belong to the machine are added to it, and they define the carrier of
  * the work; or NULL.
  *
- * False, reported: the file is faulty, or says something that cannot be taken over.
+ * False, reported: the file is faulty, or contains something that cannot be converted.
  */
 bool vericut_machine_read(struct import_machine *machine, const char *path, const struct vericut_build *build,
 			  const struct import_options *options, struct diag *diag);

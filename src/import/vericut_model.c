@@ -37,7 +37,7 @@ const char *vericut_stem(struct arena *arena, const char *path)
 	return stem;
 }
 
-/* False: reported; or a warning was enough, then *left_out is set. */
+/* False: reported; or only a warning was given, then *left_out is set. */
 static bool read_mesh(struct mesh *mesh, struct xml_reader *xml, const xmlNode *node, const char *written,
 		      const struct import_options *options, bool *left_out)
 {

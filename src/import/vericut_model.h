@@ -1,4 +1,6 @@
-/* vericut_model.h - a solid of a component in the machines and projects of VERICUT: a mesh, or given by its sizes. */
+/*
+ * vericut_model.h - a solid of a component in the machines and projects of VERICUT: a mesh, or one given by its sizes.
+ */
 #ifndef FIVECHECK_IMPORT_VERICUT_MODEL_H
 #define FIVECHECK_IMPORT_VERICUT_MODEL_H
 
@@ -15,10 +17,10 @@ double vericut_unit(struct xml_reader *xml, const xmlNode *node);
 const char *vericut_stem(struct arena *arena, const char *path);
 
 struct vericut_model {
-	const char *name;	/* that of its file, else of the component */
-	xform frame;	/* of the component, and the model's own in it */
+	const char *name;	/* the name of its file, else of the component */
+	xform frame;	/* of the component, combined with the model's own */
 	struct mesh mesh;	/* the caller releases it */
-	bool left_out;	/* its mesh is not there, which was reported as a warning: there is no mesh */
+	bool left_out;	/* its mesh is missing, which was reported as a warning: there is no mesh */
 };
 
 /* False, reported: the model is faulty, or its mesh is missing or faulty. */

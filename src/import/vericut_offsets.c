@@ -9,7 +9,7 @@
 #include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
-/* mm: what VERICUT computed of From and To when it wrote the file may be rounded. */
+/* mm: the values that VERICUT stored for From and To may be rounded. */
 #define SAME_PLACE 0.01
 
 struct reading {
@@ -29,7 +29,7 @@ static void note(const struct reading *r, const xmlNode *node, const char *what)
 
 /* -------------------------------------------------------------------- places */
 
-/* The frame of a component of the setup, or of the mount of the work, against the mount. False: it is none of them. */
+/* The frame of a component of the setup, or of the mount of the work, relative to the mount. False: it is neither. */
 static bool component_frame(const struct reading *r, const char *name, xform *frame)
 {
 	const struct vericut_component *component = vericut_components_find(r->components, name);
@@ -48,8 +48,8 @@ static const xmlNode *find_system(const struct reading *r, const char *name)
 }
 
 /*
- * Where <To> is, against the mount of the work. *known: false if its system hangs on something that is not part of the
- * setup. False: reported.
+ * The place of <To>, relative to the mount of the work. *known: false if its system is attached to something that does
+ * not belong to the setup. False: reported.
  */
 static bool read_place(const struct reading *r, const xmlNode *to, vec3 *place, bool *known)
 {
@@ -75,7 +75,10 @@ static bool read_place(const struct reading *r, const xmlNode *to, vec3 *place, 
 
 /* ---------------------------------------------------------------------- axes */
 
-/* How the tool moves relative to the work for a positive value of the axis; NULL: the machine has none. */
+/*
+ * The direction in which the tool moves relative to the work for a positive value of the axis; NULL: the machine does
+ * not have it.
+ */
 static const struct axis_description *axis_of(const struct import_machine *machine, int slot, vec3 *direction)
 {
 	const struct machine_description *d = &machine->description;
@@ -93,7 +96,7 @@ static const struct axis_description *axis_of(const struct import_machine *machi
 	return NULL;
 }
 
-/* The values of X, Y and Z that bring the gauge point to the place. False: the axes do not stand at right angles. */
+/* The values of X, Y and Z that bring the gauge point to the place. False: the axes are not perpendicular. */
 static bool reach(const struct import_machine *machine, vec3 way, double values[3])
 {
 	vec3 left = way;
@@ -122,7 +125,10 @@ static const char *name_of(const char *index)
 	return *index && !*end && n >= 0 && n < 6 ? names[n] : NULL;
 }
 
-/* Are the values that VERICUT stored those of From and To? From is the gauge point: else this cannot be told. */
+/*
+ * Do the values that VERICUT stored match From and To? From is the gauge point; otherwise the comparison is not
+ * possible.
+ */
 static bool check_values(const struct reading *r, const xmlNode *row, const double values[3])
 {
 	const xmlNode *at = foreign_child(row, "Value");
@@ -145,7 +151,7 @@ static bool check_values(const struct reading *r, const xmlNode *row, const doub
 	return true;
 }
 
-/* Is there a value other than 0 in the element that is not taken over? */
+/* Does the element have a value other than 0 that is not imported? */
 static bool has_values(const xmlNode *node)
 {
 	static const char *const names[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W", "A2", "B2", "C2"};
@@ -159,7 +165,7 @@ static bool has_values(const xmlNode *node)
 	return false;
 }
 
-/* Has the file stored a value other than 0 behind those of X, Y and Z: an offset of a rotary or a parallel axis? */
+/* Does the file have a value other than 0 after those of X, Y and Z: an offset of a rotary or a parallel axis? */
 static bool has_more_values(const struct reading *r, const xmlNode *row)
 {
 	int count = 0;
@@ -190,7 +196,7 @@ static bool is_taken(const struct import_setup *setup, const char *name)
 	return false;
 }
 
-/* Adds the offset, or notes why not. False: reported. */
+/* Adds the offset, or notes why it was not added. False: reported. */
 static bool take_row(const struct reading *r, const xmlNode *table, const xmlNode *row, const double values[3])
 {
 	const char *index = foreign_attribute(row, "Index") ? foreign_attribute(row, "Index") : "";
@@ -250,7 +256,7 @@ static bool is_table(const xmlNode *table, const char *name)
 	return foreign_attribute_is(table, "Name", name);
 }
 
-/* Tables that say where the program's zero is. */
+/* Tables that define the program's zero. */
 static bool is_offset_table(const xmlNode *table)
 {
 	static const char *const names[] = {"Work Offsets", "Program Zero", "Input Program Zero"};
@@ -262,8 +268,8 @@ static bool is_offset_table(const xmlNode *table)
 }
 
 /*
- * All work offsets count from the base work offset. How From and To of the others are meant then is not known, so a row
- * of it that is not all 0 makes them uncertain.
+ * All work offsets are relative to the base work offset. In this case the meaning of From and To of the others is
+ * unknown, so a row of the base offset with any value other than 0 makes them uncertain.
  */
 static const xmlNode *find_base(const struct reading *r, const xmlNode *first)
 {
@@ -289,7 +295,7 @@ static const xmlNode *find_base(const struct reading *r, const xmlNode *first)
 	return NULL;
 }
 
-/* Tables of the control that have rows, and that nothing is taken over from: lengths of tools, shifts, pivots. */
+/* Tables of the control that have rows but are not imported: lengths of tools, shifts, pivots. */
 static void note_other(const struct reading *r, const xmlNode *table)
 {
 	struct strbuf text = {0};
@@ -308,7 +314,7 @@ bool vericut_offsets_read(struct import_setup *setup, const struct import_machin
 	const struct reading r = {setup, machine, components, xml, node};
 	const xmlNode *first = foreign_child(foreign_child(node, "GCode"), "Table"), *base = find_base(&r, first);
 
-	/* As many as there can be names. */
+	/* As many as there are possible names. */
 	setup->offsets = arena_alloc(&setup->bodies.description.arena, 6 * sizeof(*setup->offsets));
 	if (base)
 		note(&r, base, "The setup has a base work offset, from which all others count: no work offset is taken "

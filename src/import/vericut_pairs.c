@@ -5,7 +5,7 @@
 
 struct side {
 	const struct vericut_component *component;
-	bool with_all;	/* that it carries */
+	bool with_all;	/* including the components that it carries */
 };
 
 struct pairing {
@@ -31,7 +31,7 @@ static bool is_in(const struct vericut_component *c, const struct side *side)
 	return false;
 }
 
-/* Calls `use` with each name that stands for something of the component. */
+/* Calls `use` with each name that represents a part of the component. */
 static void for_names(const struct pairing *p, const struct vericut_component *c,
 		      void (*use)(const struct pairing *p, const char *name, const void *context), const void *context)
 {

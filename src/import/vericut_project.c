@@ -52,7 +52,7 @@ static void note(struct reading *r, struct import_setup *setup, const xmlNode *n
 
 /* --------------------------------------------------------------------- files */
 
-/* The file that was written on another computer, in the arena; NULL: it is not there. */
+/* The file for a path from another computer, in the arena; NULL: it is missing. */
 static const char *find_file(const struct reading *r, struct arena *arena, const char *written)
 {
 	struct strbuf path = {0};
@@ -64,7 +64,7 @@ static const char *find_file(const struct reading *r, struct arena *arena, const
 	return found;
 }
 
-/* All setups name the same machine. False: reported. */
+/* All setups must refer to the same machine. False: reported. */
 static bool find_machine(struct reading *r, const char **path)
 {
 	const char *first = NULL;
@@ -124,7 +124,7 @@ static void add_program(struct reading *r, struct import_setup *setup, const xml
 		return;
 	found = find_file(r, &r->arena, written);
 	whole = found ? realpath(found, NULL) : NULL;
-	/* A job that lacks a program must not pass without it. */
+	/* A job with a missing program must not pass without it. */
 	setup->programs[setup->program_count++] = arena_strdup(arena, whole ? whole : written);
 	if (!whole)
 		note(r, setup, file, "The program '%s' is not there: correct its name in jobs.xml.",
@@ -150,7 +150,7 @@ static void find_programs(struct reading *r, struct import_setup *setup, const x
 
 /* -------------------------------------------------------------------- bodies */
 
-/* False: the component is no part of a setup. */
+/* False: the component does not belong to a setup. */
 static bool role_of(const struct vericut_component *component, enum body_role *role)
 {
 	static const struct {
@@ -175,7 +175,7 @@ static int find_stock(const struct import_setup *setup)
 	return -1;
 }
 
-/* Do boxes around both meshes lie apart? Touching ones do not. */
+/* Are the boxes around both meshes apart? Touching boxes are not. */
 static bool are_apart(const struct mesh *a, const struct mesh *b)
 {
 	vec3 a_least, a_most, b_least, b_most;
@@ -187,8 +187,8 @@ static bool are_apart(const struct mesh *a, const struct mesh *b)
 }
 
 /*
- * Adds another model to the mesh of the stock: a setup has one stock. Its solids must lie apart, as the union of solids
- * that meet is no closed mesh. False: they do not.
+ * Adds another model to the mesh of the stock: a setup has one stock. Its solids must be apart, because the union of
+ * touching solids is not a closed mesh. False: they are not.
  */
 static bool join_stock(struct import_setup *setup, int stock, struct vericut_model *model)
 {
@@ -265,7 +265,7 @@ static bool is_plain(char letter)
 	return isalnum((unsigned char)letter) || strchr("._-", letter);
 }
 
-/* Its name is part of the names of files, and of a job. */
+/* The name becomes part of file names, and of the name of a job. */
 static void name_setup(struct reading *r, struct import_setup *setup, const xmlNode *node)
 {
 	const size_t count = r->project->setup_count;
@@ -288,7 +288,7 @@ static void name_setup(struct reading *r, struct import_setup *setup, const xmlN
 	strbuf_release(&name);
 }
 
-/* The clearances of the collision list between machine and setup are not kept: say how large they are. */
+/* The clearances of the collision list between machine and setup are not imported: note their values. */
 static void note_collisions(struct reading *r, struct import_setup *setup, const xmlNode *node)
 {
 	const xmlNode *list = foreign_child(foreign_child(node, "Machine"), "Collision");
@@ -307,7 +307,7 @@ static void note_collisions(struct reading *r, struct import_setup *setup, const
 		     r->xml.unit * most);
 }
 
-/* Which of several places has the work, and what of the first setup is in machine.xml. */
+/* Notes which of several places carries the work, and which parts of the first setup are in machine.xml. */
 static void note_build(struct reading *r, struct import_setup *setup, const xmlNode *node,
 		       const struct vericut_build *build)
 {
@@ -327,7 +327,7 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 	}
 }
 
-/* The bodies that the setup mounts. The first setup is that of r->first. */
+/* Reads the bodies that the setup mounts. The first setup is that of r->first. */
 static bool read_build(struct reading *r, struct import_setup *setup, const xmlNode *node,
 		       struct vericut_components *components)
 {

@@ -10,9 +10,9 @@
 #include "import/import_project.h"
 
 /*
- * All setups must be of one machine. A work offset that is given by From and To becomes the place of To as the gauge
- * point reaches it: the values of X, Y and Z, with every rotary axis at 0. What is not taken over is a warning and a
- * note in `todo`. False, reported: a file is faulty, or missing, or says something that cannot be taken over.
+ * All setups must be of one machine. A work offset that is given by From and To becomes the place of To, reached by the
+ * gauge point: the values of X, Y and Z, with every rotary axis at 0. Data that is not imported causes a warning and a
+ * note in `todo`. False, reported: a file is faulty, or missing, or contains something that cannot be converted.
  */
 bool vericut_project_read(struct import_project *project, const char *path, const struct import_options *options,
 			  struct diag *diag);

@@ -18,7 +18,7 @@ static uint32_t number_at(const char *bytes, int count)
 	return number;
 }
 
-/* The last record of the archive; NULL: there is none. Only a comment may stand behind it. */
+/* The last record of the archive; NULL: there is none. Only a comment may follow it. */
 static const char *find_end(const struct file_bytes *file)
 {
 	for (size_t back = END_SIZE; back <= file->count && back <= END_SIZE + UINT16_MAX; back++)
@@ -27,7 +27,7 @@ static const char *find_end(const struct file_bytes *file)
 	return NULL;
 }
 
-/* What the files are together, in bytes. False: the list of files is faulty. */
+/* The sum of the sizes of the files, in bytes. False: the list of files is faulty. */
 static bool add_up(const struct file_bytes *file, const char *end, uint64_t *total)
 {
 	const uint32_t count = number_at(end + 10, 2), offset = number_at(end + 16, 4);

@@ -1,4 +1,7 @@
-/* command_table.c - in place of src/cli/command_table.c: the page makes machines with init; all others need a shell. */
+/*
+ * command_table.c - replaces src/cli/command_table.c: the page makes machines with init; all other commands need a
+ * shell.
+ */
 #include "cli/command_table.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* dialects.c - in place of src/gcode/dialect/dialects.c: some dialects are in parts of their own (src/wasi/parts). */
+/* dialects.c - replaces src/gcode/dialect/dialects.c: some dialects are in separate parts (src/wasi/parts). */
 #include "gcode/dialect/dialects.h"
 #include "wasi/part_dialects.h"
 

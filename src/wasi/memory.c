@@ -1,9 +1,9 @@
 /*
- * memory.c - short blocks of memory.
+ * memory.c - copies and fills short blocks of memory.
  *
- * WebAssembly has instructions that copy and fill blocks of memory, but browsers carry them out by calls of some 7 ns,
- * whatever the size. Each block of a program copies dozens of short structs, which take less than half of that here.
- * This file alone is compiled for these instructions: elsewhere they would be used for every struct.
+ * WebAssembly has instructions that copy and fill blocks of memory, but browsers execute them as calls of some 7 ns,
+ * whatever the size. Each NC block copies dozens of short structs, which takes less than half of that time here. Only
+ * this file is compiled for these instructions: elsewhere the compiler would use them for every struct.
  */
 #include <stdint.h>
 #include <string.h>
@@ -19,7 +19,7 @@ struct __attribute__((packed, may_alias)) word {
 
 static const uint64_t EACH_BYTE = 0x0101010101010101;
 
-/* Inlined with a count that is known. */
+/* Inlined with a known count. */
 static inline void copy_words(char *to, const char *from, size_t count)
 {
 	for (size_t i = 0; i < count; i++)
@@ -32,7 +32,7 @@ static inline void set_words(char *to, struct word word, size_t count)
 		((struct word *)to)[i] = word;
 }
 
-/* In two halves, which may overlap. */
+/* Copies two halves, which may overlap. */
 static inline void copy_ends(char *to, const char *from, size_t size, size_t words)
 {
 	copy_words(to, from, words);
@@ -108,7 +108,7 @@ void *memchr(const void *from, int value, size_t size)
 
 	for (; size >= WORD; at += WORD, size -= WORD) {
 		const uint64_t rest = ((const struct word *)at)->bits ^ wanted;
-		/* The lowest bit of this is in the first byte of the rest that is 0. */
+		/* The lowest bit of `zero` is in the first zero byte of the rest. */
 		const uint64_t zero = (rest - EACH_BYTE) & ~rest & EACH_BYTE << 7;
 
 		if (zero)

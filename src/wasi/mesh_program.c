@@ -1,4 +1,4 @@
-/* mesh_program.c - in place of src/import/mesh_program.c: no other program can be started here. */
+/* mesh_program.c - replaces src/import/mesh_program.c: no other program can be started here. */
 #include "import/mesh_program.h"
 
 bool mesh_program_start(struct mesh_program *running, const char *path)

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* No file of this host is a terminal: nobody is asked, and nothing is drawn again. */
+/* No file of this host is a terminal: there are no questions, and no line is renewed. */
 int isatty(int fd)
 {
 	(void)fd;
@@ -18,7 +18,7 @@ int isatty(int fd)
 	return 0;
 }
 
-/* Appends the next part of a path to what is resolved so far, which has no slash at its end. */
+/* Appends the next part of a path to the part resolved so far, which has no slash at its end. */
 static void append(char *resolved, const char *part, size_t length)
 {
 	size_t at = strlen(resolved);
@@ -76,7 +76,7 @@ char *realpath(const char *path, char *resolved)
 	return resolved;
 }
 
-/* As there is no other process, any name that is free will do. */
+/* There is no other process, so any unused name will do. */
 FILE *wasi_tmpfile(void)
 {
 	char name[] = "/tmp/record-0000";
@@ -97,7 +97,7 @@ FILE *wasi_tmpfile(void)
 	return NULL;
 }
 
-/* The host writes at once: closing a file tells nothing. The copy is of what is always there and can be closed. */
+/* The host writes at once, so closing a file reports no errors. The copy is of "/", which always exists. */
 int dup(int fd)
 {
 	struct stat status;

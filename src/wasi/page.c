@@ -1,9 +1,9 @@
 /*
- * page.c - what the host of the WebAssembly calls (src/web/app/fivecheck.js): the program itself, or a machine that
- * stays loaded. The words of each call come from the host, as those of main do.
+ * page.c - the functions that the host of the WebAssembly calls (src/web/app/fivecheck.js): the program itself, or a
+ * machine that stays loaded. The words of each call come from the host, like those of main.
  *
- * This file stands for the start files of wasi-libc. With them each function that is exported would begin and end the
- * C library anew.
+ * This file replaces the start files of wasi-libc. With them every exported function would start and end the C library
+ * again.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 
 #define EXPORT(name) __attribute__((export_name(name)))
 
-/* One block holds the pointers and the texts; NULL: the host gave none. */
+/* One block contains the pointers and the texts; NULL: the host gave none. */
 static char **words_of_host(int *count)
 {
 	size_t words, bytes;
@@ -33,7 +33,7 @@ static char **words_of_host(int *count)
 	return argv;
 }
 
-/* Of wasi-libc and the linker. */
+/* Functions of wasi-libc and the linker. */
 void __wasm_call_ctors(void);
 int __main_void(void);
 
@@ -61,7 +61,7 @@ void _start(void)
 	exit(__main_void());
 }
 
-/* Once for an instance, before anything else. */
+/* Call it once for each instance, before anything else. */
 struct session *page_session_new(void)
 {
 	__wasm_call_ctors();

@@ -1,6 +1,5 @@
 /*
- * part_dialects.h - dialect_linuxcnc_get() and so on give each dialect; calling it loads the part that the dialect is
- * in.
+ * part_dialects.h - dialect_linuxcnc_get() and so on return each dialect; calling one loads the part with the dialect.
  */
 #ifndef FIVECHECK_WASI_PART_DIALECTS_H
 #define FIVECHECK_WASI_PART_DIALECTS_H

@@ -1,6 +1,6 @@
 /*
- * viewer.c - in place of src/report/html/viewer.c: the script of the viewer is a file of the run, which the host puts
- * there (src/web/app/fivecheck.js). A page that shows the machine without a report need not load it.
+ * viewer.c - replaces src/report/html/viewer.c: the script of the viewer is a file of the run, which the host provides
+ * (src/web/app/fivecheck.js). A page that shows the machine without a report need not load it.
  */
 #include "report/html/viewer.h"
 
@@ -11,12 +11,14 @@
 
 #define SCRIPT "/tmp/fivecheck/viewer.js"
 
-/* Of a run that lacks the script; fivecheck(1) has no such status. STATUS.LACKING of src/web/app/fivecheck.js. */
+/*
+ * The status of a run without the script; fivecheck(1) has no such status. STATUS.LACKING of src/web/app/fivecheck.js.
+ */
 enum { STATUS_LACKING = 4 };
 
 struct viewer_file viewer_script(void)
 {
-	/* Read anew for each report: takes no bytes of the module. */
+	/* Read again for each report, so that it takes no space in the module. */
 	static char script[1 << 18];
 	FILE *file = fopen(SCRIPT, "rb");
 	size_t count = file ? fread(script, 1, sizeof(script), file) : 0;
@@ -28,7 +30,7 @@ struct viewer_file viewer_script(void)
 	return (struct viewer_file){script, count};
 }
 
-/* Each array ends in one byte more than the file. */
+/* Each array has one byte more than the file. */
 struct viewer_file viewer_boot_script(void)
 {
 	return (struct viewer_file){(const char *)viewer_boot, sizeof(viewer_boot) - 1};

@@ -1,4 +1,4 @@
-/* poll.h - of WebAssembly, where nothing is waited for: what can be read is there. */
+/* poll.h - for WebAssembly, where waiting is never necessary: all input is there. */
 #ifndef FIVECHECK_WASI_POLL_H
 #define FIVECHECK_WASI_POLL_H
 

@@ -1,7 +1,7 @@
 /*
- * pthread.h - of WebAssembly, which has one thread: none can be started, and nothing has to be locked.
+ * pthread.h - for WebAssembly, which has one thread: none can be started, and nothing must be locked.
  *
- * pthread_create fails as it does where the system has no thread left, which every caller must be able to bear.
+ * pthread_create fails as on a system that has no more threads; every caller must handle this.
  */
 #ifndef FIVECHECK_WASI_PTHREAD_H
 #define FIVECHECK_WASI_PTHREAD_H
@@ -90,7 +90,7 @@ static inline int pthread_cond_broadcast(pthread_cond_t *condition)
 	return 0;
 }
 
-/* Nobody could ever change what is waited for. */
+/* The condition could never change. */
 static inline int pthread_cond_wait(pthread_cond_t *condition, pthread_mutex_t *mutex)
 {
 	(void)condition;

@@ -1,4 +1,4 @@
-/* signal.h - of WebAssembly, which has no signals: no handler can be set, and none is ever called. */
+/* signal.h - for WebAssembly, which has no signals: no handler can be set, and none is ever called. */
 #ifndef FIVECHECK_WASI_SIGNAL_H
 #define FIVECHECK_WASI_SIGNAL_H
 

@@ -1,4 +1,4 @@
-/* stdio.h - wasi-libc's, and tmpfile. */
+/* stdio.h - that of wasi-libc, and tmpfile. */
 #ifndef FIVECHECK_WASI_STDIO_H
 #define FIVECHECK_WASI_STDIO_H
 

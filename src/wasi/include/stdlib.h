@@ -1,4 +1,4 @@
-/* stdlib.h - wasi-libc's, and realpath. */
+/* stdlib.h - that of wasi-libc, and realpath. */
 #ifndef FIVECHECK_WASI_STDLIB_H
 #define FIVECHECK_WASI_STDLIB_H
 

@@ -1,4 +1,4 @@
-/* sys/ioctl.h - of WebAssembly: wasi-libc's, and the size of a terminal, which nothing here is. */
+/* sys/ioctl.h - for WebAssembly: that of wasi-libc, and the size of a terminal, although there is none. */
 #ifndef FIVECHECK_WASI_SYS_IOCTL_H
 #define FIVECHECK_WASI_SYS_IOCTL_H
 
