@@ -9,7 +9,7 @@
 
 static const struct srcloc nowhere;
 
-/* The table in the two forms that getopt_long takes; owned. */
+/* The table in the two forms that getopt_long requires; owned. */
 struct getopt_tables {
 	char *letters;
 	struct option *names;
@@ -21,7 +21,7 @@ static void tables_init(struct getopt_tables *tables, const struct argv_parser *
 
 	tables->letters = letter;
 	tables->names = mem_zalloc(parser->count + 1, sizeof(*tables->names));
-	/* '-' hands over operands in order, whatever POSIXLY_CORRECT says; ':' reports a missing argument as ':'. */
+	/* '-' passes operands in order, even with POSIXLY_CORRECT; ':' reports a missing argument as ':'. */
 	*letter++ = '-';
 	*letter++ = ':';
 	for (size_t i = 0; i < parser->count; i++) {
@@ -47,7 +47,7 @@ static const struct option_row *row_of(const struct argv_parser *parser, int key
 	return NULL;
 }
 
-/* Names the option that was probably meant, or the options that an abbreviation could stand for. */
+/* Names the option that was probably meant, or the options that match an abbreviation. */
 static void refuse_name(const struct argv_parser *parser, const char *word, struct diag *diag)
 {
 	char *name = mem_strndup(word + 2, strcspn(word + 2, "="));
@@ -95,7 +95,7 @@ static bool parse(const struct argv_parser *parser, const struct getopt_tables *
 	int result;
 
 	opterr = 0;
-	/* Another command line may have been read before: 0 makes glibc and musl begin anew. */
+	/* An earlier command line may have been parsed: 0 makes glibc and musl start again. */
 	optind = 0;
 	while ((result = getopt_long(argc, argv, tables->letters, tables->names, NULL)) != -1) {
 		enum argv_result next = ARGV_NEXT;

@@ -21,7 +21,7 @@ struct argv_parser {
 };
 
 /*
- * Passes on options and operands, which may come in any order, as GNU getopt_long does; argv[0] is skipped. False,
+ * Passes on options and operands, which may come in any order, like GNU getopt_long; argv[0] is skipped. False,
  * reported: an option is unknown or ambiguous, or its argument is missing. getopt_long keeps global state: call this
  * once in a process.
  */

@@ -1,4 +1,4 @@
-/* command.h - a subcommand: what `fivecheck` does when its first argument is the name of one. */
+/* command.h - a subcommand: the action of `fivecheck` if its first argument is the name of one. */
 #ifndef FIVECHECK_CLI_COMMAND_H
 #define FIVECHECK_CLI_COMMAND_H
 

@@ -49,7 +49,7 @@ static bool is_final(enum run_mode mode)
 	return mode == RUN_HELP || mode == RUN_VERSION;
 }
 
-/* The second of two setups, lists, shards or --fail-on would replace the first, so that less would be checked. */
+/* A second setup, list, shard or --fail-on would replace the first, so that less would be checked. */
 static bool refuse_second(const struct parser *parser, const struct option_row *row)
 {
 	if (!parser->seen[row - option_table] ||
@@ -121,7 +121,7 @@ static bool check_table_formats(const struct parser *parser)
 	return true;
 }
 
-/* Without --format the results are text. One format may lack a file: it goes to the file of --output. */
+/* Without --format the results are text. One format may have no file: it uses the file of --output. */
 static bool check_formats(const struct parser *parser)
 {
 	struct options *o = parser->options;
@@ -164,7 +164,7 @@ static bool names_file(const struct options *o)
 	return named;
 }
 
-/* "none" stands alone; "warning" alone stands for all findings and warnings. */
+/* "none" must be the only value; "warning" alone means all findings and warnings. */
 static bool check_fail_on(const struct parser *parser)
 {
 	struct options *o = parser->options;
@@ -235,7 +235,7 @@ static bool check_combinations(const struct parser *parser)
 	return !fault;
 }
 
-/* A job file names its programs itself. */
+/* A job file contains the names of its programs. */
 static bool check_jobs(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -306,7 +306,7 @@ static bool check_listed(const struct parser *parser)
 	return o->program_count > 0 && check_operands(parser);
 }
 
-/* --shard K/N: a part of the programs, or of a single program a part of its blocks. */
+/* --shard K/N: a part of the programs, or of the blocks of a single program. */
 static bool apply_shard(const struct parser *parser)
 {
 	struct options *o = parser->options;

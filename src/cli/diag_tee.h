@@ -12,7 +12,7 @@ struct diag_tee {
 	struct error_list errors;
 };
 
-/* The tee must not be moved afterwards: its diag points back at it. */
+/* Do not move the tee afterwards: its diag points back to it. */
 void diag_tee_init(struct diag_tee *tee, struct diag *out);
 void diag_tee_release(struct diag_tee *tee);
 

@@ -18,7 +18,7 @@ bool dialect_choice_is_auto(int choice)
 	return choice >= 0 && !dialect_names[choice];
 }
 
-/* "--dialect=fanuc or --dialect=haas": what the signs leave open. */
+/* "--dialect=fanuc or --dialect=haas": the dialects that the codes permit. */
 static void list_open(const struct family_guess *guess, struct strbuf *out)
 {
 	int last = -1;

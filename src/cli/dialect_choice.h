@@ -13,8 +13,8 @@ extern const char *const dialect_choice_names[];
 bool dialect_choice_is_auto(int choice);
 
 /*
- * The dialect in which all programs are certainly written; a note names the code that shows it. False, reported: a
- * program could not be read, its codes leave the dialect open or contradict each other, or two programs differ.
+ * The dialect in which all programs are certainly written; a note names the code that shows this. False, reported: a
+ * program could not be read, its codes permit several dialects or contradict each other, or two programs differ.
  */
 bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag, int *row);
 

@@ -45,7 +45,7 @@ static void help(void *context, int worker, size_t i)
 	take_files(context);
 }
 
-/* How many threads have something to do, with the one that is at it. */
+/* The number of threads that have work, including this one. */
 static int useful_threads(const struct digesting *digesting)
 {
 	const size_t files = digesting->inputs->count;

@@ -8,7 +8,7 @@
 
 #include "cli/input_files.h"
 
-/* All zero: there is nothing to compute. Not to be moved after digesting_begin. */
+/* All zero: there is nothing to compute. Do not move the struct after digesting_begin. */
 struct digesting {
 	struct input_files *inputs;	/* borrowed */
 	int threads;	/* number of threads for digesting_finish */
@@ -24,7 +24,7 @@ void digesting_begin(struct digesting *digesting, struct input_files *inputs, in
 /* Returns when each file has its digest (see input_files_digest_one). */
 void digesting_finish(struct digesting *digesting);
 
-/* Ends the thread at once, without the missing digests. After digesting_finish none are missing. */
+/* Ends the thread at once, without the missing digests. After digesting_finish none is missing. */
 void digesting_end(struct digesting *digesting);
 
 #endif

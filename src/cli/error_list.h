@@ -9,7 +9,7 @@
 
 enum { ERROR_LIST_MAX = 10 };
 
-/* All zero is empty. */
+/* All zero is an empty list. */
 struct error_list {
 	struct report_error *items;	/* owned */
 	size_t count;	/* ERROR_LIST_MAX at most */

@@ -30,7 +30,7 @@ static void refuse(const char *word, struct diag *diag)
 	strbuf_release(&names);
 }
 
-/* A code in the dialect that was named, or in every one that knows it; "codes": all codes. */
+/* Explains a code in the given dialect, or in every dialect that knows it; "codes": all codes. */
 static bool explain_code(struct strbuf *out, const struct options *options)
 {
 	bool found = false;
@@ -54,7 +54,7 @@ static bool explain_code(struct strbuf *out, const struct options *options)
 
 bool explain_add(struct strbuf *out, const struct options *options, struct diag *diag)
 {
-	/* No word of the reports is a code of a dialect. */
+	/* No word of the reports is also a code of a dialect. */
 	if (topics_explain(out, options->explain) || explain_code(out, options))
 		return true;
 	refuse(options->explain, diag);

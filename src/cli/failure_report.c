@@ -36,7 +36,7 @@ static void drop_channels(struct sinks *sinks, struct diag *diag)
 	for (size_t i = 0; i < sinks->count; i++) {
 		struct sink *sink = &sinks->items[i];
 
-		/* A record tells what was checked; nothing was checked. */
+		/* A record lists what was checked; nothing was checked. */
 		if (sink->writer == report_writers[FORMAT_RECORD] || !is_replaceable(sink)) {
 			diag_note(diag, (struct srcloc){0}, "%s was left unchanged: nothing was checked", sink->path);
 			output_discard(&sink->out);

@@ -29,7 +29,7 @@ static bool is_later(const struct timespec *a, const struct timespec *b)
 	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
 }
 
-/* A file that is not there gets none: it is reported when it is read. */
+/* A missing file gets no stamp: it is reported when it is read. */
 static void add_stamp(struct input_files *inputs, const char *path)
 {
 	struct stat status;
@@ -141,7 +141,7 @@ void known_digests_release(struct known_digests *known)
 	*known = (struct known_digests){0};
 }
 
-/* Belongs the file to what a model is loaded from? Programs and waivers are read anew by each check. */
+/* Is the file one of those from which a model is loaded? Programs and waivers are read again by each check. */
 static bool is_loaded_once(const struct report_file *file)
 {
 	static const char *const kinds[] = {"machine", "mesh", "setup", "tools"};
@@ -191,7 +191,7 @@ void input_files_digest_one(struct input_files *inputs, size_t i, const struct c
 	struct report_file *file = &inputs->items[i];
 	struct stat status;
 
-	/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
+	/* A pipe cannot be read twice, and opening it would wait for a writer. */
 	if (!file->digest[0] && !stat(file->path, &status) && S_ISREG(status.st_mode))
 		digest_file(file->digest, file->path, cancel);
 }
@@ -268,7 +268,7 @@ bool input_files_write_depfile(const struct input_files *inputs, const struct op
 	for (size_t i = 0; i < inputs->count; i++)
 		good = add_prerequisite(&text, inputs->items[i].path, diag) && good;
 	strbuf_addf(&text, "\n");
-	/* An empty rule for each input keeps make working after an unused mesh was deleted. */
+	/* With an empty rule for each input, make still works after an unused mesh was deleted. */
 	if (options->job_file)
 		good = good && add_empty_rule(&text, options->job_file, diag);
 	for (size_t i = 0; i < inputs->count && good; i++)

@@ -15,7 +15,7 @@
 
 struct file_stamp;
 
-/* Digests of files that a session has loaded and considers unchanged. All zero: none. */
+/* Digests of files that a session has loaded and assumes to be unchanged. All zero: none. */
 struct known_digests {
 	struct report_file *items;	/* their paths are owned */
 	size_t count, capacity;
@@ -34,9 +34,9 @@ struct input_files {
 };
 
 /*
- * Takes the time: later changes of a file are noticed. When a file is added, its size, inode and times are also kept
- * and compared later, so that a clock that was set back hides nothing. Must not be moved afterwards: `opened` points
- * back at it.
+ * Records the time: later changes of a file are detected. When a file is added, its size, inode and times are also
+ * recorded and compared later, so that a clock that was set back hides no change. Do not move the struct afterwards:
+ * `opened` points back to it.
  */
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
@@ -56,7 +56,7 @@ void input_files_remember(const struct input_files *inputs, struct known_digests
 
 /*
  * Computes the SHA-256 of file i, if it has none yet. A pipe, a file that cannot be read, and one for which `cancel`
- * (or NULL) said stop keep the digest "". Several threads may do this for different files while none is added.
+ * (or NULL) requested a stop keep the digest "". Several threads may do this for different files while none is added.
  */
 void input_files_digest_one(struct input_files *inputs, size_t i, const struct cancel *cancel);
 

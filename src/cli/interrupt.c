@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <unistd.h>
 
-/* s: work that is under way usually ends within this time and can still report its findings. */
+/* s: current work usually ends within this time and can still report its findings. */
 #define GRACE 1
 
-/* Signal handlers receive no state, so these are the only mutable globals. Atomic, since threads read them. */
+/* Signal handlers receive no state, so these are the only mutable globals. Atomic, because threads read them. */
 static atomic_int seen, pressing;
 
 static void note(int signal_number)
@@ -30,7 +30,7 @@ void interrupt_watch(void)
 	struct sigaction late = {.sa_handler = press, .sa_flags = SA_RESTART};
 	struct sigaction old;
 
-	/* A job in the background ignores SIGINT. Without SA_RESTART the signal also ends a read that blocks. */
+	/* A job in the background ignores SIGINT. Without SA_RESTART the signal also ends a read that waits. */
 	if (sigaction(SIGINT, NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
 		sigaction(SIGALRM, &late, NULL);
 		sigaction(SIGINT, &action, NULL);

@@ -10,7 +10,7 @@ void interrupt_watch(void);
 /* Did SIGINT come? */
 bool interrupt_seen(void);
 
-/* Did SIGINT come more than a second ago? Then running work must be broken off. */
+/* Did SIGINT come more than a second ago? Then running work must stop. */
 bool interrupt_presses(void);
 
 #endif

@@ -11,7 +11,7 @@
 
 static const struct srcloc nowhere;
 
-/* What belongs to a job stands in its file. False: reported. */
+/* Options that belong to a job must be in its file. False: reported. */
 static bool check_options(const struct options *options, struct diag *diag)
 {
 	const char *fault = NULL;
@@ -39,7 +39,7 @@ static bool check_name(const char *name, const char *option, struct diag *diag)
 	return false;
 }
 
-/* A JUnit or SARIF file is one document: of several on standard output nobody can read any. */
+/* A JUnit or SARIF file is one document: several on standard output could not be read. */
 static bool check_documents(const struct options *options, struct diag *diag)
 {
 	const bool unnamed = !options->output;
@@ -78,7 +78,7 @@ static void add_file_name(struct strbuf *out, const struct job_item *job, size_t
 	program_reports_add_stem(out, job->programs[program]);
 }
 
-/* Is the name of a file of this job that of one of another job, or of its index? */
+/* Does a file of this job have the same name as one of another job, or as its index? */
 static const struct job_item *find_same(const struct job_list *list, const struct job_item *job, size_t program)
 {
 	const struct job_item *found = NULL;
@@ -102,7 +102,7 @@ static const struct job_item *find_same(const struct job_list *list, const struc
 	return found;
 }
 
-/* The programs of a job have reports of their own, which must not be those of another job. False: reported. */
+/* Each job has its own reports of its programs, which must differ from those of other jobs. False: reported. */
 static bool check_reports(const struct options *options, const struct job_list *list, struct diag *diag)
 {
 	for (size_t i = 0; options_want_visual(options) && i < list->count; i++) {
@@ -123,7 +123,7 @@ static bool check_reports(const struct options *options, const struct job_list *
 	return true;
 }
 
-/* The name with the job's in place of each %. */
+/* The name with each % replaced by the name of the job. */
 static const char *name_for(struct arena *arena, const char *name, const char *job)
 {
 	struct strbuf text = {0};

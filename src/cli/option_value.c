@@ -51,7 +51,7 @@ static bool read_count(int *out, const struct option_row *row, const char *text,
 	return true;
 }
 
-/* The index of the choice that the text begins with; `length` bytes of it count. -1: reported. */
+/* The index of the choice at the start of the text, which has `length` bytes. -1: reported. */
 static int find_choice(const struct option_row *row, const char *text, size_t length, struct diag *diag)
 {
 	struct strbuf names = {0};

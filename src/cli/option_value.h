@@ -14,7 +14,7 @@
  */
 bool option_value_set(void *record, const struct option_row *row, const char *text, struct diag *diag);
 
-/* Reads a finite plain decimal number. False: the text is no such number, and *out is unchanged. */
+/* Reads a finite plain decimal number. False: the text is not one, and *out is not changed. */
 bool option_value_number(double *out, const char *text);
 
 #endif

@@ -93,7 +93,7 @@ void program_output_progress(struct program_output *output, const char *file, lo
 	pthread_mutex_unlock(&output->order->lock);
 }
 
-/* Writes what was buffered. */
+/* Writes the buffered text. */
 static void write_held(struct program_output *output)
 {
 	diag_queue_deliver(&output->waiting, &output->order->ui->diag, LONG_MAX);

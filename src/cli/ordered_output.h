@@ -1,4 +1,4 @@
-/* ordered_output.h - output of programs that are checked in parallel, written in the order of the command line. */
+/* ordered_output.h - the output of programs that are checked in parallel, written in the order of the command line. */
 #ifndef FIVECHECK_CLI_ORDERED_OUTPUT_H
 #define FIVECHECK_CLI_ORDERED_OUTPUT_H
 

@@ -7,7 +7,7 @@
 #include "base/path_sandbox.h"
 #include "base/strbuf.h"
 
-/* Do both paths name the same entry of the same folder? */
+/* Do both paths lead to the same entry of the same folder? */
 static bool is_same_entry(const char *a, const char *b)
 {
 	const char *names[2] = {a, b};
@@ -116,7 +116,7 @@ bool path_checks_derived(const struct options *options, const char *option, cons
 		if (!is_free(&derived, list[i].path, diag))
 			return false;
 	}
-	/* What was read is there. Most names are new, and there may be thousands of programs. */
+	/* Files that were read exist. Most names are new, and there may be thousands of programs. */
 	if (access(path, F_OK))
 		return true;
 	for (size_t i = 0; i < file_count; i++) {

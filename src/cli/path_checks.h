@@ -34,11 +34,11 @@ bool path_checks_meshes(const struct options *options, const struct machine *mac
  */
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
-/* False, reported: --input-root is no folder. */
+/* False, reported: --input-root is not a folder. */
 bool path_checks_root(const struct options *options, struct diag *diag);
 
 /*
- * False, reported: the machine or the setup names a mesh outside --input-root, after symbolic links are followed. The
+ * False, reported: the machine or the setup has a mesh outside --input-root, after symbolic links are followed. The
  * bodies remember the root, so that it also applies to meshes that are read later. Tool libraries were tested when they
  * were read (machine_load_within).
  */

@@ -46,7 +46,7 @@ bool program_close(struct program_file *file, struct diag *diag)
 	return good;
 }
 
-/* One program while it runs. */
+/* One program during its check. */
 struct program {
 	const struct program_context *context;
 	struct program_output *output;
@@ -57,7 +57,7 @@ struct program {
 	FILE *stream;
 	off_t size;	/* of the file; 0: not known */
 	struct recorder *recorder;	/* for a report; or NULL */
-	struct strbuf text[FORMAT_COUNT];	/* what each sink will be given next */
+	struct strbuf text[FORMAT_COUNT];	/* the next text for each sink */
 	int *matched;	/* see waiver_match_find */
 	struct strbuf waived_text;	/* waived findings and the reasons, one per line */
 	long waived, left_out;	/* findings that do not fail the run */
@@ -220,7 +220,7 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 	strbuf_release(&text);
 }
 
-/* --report. The verdict stands, but what was asked for is missing. */
+/* --report. The verdict is valid, but the requested file is missing. */
 static void write_report(struct program *program, const struct report_program *about)
 {
 	const struct program_context *context = program->context;
@@ -258,12 +258,15 @@ static void report(struct program *program, const struct verdict *verdict, const
 		context->sinks->items[i].writer->program(&program->text[i], &context->run, &about);
 		program_output_write(program->output, i, &program->text[i]);
 	}
-	/* Last: who waits has the verdict by now, and a fault of it adds to the errors, which may move them. */
+	/*
+	 * The report comes last: the verdict is already printed, and a fault of the report adds an error, which may
+	 * move the array of errors.
+	 */
 	if (program->recorder)
 		write_report(program, &about);
 }
 
-/* Probably a setup whose --setup was forgotten. */
+/* Is it probably a setup without its --setup? */
 static bool is_xml_name(const char *path)
 {
 	size_t length = strlen(path);
@@ -284,7 +287,7 @@ static enum run_status status_of(enum check_result result)
 	return RUN_INTERNAL;
 }
 
-/* --sensitivity: how far the setup may be off before the verdict changes. */
+/* --sensitivity: by how much the setup may be wrong before the verdict changes. */
 static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 {
 	const struct check_sink sink = {program, on_finding, on_progress, NULL};
@@ -312,7 +315,7 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 			   "interrupted before --sensitivity was finished");
 }
 
-/* --sensitivity reads the program again, which a pipe does not allow. False: reported. */
+/* --sensitivity reads the program again, which is impossible for a pipe. False: reported. */
 static bool find_start(const struct program *program, const struct program_file *file, off_t *start)
 {
 	*start = ftello(file->stream);
@@ -324,7 +327,7 @@ static bool find_start(const struct program *program, const struct program_file 
 	return false;
 }
 
-/* What the checked program comes to. */
+/* The verdict of the checked program. */
 static struct verdict verdict_of(const struct program *program)
 {
 	const struct program_context *context = program->context;
@@ -344,7 +347,7 @@ static struct verdict verdict_of(const struct program *program)
 	};
 }
 
-/* Fills in the outcome's status, with the waivers and what the user lets fail. */
+/* Sets the outcome's status, according to the waivers and the kinds of findings that fail the run. */
 static void judge(struct program *program, const struct verdict *verdict)
 {
 	const struct options *options = program->context->options;

@@ -25,7 +25,7 @@ bool program_open(struct program_file *file, const char *path, struct diag *diag
 /* False, reported: not all of the program could be read. */
 bool program_close(struct program_file *file, struct diag *diag);
 
-/* What the programs of a run share. Borrows everything. */
+/* The common data of the programs of a run. All pointers are borrowed. */
 struct program_context {
 	const struct options *options;
 	struct check_options check;	/* from the options, with the threads for one program */

@@ -13,7 +13,7 @@ static const struct srcloc nowhere;
 /* Bytes: about a million names. The limit ends the reading of a pipe that never ends. */
 #define PROGRAM_LIST_MAX ((size_t)64 << 20)
 
-/* Reads to the end; returns what is wrong, or NULL. */
+/* Reads to the end; returns the fault, or NULL. */
 static const char *read_all(struct strbuf *text, FILE *in)
 {
 	char bytes[4096];
@@ -30,7 +30,7 @@ static const char *read_all(struct strbuf *text, FILE *in)
 	return ferror(in) ? strerror(errno ? errno : EIO) : NULL;
 }
 
-/* Cuts the text into lines in place and skips empty ones. */
+/* Divides the text into lines in place and skips empty ones. */
 static void add_names(struct options *options, char *text)
 {
 	size_t capacity = options->program_count;

@@ -7,7 +7,7 @@
 #include "base/diag.h"
 #include "cli/options.h"
 
-/* Appends the programs that the file of --files-from names, one per line. False: reported. */
+/* Appends the programs in the file of --files-from, one per line. False: reported. */
 bool program_list_read(struct options *options, struct diag *diag);
 
 /*

@@ -52,7 +52,7 @@ void program_queue_release(struct program_queue *queue)
 	free(queue->by_size);
 }
 
-/* With the lock, while not all are taken. */
+/* The caller holds the lock, and not all are taken. */
 static size_t choose(struct program_queue *queue)
 {
 	size_t large;

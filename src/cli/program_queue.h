@@ -1,4 +1,4 @@
-/* program_queue.h - decides which program is checked next, if several are checked at a time. */
+/* program_queue.h - decides which program is checked next, if several are checked at the same time. */
 #ifndef FIVECHECK_CLI_PROGRAM_QUEUE_H
 #define FIVECHECK_CLI_PROGRAM_QUEUE_H
 
@@ -17,7 +17,7 @@ struct program_queue {
 	int threads;
 };
 
-/* sizes: bytes of each program, 0 if not known. */
+/* sizes: bytes of each program, 0 if unknown. */
 void program_queue_init(struct program_queue *queue, const double *sizes, size_t count, int threads);
 void program_queue_release(struct program_queue *queue);
 

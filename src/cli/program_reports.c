@@ -23,7 +23,7 @@
 /* Meshes get this share of a report's size. */
 #define MESH_SHARE 0.75
 
-/* Of that the stock gets this share, if there is one; triangles of cubes need no more bytes than so many. */
+/* The stock, if there is one, gets this share of them; a triangle of cubes needs at most this number of bytes. */
 #define STOCK_SHARE 0.25
 #define STOCK_TRIANGLE_BYTES 3
 
@@ -83,7 +83,7 @@ static void add_path(struct strbuf *out, const char *path, const char *name)
 
 /* --------------------------------------------------------------------- run */
 
-/* Can the file be written? It stays as it is. False: reported. */
+/* Can the file be written? It is not changed. False: reported. */
 static bool try_output(const char *path, struct diag *diag)
 {
 	struct output out;
@@ -96,7 +96,7 @@ static bool try_output(const char *path, struct diag *diag)
 	return true;
 }
 
-/* Is there a file that is no report, picture or scene? It might be a subprogram, of which nobody knows yet. */
+/* Is there a file that is not a report, picture or scene? It might be a subprogram that is not known yet. */
 static bool holds_other(const char *path)
 {
 	static const char *const marks[] = {"<!doctype html>", "<svg ", "\x89PNG", "glTF"};
@@ -131,7 +131,7 @@ bool program_reports_may_replace(const char *option, const char *path, struct di
 	return false;
 }
 
-/* No file of a program may be one that is read, or another output. False: reported. */
+/* No file of a program may be an input or another output. False: reported. */
 static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path,
 			  struct diag *diag)
 {
@@ -151,7 +151,7 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 	return good;
 }
 
-/* Builds the trees of tools' pieces that the check does not need. */
+/* Builds the trees of tool pieces that the check does not need. */
 static void build_all(struct scene *scene)
 {
 	for (size_t i = 0; i < scene->body_count; i++)
@@ -175,7 +175,7 @@ static void pack_meshes(struct program_reports *reports, struct diag *diag)
 			  format_units_noun(reports->pack.left_out, "body is", "bodies are"), options->report_size);
 }
 
-/* Who waits for the verdict of one program does not wait for the meshes; several programs share them. */
+/* A user who waits for the verdict of one program must not wait for the meshes; several programs share them. */
 static bool packs_late(const struct options *options)
 {
 	return options->program_count == 1;
@@ -226,7 +226,7 @@ void program_reports_release(struct program_reports *reports)
 	*reports = (struct program_reports){0};
 }
 
-/* The files that this program was checked with: without other programs, and with its subprograms. */
+/* The files with which this program was checked: without other programs, and with its subprograms. */
 static struct report_file *files_of(const struct program_reports *reports, const struct recorder *recorder,
 				    const char *program, size_t *count)
 {
@@ -261,7 +261,7 @@ static void keep_for_index(struct reported_program *it, const struct report_prog
 	strbuf_release(&text);
 }
 
-/* What the pictures of a program show: its first finding, else where bodies were nearest, else its start. */
+/* The content of a program's pictures: its first finding, else the place where bodies were nearest, else its start. */
 static struct stage stage_of(const struct program_reports *reports, struct recorder *recorder)
 {
 	const struct scene *scene = reports->scene;
@@ -295,7 +295,7 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 	return stage;
 }
 
-/* One line below the picture. The clearances are bounds: which block is the nearest is known within their accuracy. */
+/* One line below the picture. The clearances are bounds: the nearest block is known only within their accuracy. */
 static void add_title(struct strbuf *out, const struct program_reports *reports, const struct recorder *recorder,
 		      const struct report_program *program)
 {
@@ -348,7 +348,7 @@ static bool write_picture(const struct stage *stage, const char *title, const ch
 	return good;
 }
 
-/* --report, with a picture and the files that were read beside what is known. False: reported. */
+/* --report, with a picture and the files that were read in addition to the known ones. False: reported. */
 static bool write_html(const struct program_reports *reports, const struct html_contents *known,
 		       const struct stage *stage, const char *title, const char *path, struct diag *diag)
 {
@@ -413,7 +413,7 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 	bool good = true;
 	int error;
 
-	/* html_report_write names the fault of a temporary file. */
+	/* html_report_write reports the fault of a temporary file. */
 	recorder_close(recorder, &error);
 	add_title(&title, reports, recorder, program);
 	if (options->report) {

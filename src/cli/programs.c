@@ -16,29 +16,29 @@
 #include "report/pose.h"
 #include "report/stock_file.h"
 
-/* What the threads share. */
+/* The common data of the threads. */
 struct session {
 	struct stock_remainder remainder;	/* with --stock-out */
 	const struct options *options;
 	struct program_context context;
 	struct program_queue queue;
-	struct spare_threads spare;	/* those that find no program any more help with the others */
+	struct spare_threads spare;	/* threads without a program help with the others */
 	struct ordered_output order;
-	struct program_outcome *outcomes;	/* one a program */
+	struct program_outcome *outcomes;	/* one for each program */
 };
 
 static void check_program(struct session *session, size_t i)
 {
 	struct program_output *output = &session->order.programs[i];
 
-	/* After a failed write nobody would see the result. */
+	/* After a failed write the result could not be printed. */
 	session->outcomes[i].status = RUN_INCOMPLETE;
 	if (!ordered_output_is_lost(&session->order))
 		program_check(&session->context, session->options->programs[i], output, &session->outcomes[i]);
 	program_output_end(output);
 }
 
-/* One thread, or the few that check one program together, until no program is left. */
+/* Run by one thread, or by the few that check one program together, until no program is left. */
 static void check_programs(void *context, int worker, size_t round)
 {
 	struct session *session = context;
@@ -72,13 +72,13 @@ static void tell_end(const struct session *session, double seconds, const struct
 	sinks_end(session->order.sinks, &session->context.run, &end);
 }
 
-/* A folder that is missing is named at once, not after hours and only with a finding. The file stays as it is. */
+/* A missing folder is reported at once, not after hours and only with a finding. The file is not changed. */
 static bool can_write_pose(const struct options *options, struct diag *diag)
 {
 	struct stat status;
 	struct output out;
 
-	/* A pipe is opened once. */
+	/* A pipe may be opened only once. */
 	if (!options->pose || (!stat(options->pose, &status) && !S_ISREG(status.st_mode)))
 		return true;
 	if (!output_open(&out, options->pose, diag))
@@ -113,7 +113,7 @@ static bool is_named(const struct options *options, const char *program)
 	return false;
 }
 
-/* The names of programs may be spelled differently. With --shard other shards have the programs. */
+/* The names of programs may be spelled differently. With --shard they may belong to other shards. */
 static void tell_strange_waivers(const struct session *session, const struct waivers *file)
 {
 	size_t count = 0;
@@ -134,7 +134,7 @@ static bool write_stock(const struct session *session)
 				scene_stock(session->context.scene) >= 0, &session->order.ui->diag);
 }
 
-/* The greatest status of the programs, of --pose, of --stock-out, and of errors that concern no program. */
+/* The greatest status of the programs, of --pose, of --stock-out, and of errors without a program. */
 static enum run_status status_of(const struct session *session)
 {
 	enum run_status status = RUN_CLEAR;
@@ -159,19 +159,19 @@ static bool is_pressed(void *context)
 	return interrupt_presses();
 }
 
-/* How many programs are checked at the same time. */
+/* The number of programs that are checked at the same time. */
 static int programs_at_once(const struct programs_run *run)
 {
 	const struct options *options = run->options;
 
-	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
+	/* Buffered rows of other programs would need much memory, and the times would be mixed up. */
 	if (run->tables || !options->program_count)
 		return 1;
 	return options->program_count < (size_t)options->check.threads ? (int)options->program_count
 								       : options->check.threads;
 }
 
-/* What the programs share, with the threads that each of them may use. */
+/* The common data of the programs, with the number of threads for each of them. */
 static struct program_context context_of(const struct programs_run *run, int threads)
 {
 	static const struct cancel cancel = {NULL, is_pressed};
@@ -200,7 +200,7 @@ static struct program_context context_of(const struct programs_run *run, int thr
 
 	context.check.read.opened = &run->inputs->opened;
 	context.check.read.cancel = &cancel;
-	/* The check must go on after an accepted finding. */
+	/* The check must continue after an accepted finding. */
 	context.check.all = options->check.all || options->waivers || options->fail_on;
 	context.check.threads = options->check.threads / threads;
 	return context;
@@ -223,7 +223,7 @@ static void check_all(struct session *session, int threads)
 	program_queue_release(&session->queue);
 }
 
-/* Everything that is written behind the last program. */
+/* Writes everything that follows the last program. */
 static enum run_status finish(struct session *session, const struct programs_run *run)
 {
 	struct diag *diag = &run->ui->diag;

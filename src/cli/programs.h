@@ -9,7 +9,7 @@
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
 
-/* One run. Borrows everything. */
+/* One run. All pointers are borrowed. */
 struct programs_run {
 	const struct options *options;
 	struct model *model;
@@ -22,8 +22,8 @@ struct programs_run {
 };
 
 /*
- * Checks the programs that the options name, with as many threads as the options allow, and reports them in the order
- * of the command line. Sorts the inputs. If an output turns out to be an input, reports that and discards the sinks.
+ * Checks the programs in the options, with as many threads as the options permit, and reports them in the order of the
+ * command line. Sorts the inputs. If an output turns out to be an input, reports that and discards the sinks.
  */
 enum run_status programs_check(const struct programs_run *run);
 

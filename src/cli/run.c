@@ -33,7 +33,7 @@ static enum run_status worst(enum run_status a, enum run_status b)
 	return a > b ? a : b;
 }
 
-/* What a run has loaded; all zero is nothing. */
+/* Everything that a run has loaded; all zero is nothing. */
 struct job {
 	struct waivers *waivers;	/* or NULL */
 	struct waiver_match waiving;
@@ -41,7 +41,7 @@ struct job {
 	bool borrowed;	/* the caller has loaded and prepared the model */
 	struct known_digests *known;	/* of the borrowed model's files; or NULL */
 	struct digesting digesting;	/* of the files that a check reads */
-	double seconds;	/* that loading took */
+	double seconds;	/* for loading */
 };
 
 static void job_release(struct job *job)
@@ -51,7 +51,7 @@ static void job_release(struct job *job)
 		fivecheck_free(job->model);
 }
 
-/* Is the file the one with this digest ("none": no file)? A digest that is NULL fits every file. */
+/* Does the file have this digest ("none": no file)? A digest that is NULL fits every file. */
 static bool has_digest(const char *path, const char *digest)
 {
 	char found[DIGEST_SIZE] = "none";
@@ -97,7 +97,7 @@ static bool needs_pairs(enum run_mode mode)
 	return mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
 }
 
-/* The operands may have been exchanged. */
+/* Notes that the operands may be in the wrong order. */
 static void note_order(const struct options *options, struct diag *diag)
 {
 	const char *first = options->program_count ? options->programs[0] : "";
@@ -135,13 +135,13 @@ static bool job_read(struct job *job, const struct options *options, struct diag
 	return true;
 }
 
-/* Reads the bodies if they are needed and not known, and derives their pairs. False: reported. */
+/* Reads the bodies if they are needed and not loaded yet, and derives their pairs. False: reported. */
 static bool job_prepare(struct job *job, const struct options *options, struct diag *diag)
 {
 	double start = stderr_ui_seconds();
 
 	if (job->borrowed) {
-		/* Its bodies are known. */
+		/* The bodies are loaded already. */
 	} else if (options->mode == RUN_CHECK) {
 		if (!fivecheck_prepare(job->model, options->clearance, diag))
 			return false;
@@ -167,8 +167,8 @@ static bool open_channels(struct sinks *sinks, const struct options *options, st
 }
 
 /*
- * A pair that must keep a clearance only has findings of the kind clearance. --fail-on=collision alone would let its
- * collisions pass, so it is refused.
+ * A pair with a required clearance has only findings of the kind clearance. --fail-on=collision alone would let its
+ * collisions pass, so this is rejected.
  */
 static bool check_kinds(const struct options *options, const struct scene *scene, struct diag *diag)
 {
@@ -190,7 +190,7 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 	return true;
 }
 
-/* From here on a change of these files is noticed. */
+/* From now on changes of these files are detected. */
 static void add_inputs(struct job *job, const struct options *options, struct input_files *inputs)
 {
 	const bool meshes = options->mode == RUN_CHECK || job->model->scene;
@@ -213,7 +213,7 @@ static bool load_all(struct job *job, const struct options *options, struct inpu
 	return job_prepare(job, options, diag) && check_kinds(options, job->model->scene, diag);
 }
 
-/* Checks the programs. Reports are kept even if the check is incomplete, since they say so themselves. */
+/* Checks the programs. Reports are kept even if the check is incomplete, because they say so. */
 static enum run_status check_programs(struct job *job, const struct options *options, struct stderr_ui *ui,
 				      struct sinks *sinks, struct block_tables *tables, struct input_files *inputs)
 {
@@ -226,7 +226,7 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	status = programs_check(&(struct programs_run){
 		.options = options, .model = job->model, .seconds = job->seconds, .ui = ui, .sinks = sinks,
 		.inputs = inputs, .waiving = &job->waiving, .tables = block_tables_are_wanted(tables) ? tables : NULL});
-	/* Without a sink nothing may be written: programs_check has discarded them. */
+	/* Without a sink nothing may be written: programs_check has discarded the sinks. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
 		status = worst(status, RUN_INCOMPLETE);
 	if (sinks->count && !block_tables_commit(tables, diag))
@@ -245,7 +245,7 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	struct input_files inputs;
 	struct diag_tee tee;
 
-	/* Before any file is read, so that later changes are noticed. */
+	/* Before any file is read, so that later changes are detected. */
 	input_files_init(&inputs);
 	diag_tee_init(&tee, diag);
 	if (!open_channels(&sinks, options, diag) ||
@@ -318,7 +318,7 @@ static enum run_status run_pairs(const struct job *job, bool as_json, struct out
 	return RUN_CLEAR;
 }
 
-/* The names of what a check reads, one a line. */
+/* Writes the names of the files that a check reads, one per line. */
 static enum run_status run_depends(const struct job *job, const struct options *options, struct diag *diag,
 				   struct output *out)
 {
@@ -402,7 +402,7 @@ enum run_status run_options_on(const struct options *options, struct model *mode
 	}
 	job_release(&job);
 	stderr_ui_clear(ui);
-	/* After any error something was not checked. */
+	/* After any error some part was not checked. */
 	return diag->errors ? worst(status, RUN_INCOMPLETE) : status;
 }
 

@@ -12,8 +12,8 @@
 enum run_status run_options(const struct options *options, struct stderr_ui *ui);
 
 /*
- * The same on a model that was loaded from the files in the options, and prepared; for RUN_CHECK. `known` has the
- * digests of these files from earlier checks on the model, and receives those of this one. NULL and NULL: like
+ * The same with a model that was loaded from the files in the options, and prepared; for RUN_CHECK. `known` has the
+ * digests of these files from earlier checks with the model, and receives those of this one. NULL and NULL: like
  * run_options.
  */
 enum run_status run_options_on(const struct options *options, struct model *model, struct known_digests *known,

@@ -20,7 +20,7 @@ static const struct srcloc nowhere;
 
 struct session {
 	struct model *model;	/* prepared; NULL: none is loaded */
-	char *machine, *setup;	/* what it was loaded from; setup may be NULL */
+	char *machine, *setup;	/* the files from which it was loaded; setup may be NULL */
 	struct known_digests digests;	/* of these files, and of the meshes */
 	double clearance;
 	int dialect;	/* the machine file's own */
@@ -57,7 +57,7 @@ static bool same_text(const char *a, const char *b)
 	return a && b ? !strcmp(a, b) : a == b;
 }
 
-/* Loads the machine that the options name, unless it is there. The options then name the session's copies. */
+/* Loads the machine of the options, unless it is loaded already. The options then refer to the session's copies. */
 static bool load(struct session *session, struct options *options, struct diag *diag)
 {
 	bool fits = session->model && same_text(session->machine, options->machine) &&

@@ -27,7 +27,7 @@ static void add_coloured(struct strbuf *out, const char *text, enum diag_severit
 	strbuf_addf(out, "%s%.*s\033[0m%s", colours[severity], (int)length, at, at + length);
 }
 
-/* With --quiet: is it an error, or a note that follows an error directly and is not about a file as a whole? */
+/* With --quiet: is it an error, or a note that follows an error directly and does not concern a file as a whole? */
 static bool is_kept(struct stderr_ui *ui, const struct diag_entry *entry)
 {
 	bool of_file = entry->loc.file && !entry->loc.line;
@@ -55,7 +55,7 @@ static void print_entry(void *context, const struct diag_entry *entry)
 	strbuf_release(&line);
 }
 
-/* Is it a terminal that obeys control sequences? A host that has none (src/wasi) needs nothing of them. */
+/* Is it a terminal that supports control sequences? A host without terminals (src/wasi) needs none of this. */
 static bool takes_escapes(int fd)
 {
 	const char *term;
@@ -94,7 +94,7 @@ void stderr_ui_expect(struct stderr_ui *ui, size_t programs)
 
 enum { BAR_WIDTH = 20, WIDTH_DEFAULT = 80 };
 
-/* What the progress line shows. */
+/* The content of the progress line. */
 struct progress {
 	const char *file;	/* the program that is being read; NULL: unknown */
 	long lines;
@@ -130,7 +130,7 @@ static size_t columns_of(const char *text)
 	return columns;
 }
 
-/* How many bytes of the text fit into the columns; no character is cut. */
+/* The number of bytes of the text that fit into the columns; no character is divided. */
 static int cut(const char *text, size_t columns)
 {
 	size_t length = 0;
@@ -158,8 +158,8 @@ static void add_name(struct strbuf *out, const char *file, size_t columns)
 }
 
 /*
- * "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711"; with one program "part.nc: line 4711, 52000 lines/s". The
- * name gets so many columns.
+ * "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711"; with one program "part.nc: line 4711, 52000 lines/s".
+ * `columns`: those for the name.
  */
 static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now, size_t columns)
 {
@@ -197,7 +197,7 @@ static void add_bar(struct strbuf *out, double share)
 	strbuf_addf(out, "] ");
 }
 
-/* Columns of the terminal less one: a line that fills the last column wraps and cannot be erased. */
+/* Columns of the terminal minus one: a line that fills the last column wraps and cannot be erased. */
 static size_t width(void)
 {
 	struct winsize size;
@@ -207,10 +207,10 @@ static size_t width(void)
 	return (size_t)size.ws_col - 1;
 }
 
-/* Fewer columns have no room for a bar. A name is not made shorter than that for want of columns. */
+/* With fewer columns there is no bar. A name is not made shorter than NAME_LEAST. */
 enum { BAR_LEAST = 72, NAME_LEAST = 12 };
 
-/* A line that fits into the columns, if need be with less of the name. */
+/* A line that fits into the columns, if necessary with a shorter name. */
 static void add_line(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now, bool bar)
 {
 	const size_t room = width();
@@ -227,7 +227,7 @@ static void add_line(struct strbuf *out, const struct stderr_ui *ui, const struc
 	strbuf_release(&whole);
 }
 
-/* Whole lines, instead of one that is renewed. */
+/* Are whole lines printed, instead of one that is renewed? */
 static bool is_plain(const struct stderr_ui *ui)
 {
 	return ui->kind == PROGRESS_PLAIN || !ui->renews;
@@ -258,7 +258,7 @@ static bool is_wanted(const struct stderr_ui *ui)
 	       (ui->kind == PROGRESS_PLAIN || (ui->kind == PROGRESS_AUTO && ui->terminal));
 }
 
-/* Progress that follows other output at once would flicker, and a short run needs none. */
+/* Progress immediately after other output would flicker, and a short run needs none. */
 static bool is_due(const struct stderr_ui *ui)
 {
 	return stderr_ui_seconds() - ui->shown >= (is_plain(ui) ? 10 : 0.2);

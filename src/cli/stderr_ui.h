@@ -22,7 +22,7 @@ struct stderr_ui {
 	double shown;	/* when progress was last printed, by stderr_ui_seconds */
 };
 
-/* The structure must not be moved afterwards: its diag points back at it. */
+/* Do not move the structure afterwards: its diag points back to it. */
 void stderr_ui_init(struct stderr_ui *ui);
 
 /* COLOR_AUTO: is the file a terminal with colours, and NO_COLOR unset or empty (no-color.org)? */
@@ -36,7 +36,7 @@ void stderr_ui_finish(struct stderr_ui *ui);
 /*
  * Shows how far a program has been read: the line, and the share of its file (0 to 1; negative: unknown). With several
  * programs it shows the progress of the run, its rate and the time left. On a terminal the line is renewed up to five
- * times a second, and fits into its columns; plain lines, also those of a terminal without control sequences, come
+ * times a second, and fits into its columns; plain lines, also on a terminal without control sequences, are printed
  * every ten seconds.
  */
 void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share);

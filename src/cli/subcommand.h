@@ -9,7 +9,7 @@
 #include "cli/option_row.h"
 #include "cli/run_status.h"
 
-/* One of the options has the letter h: it prints the help. */
+/* The option with the letter h prints the help. */
 struct subcommand {
 	const char *name;
 	const char *usage;	/* the help before the options */
@@ -18,7 +18,7 @@ struct subcommand {
 	size_t option_count;
 };
 
-/* The words are borrowed from argv; the array is owned. All zero is empty. */
+/* The words are borrowed from argv; the array is owned. All zero is an empty list. */
 struct operands {
 	char **items;
 	size_t count, capacity;
@@ -31,7 +31,7 @@ struct operands {
 bool subcommand_read(const struct subcommand *subcommand, void *request, struct operands *operands, int argc,
 		     char **argv, struct diag *diag, enum run_status *status);
 
-/* After an error about the options, a note that names the option with their list. */
+/* After an error about the options, prints a note with the option that lists them. */
 enum run_status subcommand_refuse(const struct subcommand *subcommand, struct diag *diag);
 
 void operands_release(struct operands *operands);

@@ -39,7 +39,7 @@ static const struct subcommand subcommand = {
 	.option_count = WAIVE_OPTION_COUNT,
 };
 
-/* False: reported. A waiver that has expired would accept nothing. */
+/* False: reported. An expired waiver would accept nothing. */
 static bool is_to_come(const char *until, struct diag *diag)
 {
 	char today[DATE_SIZE];

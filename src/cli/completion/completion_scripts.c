@@ -5,10 +5,10 @@
 
 #include "cli/option_table.h"
 
-/* What an option's argument is. */
+/* The kind of an option's argument. */
 enum completion_value { COMPLETE_NOTHING, COMPLETE_WORDS, COMPLETE_FILE, COMPLETE_FOLDER, COMPLETE_OTHER };
 
-/* The options that belong together: those of a subcommand, or of a check. */
+/* Options of one subcommand, or of a check. */
 struct completion_scope {
 	const struct command *command;	/* NULL: a check */
 	const struct option_row *options;
@@ -27,7 +27,7 @@ static void add_word(struct strbuf *words, const char *word)
 	strbuf_addf(words, "%s%s", words->length ? " " : "", word);
 }
 
-/* What the option takes; words are appended, separated by blanks. */
+/* The kind of the option's argument; its words are appended, separated by blanks. */
 static enum completion_value completion_value(struct strbuf *words, const struct option_row *row)
 {
 	if (!row->argument)

@@ -93,7 +93,7 @@ static const struct subcommand subcommand = {
 	.option_count = IMPORT_OPTION_COUNT,
 };
 
-/* What was written must be what the checker reads. */
+/* Loads the written machine, to prove that the checker can read it. */
 static bool load(const struct request *request, const char *path)
 {
 	struct machine *machine = machine_load(path, request->diag);
@@ -109,7 +109,7 @@ static bool load(const struct request *request, const char *path)
 	return true;
 }
 
-/* A page that shows the machine as it was written. */
+/* Writes a page that shows the written machine. */
 static bool draw(const struct request *request, const char *path, const char *page)
 {
 	struct machine *machine = machine_load(path, request->diag);
@@ -144,7 +144,7 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	return vericut_machine_read(machine, request->file, NULL, &request->options, request->diag);
 }
 
-/* Writes the machine, and its pictures if they are wanted. False: reported. */
+/* Writes the machine, and its pictures if requested. False: reported. */
 static bool write_machine(const struct request *request, struct import_machine *machine)
 {
 	struct strbuf path = {0}, page = {0};
@@ -164,7 +164,7 @@ static bool write_machine(const struct request *request, struct import_machine *
 	return good;
 }
 
-/* Are the files new that every machine becomes? False: reported. */
+/* Are the files of the machine new? False: reported. */
 static bool machine_is_new(const struct request *request)
 {
 	struct strbuf path = {0}, page = {0};
@@ -250,7 +250,7 @@ static bool import_tools(const struct request *request)
 	return good;
 }
 
-/* Every part of the file as a body, without a machine. False: reported. */
+/* Reads every part of the file as a body, without a machine. False: reported. */
 static bool read_parts(const struct request *request, struct import_machine *machine)
 {
 	const enum mesh_format format = mesh_file_format(request->file);

@@ -38,7 +38,7 @@ static void note_setup(const char *path, const struct import_setup *setup, size_
 		  format_units_noun(setup->program_count, "program", "programs"));
 }
 
-/* The checker must read what was written. */
+/* Loads a written setup, to prove that the checker can read it. */
 static bool load(const struct import_project *project, size_t index, const char *folder, struct diag *diag)
 {
 	const struct import_setup *setup = &project->setups[index];

@@ -1,4 +1,4 @@
-/* import_jobs.h - imports a project: a machine, its setups, and the job file that joins them with programs. */
+/* import_jobs.h - imports a project: a machine, its setups, and the job file that connects them with programs. */
 #ifndef FIVECHECK_CLI_IMPORT_IMPORT_JOBS_H
 #define FIVECHECK_CLI_IMPORT_IMPORT_JOBS_H
 

@@ -138,7 +138,7 @@ static bool ask(struct request *request)
 	return true;
 }
 
-/* What the reader of machine files says of an answer is said of the option: the file is not written. */
+/* If the reader of machine files rejects an answer, this is reported at the option: the file is not written. */
 static void pass_fault(void *context, const struct diag_entry *entry)
 {
 	if (entry->severity == DIAG_ERROR)

@@ -4,7 +4,7 @@
 
 #include "control/dialects.h"
 
-/* Every option may be given several times; the key tells machine_plan_set what to do with its arguments. */
+/* Every option may be given several times; the key determines how machine_plan_set uses its arguments. */
 #define LIST(key) .kind = VALUE_LIST, .field = offsetof(struct init_request, given[(key) - PLAN_FAMILY])
 
 const struct option_row init_options[INIT_OPTION_COUNT] = {

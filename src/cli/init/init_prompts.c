@@ -12,9 +12,9 @@ static const struct srcloc nowhere;
 struct prompt {
 	enum machine_plan_key key;
 	int slot;	/* the axis; -1: none */
-	const char *text;	/* what is asked for; %s stands for the unit */
+	const char *text;	/* the question; %s stands for the unit */
 	const char *example;	/* an answer, without the axis */
-	bool optional;	/* there is a default, which the text names */
+	bool optional;	/* there is a default, which the text mentions */
 };
 
 enum { PROMPTS_MAX = 32 };
@@ -57,7 +57,7 @@ static void add_axis(struct prompts *list, const struct machine_plan *plan, int 
 			      "0,0,120", false});
 }
 
-/* The usual oblique axis stands halfway between its own letter and Z; C has no such place. */
+/* The usual oblique axis is halfway between its own letter and Z; C has no such direction. */
 static void add_oblique(struct prompts *list, const struct machine_plan *plan)
 {
 	const int slot = machine_plan_tilted(plan);
@@ -75,7 +75,7 @@ static void add_oblique(struct prompts *list, const struct machine_plan *plan)
 			    slot == SLOT_A ? "1,0,1" : "0,1,1", true});
 }
 
-/* Lists what is missing, as far as the answers so far tell. */
+/* Lists the missing values, as far as the answers so far determine them. */
 static void list_open(struct prompts *list, const struct machine_plan *plan)
 {
 	list->count = 0;
@@ -122,7 +122,7 @@ static void add_text(struct strbuf *out, const struct machine_plan *plan, const 
 		strbuf_addf(out, "%s%s%s", i ? ", " : ": ", choices[i], i ? "" : " (the default)");
 }
 
-/* The answer in the form that the option takes. */
+/* The answer in the form of the option's argument. */
 static void add_answer(struct strbuf *out, const struct prompt *prompt, const char *answer)
 {
 	if (prompt->slot >= 0)
@@ -152,7 +152,7 @@ bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 		const struct prompt *prompt = &list.items[i];
 		struct strbuf text = {0}, example = {0};
 
-		/* machine_plan_finish says more of a direction that is missing. */
+		/* machine_plan_finish gives more details about a missing direction. */
 		if (prompt->optional || prompt->key == PLAN_DIRECTION)
 			continue;
 		complete = false;
@@ -194,7 +194,7 @@ static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in
 	fflush(stderr);
 	good = read_line(&line, in);
 	if (good && line.length) {
-		/* A wrong answer is reported; it leaves the value missing, so the question comes again. */
+		/* A wrong answer is reported; the value is still missing, so the question is repeated. */
 		add_answer(&answer, prompt, strbuf_text(&line));
 		machine_plan_set(plan, init_options_row(prompt->key), strbuf_text(&answer), diag);
 	}

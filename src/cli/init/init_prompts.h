@@ -8,15 +8,15 @@
 #include "base/diag.h"
 #include "cli/init/machine_plan.h"
 
-/* Is anything missing that has no default? */
+/* Is a value without a default missing? */
 bool init_prompts_are_missing(const struct machine_plan *plan);
 
-/* Reports everything that is missing and has no default, with its option. True: nothing is missing. */
+/* Reports every missing value without a default, with its option. True: nothing is missing. */
 bool init_prompts_report(const struct machine_plan *plan, struct diag *diag);
 
 /*
  * Asks on standard error for missing values and reads answers from `in`, one per line, until each is valid. False,
- * reported: the input ended before.
+ * reported: the input ended too early.
  */
 bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag);
 

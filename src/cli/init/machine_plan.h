@@ -1,4 +1,4 @@
-/* machine_plan.h - what `fivecheck init` knows about a machine from options and answers. */
+/* machine_plan.h - the data of a machine that `fivecheck init` has from options and answers. */
 #ifndef FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 #define FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 
@@ -11,7 +11,7 @@
 #include "geom/vec3.h"
 
 /*
- * What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. A nutating table turns about an
+ * What the two rotary axes carry; the machine of Chen, Lin and Chang is table-table. A nutating table rotates about an
  * axis between two coordinate axes, and carries a second rotary axis; a nutating head is carried by another one.
  */
 enum family {
@@ -50,7 +50,7 @@ struct machine_plan_axis {
 	const char *title;	/* or NULL */
 };
 
-/* Axes in the order in which they carry each other, from the base. */
+/* Axes in the order in which they carry each other, starting at the base. */
 struct machine_plan_chain {
 	int slots[SLOT_COUNT];
 	size_t count;
@@ -87,13 +87,13 @@ struct machine_plan {
 void machine_plan_init(struct machine_plan *plan);
 void machine_plan_release(struct machine_plan *plan);
 
-/* Adds a body on the axis of a slot, or on the base (-1). Its file is the three texts joined. */
+/* Adds a body on the axis of a slot, or on the base (-1). Its file name consists of the three texts. */
 void machine_plan_add_body(struct machine_plan *plan, int slot, const char *folder, const char *name,
 			   const char *ending);
 
 bool machine_plan_chain_has(const struct machine_plan_chain *chain, int slot);
 
-/* The slot of the axis at 45 degrees between two others; -1: the family has none. */
+/* The slot of the axis at 45 degrees between two coordinate axes; -1: the family has none. */
 int machine_plan_tilted(const struct machine_plan *plan);
 
 /* Is the slot an axis of the machine? Valid as soon as the rotary axes are known. */

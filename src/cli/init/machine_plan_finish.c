@@ -12,7 +12,7 @@ static const struct srcloc nowhere;
 static const int linear_slots[] = {SLOT_Y, SLOT_X, SLOT_Z};
 enum { LINEAR_COUNT = sizeof(linear_slots) / sizeof(linear_slots[0]) };
 
-/* Linear axes that one chain does not have go to the other. */
+/* Linear axes that are missing in one chain belong to the other. */
 static void add_rest(struct machine_plan_chain *chain, const struct machine_plan_chain *other)
 {
 	for (int i = 0; i < LINEAR_COUNT; i++) {
@@ -111,7 +111,7 @@ static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 	return true;
 }
 
-/* The default name of the body on a link; NULL: it is named after the axis. */
+/* The default name of the body on a link; NULL: its name is that of the axis. */
 static const char *usual_name(const struct machine_plan *plan, const struct machine_plan_chain *chain, size_t i)
 {
 	bool table = chain == &plan->table;
@@ -151,10 +151,10 @@ static void add_usual_bodies(struct machine_plan *plan)
 	}
 }
 
-/* Degrees from Z: an oblique axis that is nearer to it is likely to be an angle in radians, or misspelt. */
+/* Degrees from Z: a smaller angle of an oblique axis is probably in radians, or mistyped. */
 #define INCLINATION_LEAST 25
 
-/* One word for where an axis points; C and the linear axes have no inclination. */
+/* An axis may have a direction or an inclination, not both; C and the linear axes have no inclination. */
 static bool check_inclinations(const struct machine_plan *plan, struct diag *diag)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -176,7 +176,7 @@ static bool check_inclinations(const struct machine_plan *plan, struct diag *dia
 	return true;
 }
 
-/* C stands along Z already. */
+/* C is already along Z. */
 static bool check_tilted(const struct machine_plan *plan, struct diag *diag)
 {
 	int slot = machine_plan_tilted(plan);
@@ -202,7 +202,7 @@ static bool check_tool_change(const struct machine_plan *plan, struct diag *diag
 	return true;
 }
 
-/* What a name means is judged by the reader of machine files; that it is said once, here. */
+/* The reader of machine files checks the meaning of a name; here: is it given only once? */
 static bool check_answers(const struct machine_plan *plan, struct diag *diag)
 {
 	for (size_t i = 0; i < plan->answer_count; i++) {
@@ -242,7 +242,7 @@ bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 		plan->inch = 0;
 	if (plan->dialect < 0)
 		plan->dialect = 0;
-	/* Where a parameter of the control decides how G0 moves, every way is checked until it is known. */
+	/* If a parameter of the control decides how G0 moves, all possible paths are checked until it is known. */
 	if (plan->rapid < 0)
 		plan->rapid = dialect_rows[plan->dialect].straight_rapids ? RAPID_LINEAR : RAPID_ANY;
 	return true;

@@ -108,7 +108,7 @@ static bool set_answer(struct machine_plan *plan, const char *text)
 	return true;
 }
 
-/* none, or the places of axes; machine_plan_finish refuses both. */
+/* "none", or the positions of axes; machine_plan_finish rejects both together. */
 static bool set_tool_change(struct machine_plan *plan, const char *text)
 {
 	bool none = !strcmp(text, "none");
@@ -188,7 +188,7 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 	}
 }
 
-/* What the form of the argument does not say. */
+/* Details that the form of the argument does not show. */
 static const char *hint_of(int key)
 {
 	switch (key) {

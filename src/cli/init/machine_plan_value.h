@@ -18,13 +18,13 @@ bool machine_plan_read_vector(vec3 *out, const char *text);
 /* "MIN:MAX", where either may be missing, or "none". */
 bool machine_plan_read_limits(struct machine_plan_axis *out, const char *text, size_t length);
 
-/* Letters of axes, all rotary or all linear, none twice, with or without commas; or "none". */
+/* Letters of axes, all rotary or all linear, each at most once, with or without commas; or "none". */
 bool machine_plan_read_chain(struct machine_plan_chain *out, const char *text, bool rotary);
 
-/* The slot of the X in "X=..."; *rest is what follows the =. -1: the text begins differently. */
+/* The slot of the X in "X=..."; *rest is the text after the =. -1: the text begins differently. */
 int machine_plan_read_letter(const char *text, const char **rest);
 
-/* Is the text allowed in an XML file? UTF-8 without control characters, not empty, at most 200 bytes. */
+/* Is the text permitted in an XML file? UTF-8 without control characters, not empty, at most 200 bytes. */
 bool machine_plan_is_text(const char *text);
 
 #endif

@@ -31,7 +31,10 @@ static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
 	strbuf_addf(out, " %s=\"%.12g %.12g %.12g\"", attribute, v.x, v.y, v.z);
 }
 
-/* How the axis moves what it carries: along or about its own coordinate axis; the table against the tool's sense. */
+/*
+ * The direction in which the axis moves the bodies that it carries: along or about its own coordinate axis; a table
+ * opposite to the tool.
+ */
 static vec3 direction_of(const struct machine_plan *plan, int slot)
 {
 	double sense = machine_plan_turns_table(plan, slot) ? -1 : 1;
@@ -45,7 +48,7 @@ static vec3 direction_of(const struct machine_plan *plan, int slot)
 		return (vec3){k == 0 ? across : 0, k == 1 ? across : 0,
 			      sense * math_cos_degrees(plan->axes[slot].inclination) + 0.0}; /* 0, not -0, at 90 */
 	}
-	/* Halfway between its own coordinate axis and Z, as usual heads and tables nutate. */
+	/* Halfway between its own coordinate axis and Z, like usual nutating heads and tables. */
 	if (slot == machine_plan_tilted(plan))
 		return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, sense};
 	return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, k == 2 ? sense : 0};
@@ -73,7 +76,7 @@ static void add_bodies(struct strbuf *out, const struct machine_plan *plan, int 
 	}
 }
 
-/* What to look at, at the machine. */
+/* The motion to check at the machine. */
 static void add_jog(struct strbuf *out, const struct machine_plan *plan, int slot, int depth)
 {
 	const char *what = machine_plan_turns_table(plan, slot) ? "table" : "head";
@@ -152,7 +155,7 @@ static void add_chain(struct strbuf *out, const struct machine_plan *plan, const
 	}
 }
 
-/* Has every axis the rate that it was told? */
+/* Does every axis have a given rate? */
 static bool has_rates(const struct machine_plan *plan)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {

@@ -14,7 +14,7 @@ static bool hear_nothing(void *context, const struct canon_event *event)
 	return true;
 }
 
-/* A machine that can do all that it is asked for; what it answers stands in no report. */
+/* A machine that can do everything that is requested; its answers appear in no report. */
 static bool switch_tcp(void *context, const struct kinematics_tcp *tcp, struct srcloc loc, axis_values *position)
 {
 	(void)context;
@@ -40,7 +40,7 @@ static bool orientations(void *context, struct srcloc loc, const struct kinemati
 	*solutions = (struct kinematics_solutions){.count = 1, .primary = SLOT_A};
 	solutions->items[0].rotary = orientation->rotary;
 	solutions->items[0].within_limits = true;
-	/* On most machines the tool points along C where it stands upright: what the control does then is asked. */
+	/* On most machines an upright tool points along C: the machine file must say what the control then does. */
 	solutions->items[0].free[SLOT_C] =
 	    fabs(orientation->direction.x) + fabs(orientation->direction.y) <= DIRECTION_REACHED;
 	return true;

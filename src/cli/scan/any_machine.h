@@ -1,4 +1,4 @@
-/* any_machine.h - programs are read for a machine that can do all that it is asked for. */
+/* any_machine.h - reads programs for an assumed machine that can do everything that is requested. */
 #ifndef FIVECHECK_CLI_SCAN_ANY_MACHINE_H
 #define FIVECHECK_CLI_SCAN_ANY_MACHINE_H
 
@@ -8,7 +8,7 @@
 #include "base/diag.h"
 #include "gcode/config.h"
 
-/* Reads the program from its beginning; nobody hears of its moves. False: it has faults, which were reported. */
+/* Reads the program from its beginning, without output of its moves. False: it has faults, which were reported. */
 bool any_machine_read(const struct gcode_config *config, FILE *in, const char *name, struct diag *diag);
 
 #endif

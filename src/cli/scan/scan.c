@@ -60,7 +60,7 @@ struct scan {
 	size_t read;	/* programs that can be read to their ends */
 };
 
-/* False: it could not be opened, or cannot be read to its end, which was reported. */
+/* False, reported: the program could not be opened, or cannot be read to its end. */
 static bool scan_program(struct scan *scan, const char *name, struct diag *diag)
 {
 	FILE *in = fopen(name, "rb");

@@ -11,7 +11,7 @@
 #include "gcode/text/number.h"
 #include "gcode/text/reader.h"
 
-/* M-codes have up to five digits; more is no code. */
+/* M-codes have up to five digits; a longer number is not a code. */
 #define NUMBER_MAX 99999
 
 void scan_codes_release(struct scan_codes *codes)
@@ -39,7 +39,7 @@ static void count(struct scan_codes *codes, char letter, int number, const struc
 	item->last_program = codes->programs;
 }
 
-/* G and M with plain numbers that are no part of a longer word. */
+/* Counts G and M with plain numbers, unless they are part of a longer word. */
 static void count_codes(struct scan_codes *codes, const char *block)
 {
 	for (const char *at = block; *at; at++) {
@@ -58,7 +58,10 @@ static void count_codes(struct scan_codes *codes, const char *block)
 	}
 }
 
-/* Blanks are gone: a short word with two letters behind it begins a longer one, as PO of POCKET3 and POS[X]. */
+/*
+ * Blanks are removed: a short word followed by two letters is the start of a longer one, such as PO of POCKET3 and
+ * POS[X].
+ */
 #define SHORT_WORD 4
 
 static bool is_start(const char *text, const char *behind)
@@ -67,7 +70,7 @@ static bool is_start(const char *text, const char *behind)
 	       (isalpha((unsigned char)behind[1]) || behind[1] == '[' || behind[1] == '(');
 }
 
-/* "B3=": without '=' it is an axis and its value, as B3.5. */
+/* "B3=": without '=' it is an axis with its value, like B3.5. */
 static bool is_coordinate(const char *text, char after)
 {
 	return isalpha((unsigned char)text[0]) && isdigit((unsigned char)text[1]) && !text[2] && after != '=';
@@ -78,7 +81,7 @@ static bool is_name_byte(char byte)
 	return isalpha((unsigned char)byte) || byte == '_';
 }
 
-/* The squeezed text of a word, if it is one of letters and digits alone. */
+/* The text of a word without blanks, if it has only letters and digits. */
 static bool is_plain(const struct code_word *word, char text[LINE_SHAPE_MAX])
 {
 	line_shape_squeeze(word->word, text);
@@ -89,7 +92,7 @@ static bool is_plain(const struct code_word *word, char text[LINE_SHAPE_MAX])
 	return true;
 }
 
-/* Does the word begin here, with others than letters and digits on both sides of it? */
+/* Does the word begin here, without letters or digits directly before and after it? */
 static bool stands_at(const char *block, const char *at, const char *text)
 {
 	const size_t length = strlen(text);
@@ -99,7 +102,7 @@ static bool stands_at(const char *block, const char *at, const char *text)
 	       !(isdigit((unsigned char)at[length]) && isdigit((unsigned char)text[length - 1]));
 }
 
-/* SETMS is no SETM: does a word that begins so and goes on stand here? */
+/* SETMS is not SETM: is there a longer word here that begins with this one? */
 static bool longer_stands(const struct dialect *dialect, const char *block, const char *at, const char *text)
 {
 	char longer[LINE_SHAPE_MAX];
@@ -151,7 +154,7 @@ void scan_codes_read(struct scan_codes *codes, FILE *in)
 static int in_order(const void *first, const void *second)
 {
 	const struct scan_code *a = first, *b = second;
-	/* Words last. */
+	/* Words come last. */
 	int letters = (a->letter ? a->letter : 'Z') - (b->letter ? b->letter : 'Z');
 
 	if (letters != 0)

@@ -1,4 +1,4 @@
-/* scan_codes.h - counts the codes and words of programs, and says what fivecheck does with them. */
+/* scan_codes.h - counts the codes and words of programs, and lists what fivecheck does with them. */
 #ifndef FIVECHECK_CLI_SCAN_SCAN_CODES_H
 #define FIVECHECK_CLI_SCAN_SCAN_CODES_H
 

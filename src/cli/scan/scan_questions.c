@@ -8,19 +8,19 @@
 #include "cli/scan/any_machine.h"
 #include "control/control_variable.h"
 
-/* Questions that one set of programs can have; M-codes and programs of the builder are most of them. */
+/* The largest number of questions for one set of programs; most are about M-codes and programs of the builder. */
 #define QUESTIONS_MAX 400
-/* An answer that is not the real one may make a loop endless: this takes seconds. */
+/* A wrong assumed answer may make a loop endless: this number of blocks takes seconds. */
 #define BLOCKS_MAX 3000000
 #define TOOLS 999
 /* G54 to G59.3, G54.1 P1 to P300, G54.4 P1 to P7. */
 #define OFFSETS 316
 #define OFFSET_NAME 16
-/* What a question names: a number, the name of a program, or the attributes of a variable. */
+/* The object of a question: a number, the name of a program, or the attributes of a variable. */
 #define ASKED_NAME 200
 
 struct asked {
-	char *text;	/* what the machine file is to say */
+	char *text;	/* the text for the machine file */
 	char *place;	/* "part.nc:12" */
 };
 
@@ -40,7 +40,7 @@ struct scan_questions {
 	char names[OFFSETS][OFFSET_NAME];
 };
 
-/* Of a size that the outlines of most parts allow for radius compensation. */
+/* Its size suits radius compensation on the outlines of most parts. */
 static const struct tool any_tool = {.number = 1,
 				     .name = "",
 				     .length = 100,
@@ -87,7 +87,7 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect, int max
 	questions->config.controller.variables = questions->variables;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		questions->config.has_axis[slot] = true;
-	/* Controls that know no H have tools by name, edges and presets: there, any tool does without a setup. */
+	/* Controls without H have tools by name, edges and presets: for these, any tool will do without a setup. */
 	if (dialect->traits.h_missing != H_MISSING_UNKNOWN)
 		fill_tables(questions);
 	else
@@ -106,7 +106,7 @@ void scan_questions_free(struct scan_questions *questions)
 	free(questions);
 }
 
-/* The answers that need more than a field of the controller; `asked` stands in the message behind `key`. */
+/* The answers that need more than a field of the controller; `asked` is the text after `key` in the message. */
 static void answer_half_turn(struct scan_questions *q, const char *asked)
 {
 	(void)asked;
@@ -157,7 +157,7 @@ static void answer_mcode(struct scan_questions *q, const char *asked)
 	q->mcodes[q->config.controller.mcode_count++] = (struct mcode){number, MCODE_IGNORE};
 }
 
-/* By its number or by its name. */
+/* The macro is given by its number or its name. */
 static void answer_macro(struct scan_questions *q, const char *asked)
 {
 	const size_t i = q->config.controller.macro_count++;
@@ -169,7 +169,7 @@ static void answer_macro(struct scan_questions *q, const char *asked)
 					      .name = number > 0 ? NULL : q->macro_names[i]};
 }
 
-/* name="NAME" and, of a variable that is to be made, type="" and size=",": two dimensions. */
+/* name="NAME" and, for a new variable, type="" and size=",": two dimensions. */
 static void answer_variable(struct scan_questions *q, const char *asked)
 {
 	static const int sizes[] = {1, 1000, 100, 20};
@@ -192,14 +192,14 @@ static void answer_variable(struct scan_questions *q, const char *asked)
 		variable->text = "1";
 }
 
-/* A field of the controller that is one of the enumerations, or a number. */
+/* A field of the controller that is an enumeration, or a number. */
 #define CHOICE(member, answer) .field = offsetof(struct controller, member), .choice = (answer)
 #define NUMBER(member, answer) .field = offsetof(struct controller, member), .number = (answer)
 
-/* The text that marks the question in a message, the line for the machine file to print, and any valid answer. */
+/* The text in a message that marks the question, the line for the machine file, and any valid answer. */
 static const struct question {
 	const char *key;	/* in the message; a number or a name may follow */
-	const char *line;	/* with %s: what follows the key, up to a quotation mark or to `end` */
+	const char *line;	/* with %s for the text after the key, up to a quotation mark or to `end` */
 	const char *end;
 	/* NULL: the field gets the choice or the number */
 	void (*take)(struct scan_questions *questions, const char *asked);
@@ -312,7 +312,7 @@ static bool is_asked(const struct scan_questions *questions, const char *text)
 	return false;
 }
 
-/* The line with what is asked for in place of its %s. */
+/* The line with its %s replaced by the object of the question. */
 static void add_line(struct strbuf *out, const char *line, const char *asked)
 {
 	const char *mark = strstr(line, "%s");
@@ -323,7 +323,7 @@ static void add_line(struct strbuf *out, const char *line, const char *asked)
 		strbuf_addf(out, "%s", line);
 }
 
-/* Takes an answer to the question that the message asks. False: it asks none, or one that has been answered. */
+/* Uses an answer to the question in the message. False: there is no question, or it has been answered. */
 static bool take_answer(struct scan_questions *questions, const struct first_error *error)
 {
 	for (size_t i = 0; i < sizeof(questions_table) / sizeof(questions_table[0]); i++) {
@@ -355,7 +355,7 @@ static bool take_answer(struct scan_questions *questions, const struct first_err
 	return false;
 }
 
-/* True: it was read to its end. */
+/* True: the program was read to its end. */
 static bool read_once(const struct scan_questions *questions, FILE *in, const char *name, struct first_error *error)
 {
 	*error = (struct first_error){.diag = {.handle = keep_first, .context = error}};

@@ -17,8 +17,8 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect, int max
 void scan_questions_free(struct scan_questions *questions);
 
 /*
- * Reads the program again and again: each time it stops at a question, the question is kept and an arbitrary answer is
- * used. Every axis exists, and so do all tools and offsets. False: it stops at an error that is no question, which is
+ * Reads the program repeatedly: each time it stops at a question, the question is kept and an arbitrary answer is used.
+ * Every axis exists, and so do all tools and offsets. False: it stops at an error that is not a question, which is
  * reported, or the file cannot be read.
  */
 bool scan_questions_read(struct scan_questions *questions, FILE *in, const char *name, struct diag *diag);

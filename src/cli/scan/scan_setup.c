@@ -6,7 +6,7 @@
 #include "base/mem.h"
 #include "cli/scan/any_machine.h"
 
-/* Tools and offsets of one set of programs; a list that is longer helps nobody. */
+/* The largest number of tools and offsets for one set of programs; a longer list is not useful. */
 #define ELEMENTS_MAX 2000
 
 void scan_setup_release(struct scan_setup *setup)
@@ -28,7 +28,7 @@ static bool is_known(const struct scan_setup *setup, const char *element, size_t
 	return false;
 }
 
-/* A length offset that has the number of a tool is that of the tool, unless the setup says another one. */
+/* A length offset with the number of a tool is that of the tool, unless the setup has another one. */
 static bool is_of_tool(const struct scan_setup *setup, const char *element)
 {
 	static const char offset[] = "<offset number=\"", length[] = " length=\"\"/>";
