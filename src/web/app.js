@@ -15,7 +15,7 @@ import {Timeline} from './timeline.js';
 /** @typedef {import('./model.js').Model} Model */
 
 export class App {
-	/** Throws where there is no WebGL 2. @param {Model} model */
+	/** Throws an error without WebGL 2. @param {Model} model */
 	constructor(model) {
 		this.state = new State(model);
 		this.stage = new Stage(this.state);
@@ -48,18 +48,21 @@ export class App {
 	show(parent) {
 		parent.append(this.element);
 		if (this.state.model.findings.length) this.state.showFinding(0);
-		// A check that ended at an error shows where it ended.
+		// After an error, show where the check ended.
 		else this.state.seek(this.state.model.errors.length ? this.state.model.path.duration : 0);
 		this.stage.lookAtFocus(true);
 		this.state.watch((what) => {
-			// Another finding: the camera goes there.
+			// For another finding the camera moves there.
 			if (what === 'look') this.stage.lookAtFocus();
 			if (what === 'read') document.getElementById('tab-0')?.click();
 		});
 	}
 }
 
-/** @param {[string, HTMLElement|(() => HTMLElement)][]} pages made when they are first opened */
+/**
+ * Pages that are made when they are first opened.
+ * @param {[string, HTMLElement|(() => HTMLElement)][]} pages made when they are first opened
+ */
 function tabs(pages) {
 	const id = (/** @type {number} */ i) => `tab-${i}`;
 	/** @type {HTMLElement[]} */

@@ -1,10 +1,12 @@
 // @ts-check
-/** advice.js - what a check of the dropped files would lack or leave out, and what to do about it: a sentence each. */
+/**
+ * advice.js - what the dropped files lack, or what a check would leave out, and what to do about it: one sentence each.
+ */
 import {isArchive, isDrawing, isForeignMachine, missingFiles, nameOf, unlistedPrograms} from './job_files.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
-/** So many names are told, if there are more. */
+/** If there are more names, only this many are listed. */
 const TOLD = 8;
 
 /** @param {string[]} names */

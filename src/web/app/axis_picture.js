@@ -1,5 +1,7 @@
 // @ts-check
-/** axis_picture.js - what a separating axis is: two polygons, a direction that can be turned, and their shadows on it. */
+/**
+ * axis_picture.js - explains separating axes: two polygons, a direction that can be rotated, and their shadows on it.
+ */
 import {element} from './page.js';
 
 /** @typedef {[number, number]} Point */
@@ -8,7 +10,7 @@ import {element} from './page.js';
 const ONE = [[-92, -34], [-38, -52], [-12, -8], [-46, 44], [-88, 26]];
 /** @type {Point[]} */
 const OTHER = [[22, -6], [66, -44], [96, 2], [70, 46], [28, 40]];
-/** The shadows lie on a line so far from the middle, clear of the polygons. */
+/** The distance of the line with the shadows from the middle, outside the polygons. */
 const BELOW = 118;
 
 /**
@@ -21,7 +23,7 @@ export function shadow(polygon, [x, y]) {
 	return [Math.min(...along), Math.max(...along)];
 }
 
-/** How far apart the shadows are along a direction of so many degrees; negative: they overlap. @param {number} degrees */
+/** The gap between the shadows along a direction (degrees); negative: they overlap. @param {number} degrees */
 export function gapAt(degrees) {
 	const angle = degrees * Math.PI / 180, direction = /** @type {Point} */ ([Math.cos(angle), Math.sin(angle)]);
 	const a = shadow(ONE, direction), b = shadow(OTHER, direction);
@@ -47,12 +49,15 @@ export function axisPicture() {
 	const show = () => {
 		const degrees = Number(slider.value), angle = degrees * Math.PI / 180, c = Math.cos(angle), s = Math.sin(angle);
 		const gap = gapAt(degrees), a = shadow(ONE, [c, s]), b = shadow(OTHER, [c, s]);
-		/** A place on the axis, which lies below the polygons as seen along it. @param {number} t @param {number} off @returns {Point} */
+		/**
+		 * A point on the axis, which is beside the polygons.
+		 * @param {number} t @param {number} off @returns {Point}
+		 */
 		const at = (t, off) => [t * c - off * s, t * s + off * c];
 		const line = (/** @type {Point} */ p, /** @type {Point} */ q, /** @type {string} */ name) => svg('line', {x1: p[0], y1: p[1], x2: q[0], y2: q[1], class: name});
 		const parts = [line(at(-140, BELOW), at(140, BELOW), 'axis'), line(at(a[0], BELOW - 3), at(a[1], BELOW - 3), 'shadow one'),
 			line(at(b[0], BELOW + 3), at(b[1], BELOW + 3), 'shadow other')];
-		// Where a shadow ends, a ray of the light that throws it touches the polygon.
+		// At the end of a shadow, a ray of the light touches the polygon.
 		for (const [polygon, ends, name] of /** @type {[Point[], Point, string][]} */ ([[ONE, a, 'one'], [OTHER, b, 'other']])) {
 			for (const end of ends) {
 				const [x, y] = polygon.reduce((best, point) => Math.abs(point[0] * c + point[1] * s - end) < Math.abs(best[0] * c + best[1] * s - end) ? point : best);

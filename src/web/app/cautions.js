@@ -1,7 +1,7 @@
 // @ts-check
-/** cautions.js - which cautions of a verdict doubt what it takes for granted (verdict_caution_is_doubt in report/verdict.h). */
+/** cautions.js - which cautions of a verdict doubt its assumptions (verdict_caution_is_doubt in report/verdict.h). */
 
-/** What a person has excused, waived or accepted; what is not known here is a doubt. */
+/** Cautions about what a person has excused, waived or accepted; unknown cautions are doubts. */
 const SETTLED = /^\d+ pairs? of neighbours excused|^\d+ pairs? waived|^after an accepted finding/;
 
 /** @param {string} caution */

@@ -1,5 +1,8 @@
 // @ts-check
-/** check_options.js - the options that decide a verdict, in the words of `fivecheck --help`, and the command line with them. */
+/**
+ * check_options.js - the options that affect a verdict, with the texts of `fivecheck --help`, and the command line with
+ * them.
+ */
 import {readNumber} from './fields.js';
 import {element} from './page.js';
 
@@ -29,7 +32,7 @@ function nameOf({option}) {
 	return option.replace(/=.*/, '');
 }
 
-/** The fields of the options that few need. */
+/** The fields of options that few users need. */
 export function moreOptions() {
 	return MORE.map((option) => {
 		const name = nameOf(option), words = [element('code', {}, `--${option.option}`), element('span', {}, option.words)];
@@ -41,7 +44,7 @@ export function moreOptions() {
 	});
 }
 
-/** The options of a check that differ from what holds without them. @param {FormData} data */
+/** The options of a check that differ from their defaults. @param {FormData} data */
 export function optionsIn(data) {
 	const value = (/** @type {string} */ name) => String(data.get(name) ?? '').trim(), number = (/** @type {string} */ name) => readNumber(value(name)).number || value(name);
 	const clearance = number('clearance'), method = value('method');
@@ -53,12 +56,15 @@ export function optionsIn(data) {
 		...(data.get('all') ? ['--all'] : []), ...more];
 }
 
-/** A word as a shell reads it. @param {string} word */
+/** A word, quoted for a shell if necessary. @param {string} word */
 function quoted(word) {
 	return /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll('\'', '\'\\\'\'')}'`;
 }
 
-/** The command line for a shell; operands that begin with a hyphen are no options. @param {string[]} options @param {string[]} operands */
+/**
+ * The command line for a shell; `./` keeps operands that begin with a hyphen from being read as options.
+ * @param {string[]} options @param {string[]} operands
+ */
 export function commandLine(options, operands) {
 	return ['fivecheck', ...options, ...operands.map((path) => path.startsWith('-') ? `./${path}` : path)].map(quoted).join(' ');
 }

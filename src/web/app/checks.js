@@ -15,13 +15,16 @@ import {VerdictList} from './verdict_list.js';
 /** Programs that the command line takes together; `result` is there for a job of a job file. @typedef {{job: ListedJob, result?: JobResult, fault?: Promise<string>}} Group */
 /** One check. @typedef {{group: Group, program: string, card?: ProgramResult}} Run */
 
-/** So many reports are shown at once, the others when asked for: a browser draws only some pictures at a time. */
+/** At first only this many reports are shown, the others on request: a browser draws only a few pictures at a time. */
 const FIRST_REPORTS = 4;
-/** So many programs have a card and a report; of all others those that are not clear have a card, up to as many again. */
+/**
+ * At most this many programs have a card and a report; of the others, those that are not clear have a card, up to the
+ * same number.
+ */
 const MOST_CARDS = 200;
-/** So many checks are begun at a time; which of them has a processor the client says. */
+/** At most this many checks are started at a time; the client decides which of them has a processor. */
 const BEGUN = 16;
-/** A look at the first lines of a program, which show its control, goes no farther than this. */
+/** The first lines of a program, which show its control, are searched up to this number of bytes. */
 const LOOK = 1 << 18;
 
 export class Checks {
@@ -38,7 +41,7 @@ export class Checks {
 		this.cancelled = false;
 	}
 
-	/** The results of the checks before go, with what they have open. */
+	/** Removes the results of earlier checks, and closes what they have open. */
 	clear() {
 		this.cards.splice(0).forEach((card) => card.release());
 		this.place.replaceChildren();
@@ -53,7 +56,7 @@ export class Checks {
 	}
 
 	/**
-	 * Checks all programs, or all those of the job file. Each check is of its own, in a worker.
+	 * Checks all programs, or all those of the job file. Each check is separate, in a worker.
 	 * @param {JobFile[]} all @param {string[]} options
 	 */
 	async start(all, options) {
@@ -68,7 +71,7 @@ export class Checks {
 	}
 
 	/**
-	 * The jobs of a job file, as the command line has them: none, where the file has a fault.
+	 * The jobs of a job file, as on the command line; none if the file has a fault.
 	 * @param {JobFile} list
 	 * @returns {Promise<ListedJob[]>}
 	 */
@@ -127,7 +130,8 @@ export class Checks {
 	}
 
 	/**
-	 * What the command line has against --dialect=auto for programs that it takes together, which are to be for one control.
+	 * The faults that the command line reports for --dialect=auto with programs that it takes together: they must
+	 * be for one control.
 	 * @param {Group} group
 	 * @returns {Promise<string>} its messages, or ''
 	 */
@@ -141,7 +145,7 @@ export class Checks {
 	}
 
 	/**
-	 * A program in a worker. Without a card it has no report.
+	 * Checks a program in a worker. Without a card there is no report.
 	 * @param {Run} run @param {ProgramResult} card that tells what is found
 	 */
 	async checkOne({group, program, card: shown}, card) {

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * client.js - jobs of the checker in workers of their own: the page stays alive, and a job can be cancelled.
+ * client.js - runs jobs of the checker in separate workers: the page stays responsive, and a job can be cancelled.
  */
 import {FIRST} from './fivecheck.js';
 import {Modules} from './modules.js';
@@ -23,7 +23,10 @@ export class Client {
 		this.modules = new Modules(folder);
 		/** @type {Set<(reason: Error) => void>} */
 		this.running = new Set();
-		/** Jobs that wait for a processor. @type {{files: unknown, start: (worker?: Worker) => void, cancel: (reason: Error) => void}[]} */
+		/**
+		 * Jobs that wait for a processor.
+		 * @type {{files: unknown, start: (worker?: Worker) => void, cancel: (reason: Error) => void}[]}
+		 */
 		this.waiting = [];
 		/** The worker of the next job. @type {Worker | undefined} */
 		this.spare = undefined;
@@ -34,7 +37,7 @@ export class Client {
 		return new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
 	}
 
-	/** A check is likely to come: loads what each needs, as long as its files are not here. */
+	/** A check will probably follow: loads the parts that every check needs, while its files are not there yet. */
 	prepare() {
 		this.spare ??= this.newWorker();
 		this.spare.onerror = () => this.spare = undefined;
@@ -53,7 +56,10 @@ export class Client {
 			return new Promise((start, cancel) => this.waiting.push({files, start, cancel}));
 	}
 
-	/** A processor is free; a worker goes on with the next job, if it has the same files. @param {unknown} files @param {Worker} [worker] */
+	/**
+	 * A processor is free; the worker continues with the next job if it has the same files.
+	 * @param {unknown} files @param {Worker} [worker]
+	 */
 	end(files, worker) {
 		const next = this.waiting.shift(), same = next && next.files === files;
 		if (!same)
@@ -65,7 +71,7 @@ export class Client {
 	}
 
 	/**
-	 * What is promised, unless the jobs are cancelled before.
+	 * The result of the promise, unless the jobs are cancelled before.
 	 * @template T
 	 * @param {Promise<T>} promise
 	 * @returns {Promise<T>}
@@ -135,7 +141,7 @@ export class Client {
 		return this.post({files, args}, await this.unlessCancelled(Promise.all([FIRST, ...parts].map((name) => this.modules.load(name)))));
 	}
 
-	/** Ends all jobs that run, that wait, and that load what they need. */
+	/** Ends all jobs: running ones, waiting ones, and those that still load their modules. */
 	cancel() {
 		for (const reject of [...this.waiting.splice(0).map(({cancel}) => cancel), ...this.running])
 			reject(new Cancelled('cancelled'));

@@ -1,5 +1,8 @@
 // @ts-check
-/** control_fields.js - what else is told of the control in the form of a machine: the attributes of <controller> (man 5 fivecheck-machine). */
+/**
+ * control_fields.js - more settings of the control in the form of a machine: the attributes of <controller> (man 5
+ * fivecheck-machine).
+ */
 import {moreFields, numberField, readNumber} from './fields.js';
 import {element} from './page.js';
 
@@ -70,7 +73,10 @@ function attributesOf(dialect) {
 	return ATTRIBUTES.filter(({of}) => of.includes(dialect));
 }
 
-/** The fields for a control; what was entered before stays where it still fits. @param {HTMLElement} place @param {string} dialect */
+/**
+ * The fields for a control; earlier entries stay where they still fit.
+ * @param {HTMLElement} place @param {string} dialect
+ */
 export function offerControl(place, dialect) {
 	const before = new Map([.../** @type {NodeListOf<HTMLInputElement>} */ (place.querySelectorAll('input, select'))].map(({name, value}) => [name, value]));
 	const fields = attributesOf(dialect).map(({name, words, choices}) => {
@@ -85,7 +91,7 @@ export function offerControl(place, dialect) {
 	place.replaceChildren(Object.assign(moreFields('What else the control does; a check says if a program needs to know', ...fields), {open}));
 }
 
-/** The attribute that a message of `fivecheck init` is about. @param {string} message */
+/** The attribute in a message of `fivecheck init`. @param {string} message */
 export function attributeIn(message) {
 	return message.match(/--controller: (?:unknown attribute ')?(\w+)/)?.[1] ?? '';
 }

@@ -1,5 +1,5 @@
 // @ts-check
-/** dropped.js - the files in what a user drops onto a page: files, folders, ZIP archives. */
+/** dropped.js - the files that a user drops onto a page: files, folders, ZIP archives. */
 import {isZip} from './job_files.js';
 import {filesInZip} from './zip_files.js';
 
@@ -25,13 +25,13 @@ async function filesBelow(entry) {
 	return (await Promise.all(all.map(filesBelow))).flat();
 }
 
-/** Are they files, and not a text that is moved? @param {DragEvent} event */
+/** Does the user drag files, and not a text? @param {DragEvent} event */
 function hasFiles(event) {
 	return event.dataTransfer?.types.includes('Files') ?? false;
 }
 
 /**
- * Files may be dropped anywhere on the page.
+ * Takes files dropped anywhere on the page.
  * @param {HTMLElement} place that shows it while files are held over the page
  * @param {(found: [string, Blob][]) => void} take
  */
@@ -54,8 +54,8 @@ export function takeDrops(place, take) {
 }
 
 /**
- * With the files of ZIP archives in place of these; those that cannot be read stay, with the reason. Each of several has a
- * folder of its own.
+ * Replaces ZIP archives by their files; an archive that cannot be read stays, with the reason. If there are several
+ * archives, each gets its own folder.
  * @param {[string, Blob][]} found
  */
 export async function unpacked(found) {

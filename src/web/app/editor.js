@@ -1,9 +1,10 @@
 // @ts-check
 /**
- * editor.js - a few blocks that are checked at every key: errors and findings stand at their lines.
+ * editor.js - a few blocks that are checked at every key; errors and findings are shown at their lines.
  *
- * The proof of a clear program is quick; to find the first instant of a deep collision takes longer. So a second session
- * looks at samples meanwhile: what it finds is shown until the proof is there. That it finds nothing means nothing.
+ * The proof of a clear program is quick; to find the first instant of a deep collision takes longer. So a second
+ * session tests samples meanwhile: its findings are shown until the proof is complete. If it finds nothing, this means
+ * nothing.
  */
 import {isDoubt} from './cautions.js';
 import {STATUS} from './fivecheck.js';
@@ -13,7 +14,7 @@ import {Newest} from './session_client.js';
 /** @typedef {{line: number, column: number, kind: 'error' | 'finding' | 'warning', text: string, event?: Record<string, any>}} Remark */
 
 const NAME = 'program.nc';
-/** A loop that has no end, as it may stand there while it is written, does not keep the machine busy. */
+/** An endless loop, which may occur while the program is being written, must not keep the machine busy. */
 const BOUND = '--max-blocks=100000';
 const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
 const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
@@ -21,7 +22,7 @@ const SAMPLED = 'Found by samples; the proof follows.';
 const WORDS = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found.', incomplete: 'Incomplete: not everything could be checked.'};
 
 /**
- * What a check says, by line.
+ * The messages of a check, by line.
  * @param {import('./fivecheck.js').Result} result
  * @returns {Remark[]}
  */
@@ -40,7 +41,7 @@ export function remarksOf({events, messages}) {
 		remarks.push({line: event.line, column: event.column || 1, kind: 'finding', text: `${event.kind}: ${what}, at ${(100 * event.fraction).toFixed(1)} % of the block`, event});
 	}
 	const cautions = events.find(({kind}) => kind === 'program')?.cautions ?? [];
-	// Warnings stand at their lines already.
+	// Warnings are shown at their lines already.
 	const doubts = cautions.filter((/** @type {string} */ caution) => isDoubt(caution) && !/^\d+ warnings?\b/.test(caution));
 	return [...remarks.sort((a, b) => a.line - b.line), ...doubts.map((/** @type {string} */ text) => ({line: 0, column: 0, kind: /** @type {const} */ ('warning'), text}))];
 }
@@ -60,7 +61,7 @@ export class Editor {
 		this.look = look;
 		/** ms from the last key to its first verdict. */
 		this.took = 0;
-		/** ms from the last key to what is proved. */
+		/** ms from the last key to the proved verdict. */
 		this.proved = 0;
 		this.keys = 0;
 		/** The number of the key whose verdict is shown. */
@@ -80,7 +81,7 @@ export class Editor {
 
 	typed() {
 		const typed = {number: ++this.keys, at: performance.now(), text: this.text.value};
-		/* That of the text before says nothing of this one. */
+		/* The verdict of the text before is not valid for this one. */
 		if (this.verdict.dataset.verdict === 'clear') {
 			delete this.verdict.dataset.verdict;
 			this.verdict.textContent = 'Checking …';
@@ -102,7 +103,7 @@ export class Editor {
 	async check(typed) {
 		try {
 			const result = await this.session.check({name: NAME, text: typed.text, options: [BOUND]});
-			/* What is shown is about the text that stands there: that of a later key follows. */
+			/* Show the result only if it is about the current text; that of a later key follows. */
 			if (typed.number === this.keys) {
 				this.show(result, typed);
 				this.proved = performance.now() - typed.at;

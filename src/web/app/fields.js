@@ -1,9 +1,12 @@
 // @ts-check
-/** fields.js - the fields of a form: numbers as people type them, meshes that are chosen, and what is wrong, told where it stands. */
+/**
+ * fields.js - the fields of a form: numbers as people type them, meshes that are chosen, and faults, shown at their
+ * fields.
+ */
 import {element} from './page.js';
 
 /**
- * A number that a person typed, as the checker reads it. A comma is a decimal comma, unless the text may be thousands, too.
+ * Converts a typed number to the checker's form. A comma is a decimal comma, unless it may separate thousands.
  * @param {string} typed
  * @returns {{number: string, fault: string}} one of them is ''; both, where nothing was typed
  */
@@ -17,7 +20,7 @@ export function readNumber(typed) {
 }
 
 /**
- * A field for a number; once it is left, it shows what was understood.
+ * A field for a number; when the user leaves it, it shows the number as it was understood.
  * @param {string} name @param {string} label @param {string} value
  * @param {boolean} [required]
  * @param {string} [placeholder] shown as long as the field is empty: "such as" some value, or what an empty field stands for
@@ -40,18 +43,18 @@ export function vectorFields(name, label, like, required = true) {
 	});
 }
 
-/** The three numbers of a vector as x,y,z; '' where none is given. @param {FormData} data @param {string} name */
+/** The three numbers of a vector as x,y,z; '' if none is given. @param {FormData} data @param {string} name */
 export function vectorIn(data, name) {
 	const all = ['x', 'y', 'z'].map((letter) => readNumber(String(data.get(`${name}.${letter}`) ?? '')).number);
 	return all.some((number) => number !== '') ? all.join(',') : '';
 }
 
-/** Fields that few need, behind a title. @param {string} title @param {HTMLElement[]} fields */
+/** Fields that few users need, under a title. @param {string} title @param {HTMLElement[]} fields */
 export function moreFields(title, ...fields) {
 	return element('details', {className: 'more'}, element('summary', {}, title), element('div', {className: 'fields'}, ...fields));
 }
 
-/** The labels of lengths name the unit. @param {HTMLElement} form @param {string} unit */
+/** Shows the unit in the labels of lengths. @param {HTMLElement} form @param {string} unit */
 export function showUnit(form, unit) {
 	form.querySelectorAll('label').forEach(({firstChild}) => {
 		if (firstChild instanceof Text)
@@ -87,7 +90,11 @@ export function namesIn(text) {
 	return text.split(',').map((name) => name.trim()).filter((name) => name !== '');
 }
 
-/** Numbers show what was understood of them as soon as they are left; with one number of a vector the others are told, too. @param {HTMLElement} form */
+/**
+ * When the user leaves a number, it is shown as it was understood; if one number of a vector was entered, the others
+ * are written, too.
+ * @param {HTMLElement} form
+ */
 export function watchNumbers(form) {
 	form.addEventListener('change', ({target}) => {
 		if (!(target instanceof HTMLInputElement) || !target.dataset.number)
@@ -105,7 +112,7 @@ export function forgetFaults(form) {
 }
 
 /**
- * Says what is wrong at a part of the form, and marks it.
+ * Shows a fault at a part of the form, and marks the field.
  * @param {HTMLElement} part with a place for faults @param {string} text @param {HTMLElement} [field]
  */
 export function tellFault(part, text, field) {
@@ -123,7 +130,7 @@ export function tellFault(part, text, field) {
 }
 
 /**
- * Tells of each number that is missing or cannot be read; the first of these fields has the focus then.
+ * Shows each number that is missing or cannot be read; the first of these fields gets the focus.
  * @param {HTMLFormElement} form
  * @returns {boolean} whether all can be read
  */
@@ -140,7 +147,7 @@ export function numbersAreRead(form) {
 	return wrong.length === 0;
 }
 
-/** Tells of each vector of which only a part is given. @param {HTMLFormElement} form */
+/** Shows each vector that is only partly given. @param {HTMLFormElement} form */
 export function vectorsAreWhole(form) {
 	const fields = [.../** @type {NodeListOf<HTMLInputElement>} */ (form.querySelectorAll('input[data-vector]'))].filter((field) => !field.closest('[hidden]'));
 	const names = new Set(fields.map((field) => field.dataset.vector));
@@ -154,7 +161,7 @@ export function vectorsAreWhole(form) {
 }
 
 /**
- * A file that was written: its text is shown, may be edited, downloaded, and used.
+ * A file that was written: its text is shown, and may be edited, downloaded, and used.
  * @param {HTMLElement} made with a link, a `textarea` and a button
  * @param {(xml: string) => void} use takes the text as it stands there
  * @returns {(xml: string) => void} shows a text; '' hides all

@@ -1,11 +1,11 @@
 // @ts-check
 /**
- * files.js - the files that a run of the checker sees: a tree of folders in memory, without links. A file's bytes are in
- * memory, or are read in slices from where they lie, so that a program of any length fits.
+ * files.js - the files of a run of the checker: a tree of folders in memory, without links. The bytes of a file are in
+ * memory, or are read in slices from their source, so that a program of any length fits.
  */
 
 /**
- * Where the bytes of a file come from.
+ * The source of the bytes of a file.
  * @typedef {{ readonly size: number, read(offset: number, into: Uint8Array): number }} Source
  */
 
@@ -50,13 +50,13 @@ export class MemoryBytes {
 		this.size = size;
 	}
 
-	/** What was written: a copy. */
+	/** A copy of the bytes that were written. */
 	contents() {
 		return this.bytes.slice(0, this.size);
 	}
 }
 
-/** A File or Blob of the browser, read in slices; only in a worker, where reading may wait. */
+/** A File or Blob of the browser, read in slices; only in a worker, where reading may block. */
 export class BlobBytes {
 	/** @param {Blob} blob */
 	constructor(blob) {
@@ -132,7 +132,7 @@ export class Files {
 	}
 
 	/**
-	 * What is there, or undefined.
+	 * The file or folder with this path, or undefined.
 	 * @param {string} path
 	 * @param {Folder} [from]
 	 * @returns {Folder | FileNode | undefined}
@@ -149,7 +149,7 @@ export class Files {
 	}
 
 	/**
-	 * A folder, made where it is missing with those it is in.
+	 * The folder with this path; it is made if it is missing, with the folders above it.
 	 * @param {string} path
 	 */
 	folder(path) {
@@ -164,7 +164,7 @@ export class Files {
 	}
 
 	/**
-	 * Puts a file where `path` says, and makes its folders.
+	 * Adds a file with this path, and makes its folders.
 	 * @param {string} path
 	 * @param {string | Uint8Array | ArrayBuffer | Blob | Source} contents
 	 */

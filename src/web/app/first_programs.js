@@ -1,5 +1,8 @@
 // @ts-check
-/** first_programs.js - a few blocks for each example, which are clear, and a change that makes a collision of them; where the machine stands first, if it is not at home. */
+/**
+ * first_programs.js - for each example a few clear blocks and a change that makes them collide; and the start position
+ * of the machine, if it is not at home.
+ */
 
 /** @type {Record<string, {blocks: string, change: string, start?: Record<string, number>}>} */
 export const FIRST_PROGRAMS = {

@@ -1,15 +1,15 @@
 // @ts-check
 /**
- * fivecheck.js - the checker for other programs in JavaScript: in a browser's worker, in node, in Deno. README.md has an
- * example.
+ * fivecheck.js - the checker for other programs in JavaScript: in a browser's worker, in node, in Deno. README.md has
+ * an example.
  *
- * A run is one call that returns when it has ended; whoever wants a page to stay alive makes it in a worker (client.js).
+ * A run is one call that returns when it has ended; a page that must stay responsive makes it in a worker (client.js).
  * Nothing is sent anywhere.
  */
 import {Files, FileNode} from './files.js';
 import {LACKING, Wasi} from './wasi.js';
 
-/** Exit statuses. The last is not of fivecheck(1): a part of the checker was not loaded. */
+/** Exit statuses. The last one is not in fivecheck(1): a part of the checker was not loaded. */
 export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, LACKING};
 
 /**
@@ -37,11 +37,11 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, LACKING};
  * @property {number} memory bytes that the checker took at most; files that were read or written are not among them
  */
 
-/** The modules of the checker: the first for every job, the others by what they bring (README.md). */
+/** The modules of the checker: the first one for every job, the others for special tasks (README.md). */
 export const FIRST = 'fivecheck.wasm', MORE = 'fivecheck-more.wasm', PARTS = ['fivecheck-klartext.wasm', 'fivecheck-sinumerik.wasm', MORE];
 
 const RESULTS = '/tmp/fivecheck';
-/** Where the checker looks for the script of reports (src/wasi/viewer.c). */
+/** The file from which the checker reads the script of reports (src/wasi/viewer.c). */
 const VIEWER = `${RESULTS}/viewer.js`;
 
 /** The job needs a part of the checker that was not loaded, or a report lacks viewer.js. */
@@ -60,7 +60,7 @@ function statusOf(status) {
 
 /** Where a module is, its bytes, or the module. @typedef {string | URL | BufferSource | WebAssembly.Module} Source */
 
-/** Streams, but where the server gives a module the type of something else. @param {Response} answer */
+/** Compiles while loading, unless the server gives the module a wrong type. @param {Response} answer */
 export async function compileAnswer(answer) {
 	return answer.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
@@ -72,7 +72,7 @@ async function compiled(source) {
 	return typeof source === 'string' || source instanceof URL ? compileAnswer(await fetch(source)) : WebAssembly.compile(source);
 }
 
-/** Takes bytes, gives whole lines. */
+/** Splits bytes into whole lines. */
 class Lines {
 	/** @param {(line: string) => void} tell */
 	constructor(tell) {
@@ -137,7 +137,7 @@ export class Fivecheck {
 	}
 
 	/**
-	 * A machine that stays loaded: for a program that is checked again and again, and for axes that are moved by hand.
+	 * A machine that stays loaded: for a program that is checked repeatedly, and for axes that are moved by hand.
 	 * @param {Files} files
 	 */
 	session(files) {
@@ -179,7 +179,7 @@ function collect(job, run) {
 	job.files.folder(RESULTS);
 	const {status, memory} = run({
 		onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes),
-		// The first line has digests of all files, which are read for that: the check begins after it.
+		// The first line has digests of all files, which are read for this; the check begins after it.
 		onRead: (node, offset) => events.length && progress?.(node, offset),
 	});
 	err.add(new TextEncoder().encode('\n'));
@@ -205,7 +205,7 @@ function argumentsOf(job) {
  * @property {[string, string][]} unknown those that could not be decided
  */
 
-/** The instance has ended, so that the session is of no more use: most often there was no memory left. */
+/** The instance has ended, so the session can no longer be used; usually there was no memory left. */
 export class SessionEnded extends Error {}
 
 export class Session {
@@ -236,8 +236,8 @@ export class Session {
 	}
 
 	/**
-	 * As Fivecheck.check. The machine is loaded by the first job, and again where another one names another machine, setup or
-	 * clearance; programs are read anew each time.
+	 * Like Fivecheck.check. The first job loads the machine; a job with another machine, setup or clearance loads
+	 * it again. Programs are read again each time.
 	 * @param {Omit<Job, 'files'>} job
 	 * @returns {Result}
 	 */
@@ -247,7 +247,7 @@ export class Session {
 	}
 
 	/**
-	 * How near the bodies are while the axes stand still; to be called after a check.
+	 * The distances of the bodies at one pose; call it after a check.
 	 * @param {Record<string, number>} axes by letter, mm and degrees; the others stand at home
 	 * @param {number} [tool] in the spindle
 	 * @returns {Pose}

@@ -1,12 +1,13 @@
 // @ts-check
 /**
- * job_files.js - what the files that a user dropped are: the machine, its meshes, the setup, the programs.
+ * job_files.js - determines the kinds of the files that a user dropped: the machine, its meshes, the setup, the
+ * programs.
  */
 import {Files} from './files.js';
 import {fetched} from './modules.js';
 import {element} from './page.js';
 
-/** Enough of a file to see what it is, and as much of an XML file as names other files. */
+/** Bytes that are enough to determine the kind of a file, and the part of an XML file with the names of other files. */
 const HEAD = 65536, MOST = 1 << 24;
 
 /**
@@ -20,9 +21,9 @@ async function headOf(blob, count) {
 	return new TextDecoder(mark === 0xfffe ? 'utf-16le' : mark === 0xfeff ? 'utf-16be' : 'utf-8').decode(bytes);
 }
 
-/** Files that are surely no programs. */
+/** Files that are certainly not programs. */
 const FOREIGN = /\.(jpe?g|png|gif|svg|webp|pdf|html?|md|docx?|xlsx?|odt|ods|exe|dll)$/i;
-/** Tables of tools and offsets, which a setup names. */
+/** Tables of tools and offsets, to which a setup refers. */
 const LIBRARY = /\.(json|csv|tls|tbl)$/i;
 
 /** @param {string} path */
@@ -30,7 +31,7 @@ export function isZip(path) {
 	return /\.zip$/i.test(path);
 }
 
-/** What systems leave in folders. @param {string} path */
+/** Files that operating systems add to folders. @param {string} path */
 export function isClutter(path) {
 	return /(^|\/)(\.DS_Store$|\._|Thumbs\.db$|desktop\.ini$|__MACOSX\/|\.git\/|\.svn\/)/i.test(path);
 }
@@ -45,7 +46,7 @@ export function isForeignMachine(path) {
 	return /\.(mch|ctl|vcproject|fcm|ini|hal|urdf|xacro)$/i.test(path);
 }
 
-/** A drawing of a CAD system, which is no mesh. @param {string} path */
+/** A drawing of a CAD system, which is not a mesh. @param {string} path */
 export function isDrawing(path) {
 	return /\.(step|stp|iges|igs|sldprt|sldasm|ipt|iam|prt|catpart|x_t|dxf|dwg|f3d|3mf|glb|gltf)$/i.test(path);
 }
@@ -92,15 +93,18 @@ export async function examplesOf(place) {
 	}
 }
 
-/** Those that cannot be read: a browser reads no file that was changed after it was dropped. @param {[string, Blob][]} files */
+/**
+ * The files that cannot be read: a browser reads no file that was changed after it was dropped.
+ * @param {[string, Blob][]} files
+ */
 export async function unreadable(files) {
 	const read = await Promise.all(files.map(([, blob]) => blob.slice(0, 1).arrayBuffer().then(() => true, () => false)));
 	return files.filter((_, i) => !read[i]).map(([path]) => path);
 }
 
 /**
- * A program, mesh or tool library that comes without its folder is the edited one, if there is one of its name: it takes the
- * path of that one.
+ * A program, mesh or tool library that comes without its folder is a new version of the file with its name, if there is
+ * one: it gets the path of that file.
  * @param {JobFile[]} files that come @param {JobFile[]} here
  */
 export function atHome(files, here) {
@@ -111,7 +115,10 @@ export function atHome(files, here) {
 	});
 }
 
-/** Those whose path one before them has: it would not be sure which of them is meant. @param {JobFile[]} files */
+/**
+ * The files that have the path of an earlier one: it would be unclear which of them is used.
+ * @param {JobFile[]} files
+ */
 export function twins(files) {
 	const paths = new Set();
 	return files.filter(({path}) => paths.size === paths.add(path).size);
@@ -125,14 +132,14 @@ export async function sameBytes(a, b) {
 	return left.every((byte, i) => byte === right[i]);
 }
 
-/** Files that a setup names as tool libraries are no programs. @param {JobFile[]} files */
+/** Files that a setup uses as tool libraries are not programs. @param {JobFile[]} files */
 export function withLibraries(files) {
 	const setups = files.filter(({role}) => role === 'setup');
 	const named = new Set(setups.flatMap(({text}) => [...text.matchAll(/<tools\s[^<>]*?\bhref=(["'])([^"']+)\1/g)].map(([, , path]) => nameOf(path))));
 	return files.map((file) => (file.role === 'program' || file.role === 'other') && named.has(nameOf(file.path)) ? {...file, role: /** @type {Role} */ ('library')} : file);
 }
 
-/** The files of each name. @param {JobFile[]} files @returns {Map<string, JobFile[]>} */
+/** The files with each name. @param {JobFile[]} files @returns {Map<string, JobFile[]>} */
 function grouped(files) {
 	/** @type {Map<string, JobFile[]>} */
 	const byName = new Map();
@@ -143,7 +150,7 @@ function grouped(files) {
 	return byName;
 }
 
-/** What a person has to look at first stands first. @type {Role[]} */
+/** The kinds that a user must look at first come first. @type {Role[]} */
 const ORDER = ['jobs', 'machine', 'setup', 'program', 'subprogram', 'waivers', 'library', 'other', 'mesh'];
 
 /** @param {JobFile[]} files */
@@ -171,7 +178,7 @@ function unescaped(value) {
 	});
 }
 
-/** The files as they are called in the innermost folder that holds them all. @param {JobFile[]} files */
+/** The files with paths relative to the innermost folder that contains all of them. @param {JobFile[]} files */
 export function inTheirFolder(files) {
 	let common = folderOf(files[0]?.path ?? '');
 	for (const {path} of files) {
@@ -181,7 +188,7 @@ export function inTheirFolder(files) {
 	return files.map((file) => ({...file, path: file.path.slice(common.length)}));
 }
 
-/** The files that a machine, setup or job file names: their paths as it writes them. @param {JobFile} file */
+/** The files in a machine, setup or job file: their paths as written there. @param {JobFile} file */
 function namedIn({role, text}) {
 	if (role !== 'machine' && role !== 'setup' && role !== 'jobs')
 		return [];
@@ -189,21 +196,22 @@ function namedIn({role, text}) {
 	return [...text.replace(/<!--[^]*?(?:-->|$)/g, '').matchAll(attribute)].map(([, , path]) => unescaped(path));
 }
 
-/** Folders from somewhere up to a file: do they end alike? @param {string} a @param {string} b */
+/** Do two paths of folders end in the same way? @param {string} a @param {string} b */
 function foldersAgree(a, b) {
 	const [one, other] = [a, b].map((path) => `/${folderOf(path).replace(/^(\.{0,2}\/)+/, '')}`.replace(/^\/$/, ''));
 	return one.endsWith(other) || other.endsWith(one);
 }
 
-/** The only file that may be the one that is named. @param {Map<string, JobFile[]>} byName @param {string} named */
+/** The only file that a name may refer to. @param {Map<string, JobFile[]>} byName @param {string} named */
 function standIn(byName, named) {
 	const found = (byName.get(nameOf(named)) ?? []).filter(({path}) => foldersAgree(path, named));
 	return found.length === 1 ? found[0] : undefined;
 }
 
 /**
- * Each file that another one names, with the file that stands for it. A file that is named in a folder is also found where it
- * was dropped without its folder, or with more folders around it; what such a file names is looked for from where it is named.
+ * Each file that another one refers to, with the file that was found for it. A file with a folder in its path is also
+ * found if it was dropped without its folder, or with more folders around it; the files that it refers to are searched
+ * from its path.
  * @param {JobFile[]} files
  * @returns {{path: string, named: string, found?: JobFile}[]} `path` is where the checker looks for it
  */
@@ -217,7 +225,7 @@ function namedFiles(files) {
 			const found = here.get(Files.parts(path).join('/')) ?? standIn(byName, named);
 			asked.add(path);
 			all.push({path, named, found});
-			// No job file is named by another one: what names itself would have no end.
+			// No file refers to a job file: a file that refers to itself would cause an endless loop.
 			if (found && file.role === 'jobs' && found.role !== 'jobs' && !here.has(path))
 				waiting.push({...found, path});
 		}
@@ -239,12 +247,12 @@ export function withMeshes(files) {
 	return [...all];
 }
 
-/** The names of files that machine, setup and job file name and that are not here. @param {JobFile[]} files */
+/** The names of missing files in the machine, setup and job file. @param {JobFile[]} files */
 export function missingFiles(files) {
 	return [...new Set(namedFiles(files).filter(({found}) => !found).map(({named}) => named))];
 }
 
-/** Programs that a job file does not name: nothing checks them. @param {JobFile[]} files */
+/** Programs that are not in the job file: nothing checks them. @param {JobFile[]} files */
 export function unlistedPrograms(files) {
 	const named = new Set(namedFiles(files).map(({found}) => found));
 	return files.some(({role}) => role === 'jobs') ? files.filter((file) => file.role === 'program' && !named.has(file)) : [];

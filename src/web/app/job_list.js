@@ -1,8 +1,14 @@
 // @ts-check
-/** job_list.js - a job file: which machine, setup, waivers and programs each of its jobs has. What is wrong with it the checker says. */
+/**
+ * job_list.js - a job file: the machine, setup, waivers and programs of each of its jobs. The checker reports its
+ * faults.
+ */
 import {folderOf} from './job_files.js';
 
-/** Paths are as the job file writes them, in its folder. @typedef {{name: string, machine: string, setup?: string, waivers?: string, programs: string[]}} ListedJob */
+/**
+ * Paths are as written in the job file, relative to its folder.
+ * @typedef {{name: string, machine: string, setup?: string, waivers?: string, programs: string[]}} ListedJob
+ */
 
 /** @param {import('./job_files.js').JobFile} list @returns {ListedJob[]} none, where that is no XML */
 export function jobsIn({path, text}) {
@@ -14,7 +20,7 @@ export function jobsIn({path, text}) {
 }
 
 /**
- * What the checker says of one file, out of all its messages: each with the lines that it quotes.
+ * The checker's messages about one file, from all its messages: each with the lines that it quotes.
  * @param {string} messages @param {string} path
  */
 export function messagesAt(messages, path) {

@@ -2,7 +2,7 @@
 /** job_result.js - the part of the page with the programs of one job of a job file, and the verdict on all of them. */
 import {element} from './page.js';
 
-/** From the best to the worst, which is that of the job. */
+/** From the best to the worst; the worst is the verdict of the job. */
 const VERDICTS = ['clear', 'passed', 'accepted', 'found', 'incomplete'];
 
 export class JobResult {

@@ -1,5 +1,5 @@
 // @ts-check
-/** jog.js - a slider for each axis; the bodies move along, and the nearest pair is told as they move. */
+/** jog.js - a slider for each axis; the bodies move with it, and the nearest pair is shown. */
 import {JogStage} from './jog_stage.js';
 import {element, reveal} from './page.js';
 import {Newest} from './session_client.js';
@@ -10,7 +10,7 @@ import {State} from './viewer/state.js';
 
 /** How far an axis without limits can be moved: degrees, mm. */
 const TURN = 180, WAY = 500;
-/** mm: bodies that are no farther apart than this may count as a contact in a verdict (--tolerance). */
+/** mm: bodies within this distance may count as a contact in a verdict (--tolerance). */
 const TOLERANCE = 0.001;
 
 /** @param {Pose} pose @returns {Pose} with the nearest bodies among those that meet if a check may say so */
@@ -84,7 +84,7 @@ export class Jog {
 		return Object.fromEntries(this.sliders.map(({axis, number}) => [axis.letter, Number(number.value)]));
 	}
 
-	/** Moves the axes; those that are not named go home. @param {Record<string, number>} axes @param {number} [tool] */
+	/** Moves the axes; the others go home. @param {Record<string, number>} axes @param {number} [tool] */
 	moveTo(axes, tool) {
 		for (const {axis, range, number, home} of this.sliders)
 			range.value = number.value = String(axes[axis.letter] ?? home);
@@ -93,7 +93,10 @@ export class Jog {
 		this.moved();
 	}
 
-	/** The pose of a finding, with the tool that it names; another one would make no difference. @param {Record<string, any>} event */
+	/**
+	 * The pose of a finding, with its tool; another one would make no difference.
+	 * @param {Record<string, any>} event
+	 */
 	showFinding({a, b, axes}) {
 		const tool = this.model.bodies.find(({name, tool: of}) => of && (name === a || name === b))?.tool;
 		this.moveTo(axes, tool);
@@ -108,7 +111,7 @@ export class Jog {
 			this.stage.fit();
 	}
 
-	/** Two links in colours, the rest faint; or none. @param {number[]} links */
+	/** Shows two links in colours and the rest faint; or none. @param {number[]} links */
 	showLinks(links) {
 		this.setShown(links, false);
 		this.stage.fit();

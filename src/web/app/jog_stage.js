@@ -1,5 +1,8 @@
 // @ts-check
-/** jog_stage.js - the picture of a machine whose axes are moved by hand: what meets is red, the nearest bodies are named. */
+/**
+ * jog_stage.js - the picture of a machine whose axes are moved by hand: bodies that meet are red, the nearest bodies
+ * are named.
+ */
 import {Stage} from './viewer/stage.js';
 import {add, norm, scale, sub, unit} from './viewer/vec.js';
 
@@ -14,7 +17,7 @@ export class JogStage extends Stage {
 		this.proof = false;
 		/** @type {Pose | null} */
 		this.known = null;
-		/** Two links that are shown apart from all others, or none. @type {number[]} */
+		/** Two links that are shown separately from all others, or none. @type {number[]} */
 		this.links = [];
 	}
 
@@ -24,12 +27,12 @@ export class JogStage extends Stage {
 		this.change();
 	}
 
-	/** The bodies of a name that are on the machine now. @param {string} name */
+	/** The bodies with this name that are on the machine now. @param {string} name */
 	body(name) {
 		return this.model.bodies.findIndex((body, i) => body.name === name && this.placed.shown(i));
 	}
 
-	/** What meets, as the viewer shows a finding. @returns {any} */
+	/** The bodies that meet, in the form of a finding of the viewer. @returns {any} */
 	finding() {
 		const met = this.known?.meets[0] ?? this.known?.near[0];
 		return met ? {kind: 'collision', bodies: met.map((name) => this.body(name)), point: null, triangles: null} : null;
@@ -46,20 +49,23 @@ export class JogStage extends Stage {
 			size: Math.max(20, 1.2 * Math.min(...sizes))};
 	}
 
-	/** The plane is seen from the side by those who look along it; a little turned, it is a wall. @param {boolean} [atOnce] */
+	/**
+	 * The plane would be seen edge-on from a camera along it; slightly rotated, it is visible.
+	 * @param {boolean} [atOnce]
+	 */
 	lookAtFocus(atOnce) {
 		super.lookAtFocus(atOnce || this.proof);
 		if (this.proof)
 			this.by(() => this.camera.orbit(0.5, 0.2));
 	}
 
-	/** All bodies that meet, or else the nearest ones: nothing makes these faint. */
+	/** All bodies that meet, or else the nearest ones: these are never faint. */
 	involved() {
 		const pairs = [...this.known?.meets ?? [], ...this.known?.near ?? []], nearest = this.known?.nearest;
 		return (pairs.length ? pairs.flat() : nearest ? [nearest.a, nearest.b] : []).map((name) => this.body(name)).filter((body) => body >= 0);
 	}
 
-	/** What hides the contact is made faint; the camera stays where the user has put it. */
+	/** Bodies that hide the contact are made faint; the camera stays where the user has put it. */
 	focus() {
 		const bodies = this.involved(), finding = this.finding();
 		this.xray = !!finding || this.proof;
@@ -71,13 +77,16 @@ export class JogStage extends Stage {
 		return {bodies, point: scale(add(on_a, on_b), 0.5), radius: Math.max(radius, norm(sub(on_b, on_a)))};
 	}
 
-	/** Which of the two links that are shown a body of the machine is fixed to. @param {number} body */
+	/** The one of the two shown links to which a body of the machine is fixed. @param {number} body */
 	linkOf(body) {
 		const {role, link} = this.model.bodies[body];
 		return role === 'machine' ? this.links.indexOf(link) : -1;
 	}
 
-	/** All that meets is red, not one pair alone. @param {number} body @param {any} finding @param {[number, number] | undefined} apart */
+	/**
+	 * All bodies that meet are red, not only one pair.
+	 * @param {number} body @param {any} finding @param {[number, number] | undefined} apart
+	 */
 	item(body, finding, apart) {
 		if (this.links.length) {
 			const side = this.linkOf(body);
@@ -87,7 +96,10 @@ export class JogStage extends Stage {
 		return super.item(body, meets ? {...finding, bodies: [body, -1]} : finding, apart);
 	}
 
-	/** The shortest way between the nearest bodies, with its length. @param {any} finding @param {number} width @param {number} height */
+	/**
+	 * The shortest line between the nearest bodies, with its length.
+	 * @param {any} finding @param {number} width @param {number} height
+	 */
 	annotate(finding, width, height) {
 		super.annotate(this.links.length ? null : finding, width, height);
 		if (this.links.length) {
@@ -105,7 +117,7 @@ export class JogStage extends Stage {
 		this.overlay.label('measure-label', `${norm(sub(b, a)).toFixed(3)} mm`, (from[0] + to[0]) / 2, (from[1] + to[1]) / 2 - 18);
 	}
 
-	/** The name of the largest body of each link that is shown. @param {number} width @param {number} height */
+	/** The name of the largest body of each shown link. @param {number} width @param {number} height */
 	nameLinks(width, height) {
 		const largest = this.links.map((_, side) => this.placed.all().filter((body) => this.linkOf(body) === side)
 			.sort((p, q) => this.placed.sphere(q).radius - this.placed.sphere(p).radius)[0]);

@@ -25,7 +25,7 @@ function toolsOf(setup) {
 }
 
 /**
- * A few blocks for any machine: it goes where it starts, axis by axis.
+ * A few blocks for any machine: a move to the start position, axis by axis.
  * @param {string} machine its file @param {Model} model @param {{number: number, name: string}[]} tools
  */
 function firstBlocks(machine, model, tools) {
@@ -35,7 +35,11 @@ function firstBlocks(machine, model, tools) {
 	return `G21 G90 G94\n${tool ? `T${tool.number} M6\n` : ''}${home.map((word) => `G53 G0 ${word}\n`).join('')}M2\n`;
 }
 
-/** The bodies of the machine with all tools, out of a report that the checker writes; its data is put where the viewer looks for it. @param {Uint8Array} report @returns {Promise<Model>} */
+/**
+ * The bodies of the machine with all tools, from a report that the checker writes; its data is put where the viewer
+ * expects it.
+ * @param {Uint8Array} report @returns {Promise<Model>}
+ */
 function modelOf(report) {
 	const page = new TextDecoder().decode(report), data = page.matchAll(/<script type="text\/plain" id="(fivecheck-head|blob-\d+)">([^<]*)<\/script>/g);
 	byId('model-data').replaceChildren(...[...data].map(([, id, textContent]) => element('script', {type: 'text/plain', id, textContent})));
@@ -47,7 +51,10 @@ class LearnPage {
 		this.client = new Client(new URL('.', import.meta.url));
 		/** @type {SessionClient | undefined} */
 		this.session = undefined;
-		/** The machine that is being loaded; the one before stays until it is. @type {SessionClient | undefined} */
+		/**
+		 * The machine that is being loaded; the one before stays until it is loaded.
+		 * @type {SessionClient | undefined}
+		 */
 		this.opening = undefined;
 		/** Machines that are being loaded. */
 		this.loading = 0;
@@ -70,7 +77,7 @@ class LearnPage {
 		takeDrops(byId('machines'), (found) => this.told(this.take(found)));
 	}
 
-	/** A machine of the user's. @param {[string, Blob][]} found */
+	/** Opens a machine of the user. @param {[string, Blob][]} found */
 	async take(found) {
 		const {files, faults} = await unpacked(found);
 		if (faults.length)
@@ -91,7 +98,7 @@ class LearnPage {
 		document.dispatchEvent(new Event('fivecheck-ready'));
 	}
 
-	/** What keeps a machine from being opened stands where its name would. @param {Promise<void>} opening */
+	/** An error that prevents opening a machine is shown in place of its name. @param {Promise<void>} opening */
 	async told(opening) {
 		const say = byId('machine-name'), before = this.model?.machine;
 		this.loading++;

@@ -1,17 +1,17 @@
 // @ts-check
-/** machine_arguments.js - what is entered in the form of a machine, as the arguments of `fivecheck init`. */
+/** machine_arguments.js - the entries of the form of a machine, as the arguments of `fivecheck init`. */
 import {controlArguments} from './control_fields.js';
 import {namesIn, readNumber, vectorIn} from './fields.js';
 
-/** In the order in which they usually carry each other. */
+/** The usual order in which they carry each other. */
 export const LINEAR = ['Y', 'X', 'Z'];
 
-/** All orders of some axes, the present one first. @param {string[]} axes @returns {string[][]} */
+/** All orders of some axes, the current one first. @param {string[]} axes @returns {string[][]} */
 export function orders(axes) {
 	return axes.length < 2 ? [axes] : axes.flatMap((first, i) => orders([...axes.slice(0, i), ...axes.slice(i + 1)]).map((rest) => [first, ...rest]));
 }
 
-/** The chains of axes, of what `fivecheck init` says. @param {string} messages */
+/** The chains of axes, from the output of `fivecheck init`. @param {string} messages */
 export function chainsOf(messages) {
 	const chains = messages.match(/note: (base.*workholding)/)?.[1] ?? '';
 	return chains.split('; ').map((chain) => chain.replaceAll(' > ', ' \u2192 ')).join('; ');

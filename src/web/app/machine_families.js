@@ -4,7 +4,7 @@
 export const ROTARY = ['A', 'B', 'C'];
 
 /**
- * What the form says of each family; `first` stands between its two axes; `oblique` is the place of the axis that stands oblique,
+ * The texts of the form for each family; `first` is between its two axes; `oblique` is the place of the oblique axis,
  * which is never C.
  * @type {Record<string, {title: string, rotary: string[], first: string, oblique: number}>}
  */

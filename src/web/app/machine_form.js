@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML of it and judges what was entered; each
- * of its errors stands at the field that it is about.
+ * machine_form.js - the form with a machine's parameters. `fivecheck init` makes the XML and checks the entries; each
+ * of its errors is shown at the field that it is about.
  */
 import {attributeIn, offerControl} from './control_fields.js';
 import {forgetFaults, meshField, moreFields, namesIn, numberField, numbersAreRead, readNumber, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
@@ -29,7 +29,8 @@ function axisFields(axis, add) {
 }
 
 /**
- * Which part of the form a message of `fivecheck init` is about: that of an axis, of the spindle, of the work, of the control, or none.
+ * The part of the form that a message of `fivecheck init` is about: that of an axis, of the spindle, of the work, of
+ * the control, or none.
  * @param {string} message
  */
 export function fieldOf(message) {
@@ -85,7 +86,7 @@ export class MachineForm {
 		return this.field(name).value;
 	}
 
-	/** Shows what the machine has after a field was changed. @param {string} name */
+	/** Shows the parts of the machine after a field was changed. @param {string} name */
 	fit(name) {
 		if (name === 'family')
 			this.offerAxes();
@@ -113,7 +114,7 @@ export class MachineForm {
 		this.part('[name=rotary]').replaceChildren(...rotary.map((pair) => element('option', {value: pair}, pair.replace(',', first))));
 	}
 
-	/** In which order the linear axes of table and head carry each other. */
+	/** The order in which the linear axes of table and head carry each other. */
 	offerOrders() {
 		const ticked = LINEAR.filter((axis) => this.field(`${axis}.table`).checked);
 		for (const [name, axes] of [['table', ticked], ['head', LINEAR.filter((axis) => !ticked.includes(axis))]]) {
@@ -140,7 +141,7 @@ export class MachineForm {
 		document.dispatchEvent(new CustomEvent('machine-written'));
 	}
 
-	/** Tells where a travel ends before it begins. */
+	/** Reports travels that end before they begin. */
 	limitsAreRight() {
 		const wrong = [...LINEAR, ...ROTARY].filter((axis) => {
 			const part = this.part(`[data-axis=${axis}]`), [min, max] = ['min', 'max'].map((end) => readNumber(this.value(`${axis}.${end}`)).number);
@@ -152,7 +153,7 @@ export class MachineForm {
 		return wrong.length === 0;
 	}
 
-	/** The machine file, or '' where `fivecheck init` says what is wrong. */
+	/** The machine file, or '' if `fivecheck init` reports an error. */
 	async written() {
 		const {status, out, err} = await this.client.run(['init', ...initArguments(new FormData(this.form))], [], [MORE])
 			.catch(({message}) => ({status: STATUS.INTERNAL, out: '', err: `error: ${message}`}));

@@ -14,7 +14,7 @@ import {SetupForm} from './setup_form.js';
 
 /** @typedef {import('./job_files.js').JobFile} JobFile */
 
-/** So many files have a row of their own. */
+/** At most this many files have a separate row. */
 const MOST_ROWS = 500;
 /** What each example shows. */
 const EXAMPLES = /** @type {Record<string, string>} */ ({'ac-trunnion': 'an impeller on a table that tilts and turns',
@@ -58,7 +58,7 @@ class Page {
 		keepOffline(() => this.opening || this.running);
 	}
 
-	/** A link to a form opens it. */
+	/** A link to a form opens the form. */
 	openForms() {
 		document.addEventListener('click', ({target}) => {
 			const id = target instanceof HTMLAnchorElement ? target.hash.slice(1) : '', form = id && byId(id).closest('section')?.querySelector('details');
@@ -93,15 +93,18 @@ class Page {
 		document.dispatchEvent(new Event('example-open'));
 	}
 
-	/** Takes files that the user dropped or chose, and shows what can be done with them. @param {[string, Blob][]} found */
+	/**
+	 * Takes files that the user dropped or chose, and shows the possible actions.
+	 * @param {[string, Blob][]} found
+	 */
 	async take(found) {
 		await this.add(found);
 		reveal(byId('start'));
 	}
 
 	/**
-	 * Takes files in place of those of the same path. A machine, setup, job file or waivers take the place of what was there of their
-	 * kind, too; but a job file may name several.
+	 * Takes files in place of those with the same path. A machine, setup, job file or waivers replace the earlier
+	 * ones of their kind, too; but a job file may refer to several.
 	 * @param {[string, Blob][]} found
 	 */
 	async add(found) {
@@ -140,12 +143,12 @@ class Page {
 		document.dispatchEvent(new Event('files-shown'));
 	}
 
-	/** Results that are shown are about the files and options as they were. */
+	/** The shown results are about the earlier files and options. */
 	outdate() {
 		byId('outdated').hidden = byId('results').childElementCount === 0;
 	}
 
-	/** Of several programs, some may be there only for others to call. @param {JobFile} file @param {boolean} several */
+	/** Of several programs, some may only be called by others. @param {JobFile} file @param {boolean} several */
 	roleButton(file, several) {
 		const {path, role} = file, alone = role === 'program', [label, text] = alone ? [`Use ${path} as a subprogram alone`, 'Subprogram'] : [`Check ${path} by itself`, 'Check it'];
 		if (role !== 'subprogram' && !(alone && several))
@@ -164,7 +167,7 @@ class Page {
 		button.addEventListener('click', () => {
 			const place = this.files.indexOf(file);
 			this.setFiles(this.files.filter((other) => other !== file));
-			// The focus goes to the same button of the next file.
+			// The focus moves to the same button of the next file.
 			const rows = byId('file-list').children, next = rows[Math.min(place, rows.length - 1)]?.querySelector('button:last-of-type');
 			/** @type {HTMLElement} */ (next ?? byId('choose')).focus();
 		});
@@ -176,7 +179,7 @@ class Page {
 		return this.files.filter((file) => file.role === role);
 	}
 
-	/** What a check of these files would lack, and what to do about it; none of it keeps the check from being made. @param {string[]} replaced */
+	/** What the files lack, and what to do about it; none of it prevents the check. @param {string[]} replaced */
 	showLacks(replaced) {
 		const lacks = adviceOn(this.files, replaced).map((text) => element('span', {className: 'lack'}, text)), machines = this.of('machine');
 		if (machines.length && !this.of('jobs').length && !this.of('setup').length && !machines.some(({text}) => /<setup[\s>]/.test(text)))
@@ -185,7 +188,7 @@ class Page {
 		byId('job').replaceChildren(...lacks);
 	}
 
-	/** Why there can be no check of these files, and what to do; or ''. */
+	/** Why these files cannot be checked, and what to do; or ''. */
 	whyNot() {
 		const others = this.of('other').map(({path}) => path);
 		const twice = /** @type {const} */ (['jobs', 'machine', 'setup', 'waivers']).find((role) => this.of(role).length > 1);
@@ -200,12 +203,12 @@ class Page {
 		return this.of('program').length ? '' : 'A program is missing: drop the NC program, too.';
 	}
 
-	/** What stands there is about these files and options. */
+	/** The results are about the current files and options. */
 	isChecked() {
 		return byId('results').childElementCount > 0 && byId('outdated').hidden;
 	}
 
-	/** What a check would be of. */
+	/** The object of a check. */
 	ready() {
 		const programs = this.of('program').map(({path}) => nameOf(path)), first = programs.slice(0, 3).join(', ');
 		return this.of('jobs').length ? 'Ready to check the jobs of the job file.' : `Ready to check ${first}${programs.length > 3 ? ` and ${programs.length - 3} more` : ''}.`;
@@ -218,7 +221,7 @@ class Page {
 		const check = /** @type {HTMLButtonElement} */ (byId('check')), cancel = byId('cancel'), focus = document.activeElement;
 		check.disabled = why !== '' || this.running;
 		cancel.hidden = !this.running;
-		// Who presses a button that goes finds the other one under the same key.
+		// A user who presses a button that is removed finds the other one under the same key.
 		if (focus === check && check.disabled)
 			cancel.focus();
 		if (focus === cancel && cancel.hidden)

@@ -1,15 +1,15 @@
 // @ts-check
 /**
- * modules.js - the modules of the checker, of which a page loads what its jobs need: fivecheck.wasm, with the controls whose
- * programs are ISO codes, and its parts.
+ * modules.js - the modules of the checker, of which a page loads those that its jobs need: fivecheck.wasm, with the
+ * controls whose programs are ISO codes, and its parts.
  */
 import {FIRST, PARTS, compileAnswer} from './fivecheck.js';
 
-/** What may hide a word from a look at the text: character references and entities. */
+/** Character references and entities may hide a word from a search of the text. */
 const HIDDEN = /&#|<!DOCTYPE/;
 
 /**
- * The parts that a job needs besides the first module; all of them where that is not sure.
+ * The parts that a job needs in addition to the first module; all of them if this is uncertain.
  * @param {string} machine the text of its file @param {string} [setup] @param {string[]} [options]
  */
 export function partsOf(machine, setup = '<setup', options = []) {
@@ -27,7 +27,7 @@ async function textOf(file) {
 }
 
 /**
- * What the server answers with.
+ * The answer of the server.
  * @param {string | URL} address @param {string} name that a failure is told by
  * @returns {Promise<Response>} whose status is good
  */
@@ -66,7 +66,7 @@ export class Modules {
 		});
 	}
 
-	/** Each is loaded once, and again after a failure. @param {string} name */
+	/** Each module is loaded once, and again after a failure. @param {string} name */
 	load(name) {
 		const module = this.loaded.get(name) ?? this.compile(name);
 		this.loaded.set(name, module);

@@ -1,5 +1,5 @@
 // @ts-check
-/** page.js - small helpers for elements. Strangers' text goes in as text alone. */
+/** page.js - small helpers for elements. Foreign text is inserted only as text. */
 
 /**
  * An element with properties and children.
@@ -25,7 +25,7 @@ export function byId(id) {
 }
 
 /**
- * Brings into view what has changed; at once for who wants no motion.
+ * Scrolls a changed element into view; at once for users who do not want motion.
  * @param {Element} what @param {ScrollLogicalPosition} [block] where it is to stand
  */
 export function reveal(what, block = 'nearest') {

@@ -1,11 +1,14 @@
 // @ts-check
-/** program_result.js - a program's card on the page: progress, findings as they come, the verdict and what speaks against it, the report. */
+/**
+ * program_result.js - a program's card on the page: progress, findings as they come, the verdict with its cautions, the
+ * report.
+ */
 import {copyField} from './check_options.js';
 import {isDoubt} from './cautions.js';
 import {nameOf} from './job_files.js';
 import {element} from './page.js';
 
-/** What verdicts mean, and the exit status that each belongs to. @type {Record<string, {status: number, text: string}>} */
+/** The meaning of verdicts, and the exit status of each. @type {Record<string, {status: number, text: string}>} */
 const VERDICTS = {
 	clear: {status: 0, text: 'Clear: nothing hits anything, in continuous time.'},
 	passed: {status: 0, text: 'Passed: samples found nothing. This is no proof.'},
@@ -20,14 +23,14 @@ export class ProgramResult {
 	constructor(path, open, job) {
 		this.path = path;
 		this.open = open;
-		/** Aborted when the card goes: what it has open ends with it. */
+		/** Aborted when the card is removed: everything that it has open ends with it. */
 		this.gone = new AbortController();
 		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
 		this.verdict = element('p', {className: 'verdict'}, 'checking …');
 		this.findings = element('ul', {className: 'findings'});
 		this.more = element('div', {});
 		this.doubts = element('ul', {className: 'doubts'});
-		/** What it was checked with. @type {string[]} */
+		/** The options of its check. @type {string[]} */
 		this.used = [];
 		this.card = element('article', {className: 'program', dataset: {path, ...(job ? {job} : {})}}, element(job ? 'h4' : 'h3', {}, nameOf(path)), this.verdict, this.doubts, this.progress,
 			this.findings, this.more);
@@ -52,7 +55,7 @@ export class ProgramResult {
 	}
 
 	/**
-	 * Tells the verdict. It stands before the report is written; if that fails, `show` says so.
+	 * Shows the verdict. It is known before the report is written; if this fails, `show` reports the failure.
 	 * @param {string} verdict
 	 */
 	tell(verdict) {
@@ -64,7 +67,7 @@ export class ProgramResult {
 			this.verdict.textContent = 'Found: see below.';
 	}
 
-	/** A line of the checker's messages: a quoted block and its caret stand in columns. @param {string} message */
+	/** A line of the checker's messages: a quoted block and its caret must be aligned. @param {string} message */
 	onMessage(message) {
 		const kind = /^\s/.test(message) ? ' quoted' : /(^|: )error: /.test(message) ? ' error' : '';
 		if (message)
@@ -78,7 +81,7 @@ export class ProgramResult {
 	 */
 	show(result, command, report) {
 		this.progress.remove();
-		// The word that was told stands if the run ended as it says.
+		// The shown verdict stays if the exit status agrees.
 		const told = this.card.dataset.verdict ?? 'clear', status = Math.min(result.status, 2);
 		this.tell(this.card.dataset.verdict && VERDICTS[told].status === status ? told : ['incomplete', 'found', 'incomplete'][status]);
 		if (this.doubts.childElementCount)
@@ -112,12 +115,12 @@ export class ProgramResult {
 		this.more.append(element('p', {className: 'row'}, save, ...(this.open ? [] : [show])), ...(this.open ? [frame] : []));
 	}
 
-	/** The card goes: its report can be saved and shown no more. */
+	/** The card is removed: its report can no longer be saved or shown. */
 	release() {
 		this.gone.abort();
 	}
 
-	/** A verdict that was told stands. */
+	/** A verdict that was shown stays. */
 	cancel() {
 		if (this.card.dataset.verdict)
 			this.progress.remove();
@@ -134,7 +137,7 @@ export class ProgramResult {
 }
 
 /**
- * What a verdict rests on besides the files, in words.
+ * The conditions of a verdict besides the files, in words.
  * @param {Record<string, any>} header the first event of a run
  */
 function usedIn({method, step, tolerance, stock_tolerance: stock, clearance, all, dialect, block_delete: skips, duplicates, include, max_blocks: most, fail_on: fails}) {

@@ -1,10 +1,10 @@
 // @ts-check
 /**
- * service_worker.js - the page works offline after the first visit, and is always of one build as a whole.
+ * service_worker.js - the page works offline after the first visit, and always consists of files of one build.
  *
- * Each build has a cache of its own. It is filled before it is used, and each file is compared with its digest below: while
- * a server holds old and new files, the old build stays. A page that is open keeps its build; the newer one takes its place
- * when the page is loaded again and no other is open.
+ * Each build has a separate cache. The cache is filled before it is used, and each file is compared with its digest
+ * below: while a server has old and new files, the old build stays. A page that is open keeps its build; the newer one
+ * replaces it when the page is loaded again and no other page is open.
  */
 
 /** The files of the page, each with its SHA-256, and a name for all of them; `make web` writes both (scripts/web-build). */
@@ -13,7 +13,7 @@ const BUILD = '';
 
 const worker = /** @type {any} */ (self), scope = worker.registration.scope;
 const OWN = `fivecheck ${scope} `, CACHE = OWN + BUILD;
-/** Of versions before there were builds. */
+/** The caches of versions before there were builds. */
 const FORMER = 'fivecheck';
 
 /** Puts a file of this build into the cache. @param {Cache} cache @param {string} name */
@@ -35,15 +35,15 @@ async function install() {
 	}
 }
 
-/** Other builds are of no more use. */
+/** Caches of other builds are no longer needed. */
 async function tidy() {
 	const names = await caches.keys();
 	await Promise.all(names.filter((name) => name === FORMER || (name.startsWith(OWN) && name !== CACHE)).map((name) => caches.delete(name)));
 }
 
 /**
- * Has the newer build answer where a page is loaded again; undefined: there is none, or another page is open, or this one
- * comes beside it.
+ * Makes the newer build answer when a page is loaded again; undefined: there is none, or another page is open, or this
+ * page is opened in addition.
  * @param {Request} request
  */
 async function handOver({cache, destination}) {
@@ -56,12 +56,12 @@ async function handOver({cache, destination}) {
 
 /** @param {Request} request @param {string} name */
 async function answer(request, name) {
-	// A browser that keeps nothing any more still loads.
+	// A browser that no longer stores anything still loads the page.
 	const cache = await caches.open(CACHE).catch(() => undefined), kept = await cache?.match(name);
 	if (kept)
 		return kept;
 	const fresh = await fetch(request);
-	// The files of an example are kept once it was opened.
+	// The files of an example are kept after it was opened.
 	if (cache && fresh.ok)
 		await cache.put(name, fresh.clone()).catch(() => undefined);  // there may be no room
 	return fresh;

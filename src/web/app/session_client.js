@@ -1,5 +1,8 @@
 // @ts-check
-/** session_client.js - asks a machine that stays loaded in a worker: checks of a program, clearances at a pose. */
+/**
+ * session_client.js - sends queries to a machine that stays loaded in a worker: checks of a program, clearances at a
+ * pose.
+ */
 
 /** @typedef {import('./fivecheck.js').Result} Result */
 /** @typedef {import('./fivecheck.js').Pose} Pose */
@@ -64,7 +67,7 @@ export class SessionClient {
 }
 
 /**
- * Carries out the newest of many requests: while one runs, of those that come only the last one is kept.
+ * Handles the newest of many requests: while one runs, only the last one of those that arrive is kept.
  * @template T
  */
 export class Newest {

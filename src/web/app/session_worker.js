@@ -1,14 +1,14 @@
 // @ts-check
 /**
- * session_worker.js - a machine that stays loaded in a worker (session_client.js). Each question has a number, which its answer
- * brings back.
+ * session_worker.js - a machine that stays loaded in a worker (session_client.js). Each query has a number, which its
+ * answer repeats.
  */
 import {Fivecheck} from './fivecheck.js';
 import {Files} from './files.js';
 
 /** @typedef {import('./fivecheck.js').Session} Session */
 
-/** Of a report only its data is read. */
+/** Only the data of the report is used. */
 const NO_VIEWER = '/* none */';
 
 class Desk {

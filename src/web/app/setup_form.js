@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * setup_form.js - the form for a job's setup: work offsets, part, fixtures, stock, tools. What it writes is judged by the check,
- * as any other setup file is.
+ * setup_form.js - the form for a job's setup: work offsets, part, fixtures, stock, tools. The check judges the file
+ * that it writes like any other setup file.
  */
 import {forgetFaults, meshField, moreFields, numberField, numbersAreRead, showUnit, tellFault, textField, vectorFields, vectorsAreWhole, watchNumbers, writtenFile} from './fields.js';
 import {element} from './page.js';
@@ -9,12 +9,12 @@ import {axesIn, offsetsIn, toolsIn} from './setup_proposal.js';
 import {setupXml, toolFault} from './setup_xml.js';
 
 const AXES = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'];
-/** What a tool is, and how its cutter ends. @type {[string, string][]} */
+/** The kinds of tools, and of the ends of their cutters. @type {[string, string][]} */
 const KINDS = [['cutter', 'cutter'], ['probe', 'probe'], ['nozzle', 'nozzle'], ['laser', 'laser'], ['drag', 'drag knife']];
 /** @type {[string, string][]} */
 const TIPS = [['flat', 'flat'], ['ball', 'ball'], ['bull', 'bull-nose'], ['cone', 'cone (drill)']];
 
-/** What some rows ask for, by their kind. @type {Record<string, {title: string, field: string, missing: string}>} */
+/** The question of some rows, by their kind. @type {Record<string, {title: string, field: string, missing: string}>} */
 const ROWS = {
 	offset: {title: 'Work offset', field: 'name', missing: 'a name is missing, such as G54'},
 	tool: {title: 'Tool', field: 'number', missing: ''},
@@ -22,7 +22,7 @@ const ROWS = {
 	register: {title: 'Length and radius of H and D', field: 'number', missing: ''},
 	variable: {title: 'Variable', field: 'name', missing: 'a name is missing, such as #500, R5 or Q1600'},
 };
-/** What libraries and tables of tools are called. */
+/** The file names of libraries and tables of tools. */
 const LIBRARIES = '.json,.csv,.tls,.tbl,.txt,.nc';
 
 /** @param {string} text */
@@ -35,13 +35,16 @@ function choiceField(name, label, choices) {
 	return element('label', {}, label, element('select', {name}, ...choices.map(([value, words]) => element('option', {value}, words))));
 }
 
-/** Fields that are there only with some choice of their row; with any, where that is *. @param {string} choice @param {HTMLElement[]} fields */
+/**
+ * Fields that exist only with certain choices of their row; with any choice for *.
+ * @param {string} choice @param {HTMLElement[]} fields
+ */
 function onlyIf(choice, ...fields) {
 	fields.forEach((field) => field.dataset.if = choice);
 	return fields;
 }
 
-/** Where a solid stands. @param {string} row */
+/** The place of a solid. @param {string} row */
 function placeFields(row) {
 	return [...vectorFields(`${row}.location`, 'location', ['0', '0', '0'], false)];
 }
@@ -87,7 +90,7 @@ export class SetupForm {
 		this.add = add;
 		this.axes = ['X', 'Y', 'Z'];
 		this.rows = 0;
-		/** What a person has changed is no longer proposed. @type {Set<string>} */
+		/** Values that the user has changed are no longer proposed. @type {Set<string>} */
 		this.touched = new Set();
 		this.addSolid('part');
 		this.addSolid('fixture');
@@ -119,13 +122,13 @@ export class SetupForm {
 		return /** @type {HTMLElement[]} */ ([...this.form.querySelectorAll(`[data-kind=${kind}]`)]).map(({dataset}) => dataset.row ?? '');
 	}
 
-	/** What a field holds in each row of a kind. @param {string} kind @param {string} field */
+	/** The values of a field in all rows of a kind. @param {string} kind @param {string} field */
 	valuesOf(kind, field) {
 		return this.rowsOf(kind).map((row) => /** @type {HTMLInputElement} */ (this.part(`[name="${row}.${field}"]`)).value.trim());
 	}
 
 	/**
-	 * Fits the form to the machine, to what the programs call, and to the tool libraries that are here.
+	 * Adapts the form to the machine, to the calls in the programs, and to the tool libraries.
 	 * @param {string} machine @param {string[]} programs @param {string[]} libraries
 	 */
 	propose(machine, programs, libraries = []) {
@@ -251,7 +254,7 @@ export class SetupForm {
 		return /** @type {HTMLElement[]} */ ([...this.form.querySelectorAll(`[data-of="${tool}"]`)]).map(({dataset}) => dataset.row ?? '');
 	}
 
-	/** Tells what is wrong with tools, and with names that are missing or there twice. @param {FormData} data */
+	/** Reports faults of tools, and names that are missing or used twice. @param {FormData} data */
 	rowsAreRight(data) {
 		const faults = this.rowsOf('tool').map((row) => [row, toolFault(data, row)]);
 		for (const [kind, {field, missing}] of Object.entries(ROWS)) {

@@ -2,10 +2,10 @@
 /** setup_proposal.js - what a setup needs for a machine and its programs: axes, work offsets and tools. */
 
 const AXES = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'];
-/** Of a program that has more tools or offsets than this, the others are not proposed. */
+/** If a program has more tools or offsets than this, the others are not proposed. */
 const MOST = 40;
 
-/** The axes that a machine file has. @param {string} machine */
+/** The axes in a machine file. @param {string} machine */
 export function axesIn(machine) {
 	const letters = [...machine.matchAll(/<axis\s[^>]*?\bname=["']([A-Z])["']/g)].map(([, letter]) => letter);
 	return AXES.filter((axis) => letters.length === 0 ? 'XYZ'.includes(axis) : letters.includes(axis));
@@ -33,7 +33,7 @@ export function toolsIn(programs) {
 }
 
 /**
- * The names of the work offsets that programs select; that which is usual where there are none.
+ * The names of the work offsets that programs select; the usual one if there are none.
  * @param {string} machine @param {string[]} programs
  */
 export function offsetsIn(machine, programs) {

@@ -1,5 +1,5 @@
 // @ts-check
-/** setup_xml.js - the setup file for what is entered in the form: plain functions of the form's data. */
+/** setup_xml.js - the setup file for the entries of the form: plain functions of the form's data. */
 import {namesIn, readNumber, vectorIn} from './fields.js';
 
 /** @param {string} text */
@@ -8,7 +8,7 @@ function escaped(text) {
 }
 
 /**
- * An element of XML in a line of its own; attributes without a value are left out.
+ * An element of XML on a separate line; attributes without a value are left out.
  * @param {string} name
  * @param {Record<string, string>} attributes
  * @param {string[]} children
@@ -25,13 +25,16 @@ function reader(data, row) {
 	return {text, vector, number: (/** @type {string} */ name) => readNumber(text(name)).number};
 }
 
-/** The length of a tool's shank: what holder and cutter leave of it, in the setup's unit. @param {FormData} data @param {string} row */
+/**
+ * The length of a tool's shank: the length that remains besides holder and cutter, in the setup's unit.
+ * @param {FormData} data @param {string} row
+ */
 export function shankOf(data, row) {
 	const {text, number} = reader(data, row), sum = ['holder', 'collar', 'cutter'].map((name) => Number(number(`${name}Length`)));
 	return text('holderMesh') || text('cutterMesh') ? 0 : Number(sum.reduce((left, length) => left - length, Number(number('length'))).toFixed(6));
 }
 
-/** What is wrong with the form of a tool's solids, or ''. @param {FormData} data @param {string} row */
+/** The fault in the solids of a tool, or ''. @param {FormData} data @param {string} row */
 export function toolFault(data, row) {
 	const {text, number} = reader(data, row), of = (/** @type {string} */ name) => Number(number(name)), radius = of('cutterDiameter') / 2;
 	const high = {flat: 0, ball: radius, cone: radius / Math.tan(of('angle') * Math.PI / 360), bull: of('corner')}[text('tip')] ?? 0;
@@ -77,7 +80,10 @@ function toolLine(data, row, edges) {
 		...edges.map((edge) => rowLine(data, 'edge', edge, {}, ['number', 'length', 'diameter'])));
 }
 
-/** A row that is one element with its fields. @param {FormData} data @param {string} name @param {string} row @param {Record<string, string>} texts @param {string[]} numbers */
+/**
+ * A row that becomes one element with its fields.
+ * @param {FormData} data @param {string} name @param {string} row @param {Record<string, string>} texts @param {string[]} numbers
+ */
 function rowLine(data, name, row, texts, numbers) {
 	return line(name, {...texts, ...Object.fromEntries(numbers.map((field) => [field, reader(data, row).number(field)]))});
 }
@@ -87,10 +93,13 @@ function textLine(data, name, row, fields) {
 	return rowLine(data, name, row, Object.fromEntries(fields.map((field) => [field, reader(data, row).text(field)])), []);
 }
 
-/** Names that mean something else in a pair of a machine file. */
+/** Names that have another meaning in a pair of a machine file. */
 const RESERVED = /^([ABCUVWXYZ]|base|holder|shank|cutter|fixture|part|stock)$/;
 
-/** A body is named after its file, with a number where that is taken or means something else. @param {string} mesh @param {Set<string>} taken */
+/**
+ * The name of a body is that of its file, with a number if that name is taken or has another meaning.
+ * @param {string} mesh @param {Set<string>} taken
+ */
 function bodyName(mesh, taken) {
 	const name = mesh.replace(/^.*\/|\.[^.]*$/g, '');
 	let own = name;
@@ -101,7 +110,7 @@ function bodyName(mesh, taken) {
 }
 
 /**
- * Parts and fixtures: several files in one row stand at the same place.
+ * Parts and fixtures: several files in one row have the same place.
  * @param {FormData} data @param {string} row @param {'part' | 'fixture'} kind @param {Set<string>} taken names of bodies
  */
 function solidLines(data, row, kind, taken) {
@@ -118,7 +127,7 @@ function stockLine(data) {
 }
 
 /**
- * The setup file for what is entered.
+ * The setup file for the entries.
  * @param {FormData} data @param {string[]} axes of the machine
  * @param {Record<string, string[]>} rows the names of the rows of each kind: offset, part, fixture, tool, table, register, variable
  * @param {(tool: string) => string[]} [edgesOf] the rows of the edges of a tool

@@ -5,7 +5,7 @@ import {byId, element} from './page.js';
 
 /** @typedef {import('./viewer/model.js').Model} Model */
 
-/** A wall of half a millimetre; at 30 m/min a sample comes every 5 mm. */
+/** A wall of half a millimetre; at 30 m/min samples are 5 mm apart. */
 const WALL_PROGRAM = 'G21 G90\nG0 X300\nM2\n';
 const WALL_MACHINE = `<machine version="1" name="A thin wall">
 <controller dialect="linuxcnc" rapid="linear"/>
@@ -28,8 +28,8 @@ export function boxStl(low, high) {
 }
 
 /**
- * The pairs of links, as the paper's table has them: an axis stands for what it carries. A pair of links is checked if any two of
- * their own bodies are.
+ * The pairs of links, as in the paper's table: an axis represents everything that it carries. A pair of links is
+ * checked if any two of their own bodies are.
  * @param {Model} model
  * @returns {{a: string, b: string, links: number[], checked: boolean, why: string}[]}
  */
@@ -54,7 +54,7 @@ export function linkPairs(model) {
 	return [...found.values()].map(({a, b, links, checked, reasons}) => ({a, b, links, checked, why: [...reasons].join('; ')}));
 }
 
-/** The button that shows a pair is pressed as long as it is shown. @param {number[]} links */
+/** The button of a pair stays pressed while the pair is shown. @param {number[]} links */
 function pressPair(links) {
 	byId('pair-table').querySelectorAll('button').forEach((button) => button.ariaPressed = String(button.dataset.links === links.join()));
 }

@@ -1,9 +1,12 @@
 // @ts-check
-/** verdict_list.js - how far the checks of several programs are: a count of each verdict, the way to what is not clear, and, of very many, the list of all to save. */
+/**
+ * verdict_list.js - the progress of the checks of several programs: a count of each verdict, links to those that are
+ * not clear, and, for very many programs, the list of all to save.
+ */
 import {nameOf} from './job_files.js';
 import {element, reveal} from './page.js';
 
-/** To so many programs that are not clear there is a button. */
+/** At most this many programs that are not clear have a button. */
 const MOST_WAYS = 20;
 
 export class VerdictList {
@@ -11,12 +14,12 @@ export class VerdictList {
 	constructor(count, many) {
 		this.count = count;
 		this.many = many;
-		/** A line each: job, program, verdict. @type {string[]} */
+		/** One line each: job, program, verdict. @type {string[]} */
 		this.lines = [];
 		/** @type {Map<string, number>} */
 		this.counts = new Map();
 		this.progress = /** @type {HTMLProgressElement} */ (element('progress', {max: count, value: 0, ariaLabel: 'Progress of all programs'}));
-		// Each change of the counts is too much to be read out.
+		// A screen reader should not read out each change of the counts.
 		this.words = element('p', {className: 'counts', ariaLive: 'off'});
 		this.ways = element('p', {className: 'row ways', hidden: true}, 'Not clear:');
 		this.part = element('div', {className: 'verdict-list'}, this.words, this.progress, this.ways,
@@ -51,7 +54,7 @@ export class VerdictList {
 		return button;
 	}
 
-	/** All are checked: of very many the list can be saved. */
+	/** All are checked: for very many programs the list can be saved. */
 	end() {
 		this.progress.remove();
 		if (!this.many)

@@ -2,7 +2,7 @@
 /**
  * wasi.js - the calls of WASI preview 1 that the checker makes, on files in memory (files.js).
  *
- * Nothing leaves the page: there is no network here, and no file but those of the run.
+ * Nothing leaves the page: there is no network here, and there are no files except those of the run.
  */
 import {FileNode, Files, Folder, MemoryBytes} from './files.js';
 
@@ -24,7 +24,7 @@ class Exit extends Error {
 	}
 }
 
-/** Something is needed that no module has; fivecheck(1) has no such status. */
+/** No loaded module has the required part; fivecheck(1) has no such status. */
 export const LACKING = 4;
 
 function lacking() {
@@ -32,7 +32,7 @@ function lacking() {
 }
 
 /**
- * The modules of one build have names for what they share that no other build has.
+ * The modules of one build use names for shared objects that no other build has.
  * @param {WebAssembly.Module} part
  * @param {WebAssembly.Exports} first
  */
@@ -75,8 +75,8 @@ export class Wasi {
 	}
 
 	/**
-	 * Makes an instance of the program; nothing runs yet. Its parts come after the first module, whose functions they call, and
-	 * put their own in place of those that stand for a part that is lacking.
+	 * Makes an instance of the program; nothing runs yet. Its parts follow the first module, whose functions they
+	 * call; their own functions replace those that stand for a missing part.
 	 * @param {WebAssembly.Module[]} modules
 	 */
 	instantiate([first, ...parts]) {
@@ -245,7 +245,7 @@ export class Wasi {
 			return E.BADF;
 		view.setUint8(out, file.node instanceof Folder ? KIND.FOLDER : file.node ? KIND.FILE : KIND.STREAM);
 		view.setUint16(out + 2, file.append ? APPEND : 0, true);
-		// A stream that has no seek is no terminal.
+		// A stream without seek is not a terminal.
 		view.setBigUint64(out + 8, ALL_RIGHTS, true);
 		view.setBigUint64(out + 16, ALL_RIGHTS, true);
 		return E.SUCCESS;
@@ -396,7 +396,7 @@ export class Wasi {
 	}
 
 	/**
-	 * What a path names, seen from an open folder.
+	 * The file or folder of a path, relative to an open folder.
 	 * @param {number} fd @param {number} at @param {number} length
 	 */
 	named(fd, at, length) {

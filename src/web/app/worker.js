@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * worker.js - runs jobs of the checker in a worker, one after the other (client.js). What ends the worker ends the job.
+ * worker.js - runs jobs of the checker in a worker, one after the other (client.js). Ending the worker ends the job.
  */
 import {Fivecheck} from './fivecheck.js';
 import {Files} from './files.js';
@@ -13,7 +13,7 @@ function filesOf(given) {
 	return files;
 }
 
-/** Of the job before: one with the same files does not bring them. @type {[string, string | Blob][]} */
+/** The files of the last job: a job with the same files does not send them again. @type {[string, string | Blob][]} */
 let given = [];
 
 addEventListener('message', async ({data}) => {

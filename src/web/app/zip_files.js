@@ -5,11 +5,11 @@
  */
 import {Files} from './files.js';
 
-/** More than this comes out of no archive: bytes and files. */
+/** The largest number of bytes and files from one archive. */
 export const LIMITS = {bytes: 1e9, files: 20000};
 
 const END = 0x06054b50, ENTRY = 0x02014b50, LOCAL = 0x04034b50;
-/** Sizes without what has no fixed length; the longest comment of an archive. */
+/** Sizes without the parts of variable length; the longest comment of an archive. */
 const END_BYTES = 22, ENTRY_BYTES = 46, LOCAL_BYTES = 30, COMMENT = 65535;
 const ENCRYPTED = 1, STORED = 0, DEFLATED = 8, ZIP64 = 0xffffffff;
 
@@ -58,7 +58,7 @@ async function directoryOf(archive) {
 	return entries;
 }
 
-/** What each byte does to the check sum (4.4.7: CRC-32). */
+/** The effect of each byte on the check sum (4.4.7: CRC-32). */
 const SUMS = Uint32Array.from({length: 256}, (_, sum) => {
 	for (let bit = 0; bit < 8; bit++)
 		sum = sum & 1 ? 0xedb88320 ^ sum >>> 1 : sum >>> 1;
@@ -104,7 +104,7 @@ async function contentsOf(archive, {name, flags, method, crc, packed, size, offs
 	}
 }
 
-/** Where a file lies in the folder of its archive; some systems write \ for /. @param {string} name */
+/** The path of a file in the folder of its archive; some systems write \ for /. @param {string} name */
 function placeOf(name) {
 	const path = name.replaceAll('\\', '/'), parts = Files.parts(path);
 	if (/^\/|^[a-z]:|(^|\/)\.\.(\/|$)/i.test(path))
