@@ -1,4 +1,4 @@
-/* dialects.h - every dialect: one line of control/dialects.h and one folder each. */
+/* dialects.h - all dialects: each has one line in control/dialects.h and one folder. */
 #ifndef FIVECHECK_GCODE_DIALECT_DIALECTS_H
 #define FIVECHECK_GCODE_DIALECT_DIALECTS_H
 

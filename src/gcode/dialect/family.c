@@ -6,7 +6,7 @@
 #include "control/dialects.h"
 #include "gcode/text/line_shape.h"
 
-/* Lines that are looked at: heads are shorter, and a program's first path stands in them, too. */
+/* The number of lines that are examined: these include the head of a program and its first moves. */
 #define FAMILY_LINES 300
 
 enum match {
@@ -17,14 +17,14 @@ enum match {
 	MATCH_STRAIGHT_LINE,
 	MATCH_O_CALL,
 	MATCH_G,
-	MATCH_ADDRESS,	/* not as the end of a longer name */
-	MATCH_CALL,	/* the line begins so, with a parenthesis that is no comment */
-	MATCH_FIRST_CALL,	/* no parenthesis stands before it */
+	MATCH_ADDRESS,	/* but not as the end of a longer name */
+	MATCH_CALL,	/* at the start of the line, with a parenthesis that is no comment */
+	MATCH_FIRST_CALL,	/* no other parenthesis precedes it */
 	MATCH_R_PARAMETER,
 	MATCH_PROC
 };
 
-/* Controls that read each other's programs; the dialects that read them, of which there may be none yet. */
+/* Controls that read each other's programs, and the dialects for them; there may be none. */
 struct family {
 	const char *title;
 	const char *dialects[3];
@@ -45,7 +45,7 @@ static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas
  */
 static const struct sign {
 	const struct family *family;
-	const char *text;	/* as a squeezed line has it, behind its number */
+	const char *text;	/* of a squeezed line, after its number */
 	const char *shown;
 	enum match match;
 	bool certain;
@@ -108,7 +108,7 @@ static bool starts_with(const char *block, const char *text)
 	return !strncmp(block, text, strlen(text));
 }
 
-/* The code with no digit or point behind it. */
+/* Has the block this code, without a further digit or point? */
 static bool has_code(const char *block, const char *code)
 {
 	for (const char *at = strstr(block, code); at; at = strstr(at + 1, code)) {
@@ -120,7 +120,7 @@ static bool has_code(const char *block, const char *code)
 	return false;
 }
 
-/* In upper case without blanks; parentheses stay. */
+/* Converts to upper case and removes blanks; parentheses stay. */
 static void unspace(const char *line, char out[LINE_SHAPE_MAX])
 {
 	size_t length = 0;
@@ -132,7 +132,7 @@ static void unspace(const char *line, char out[LINE_SHAPE_MAX])
 	out[length] = '\0';
 }
 
-/* The text with a parenthesis, which may begin the line (behind its number) or stand behind other words. */
+/* Has the line the text with a parenthesis, at its start (after its number) or after other words? */
 static bool has_call(const char *line, const char *text, bool begins)
 {
 	char words[LINE_SHAPE_MAX];
@@ -147,7 +147,7 @@ static bool has_call(const char *line, const char *text, bool begins)
 	return found && start + strcspn(start, "(") > found;
 }
 
-/* The address with no letter before it: "CR=5" is none of "MYCR=5". */
+/* Has the block the address, without a letter before it? "MYCR=5" does not have "CR=5". */
 static bool has_address(const char *block, const char *address)
 {
 	for (const char *at = strstr(block, address); at; at = strstr(at + 1, address)) {
@@ -157,7 +157,7 @@ static bool has_address(const char *block, const char *address)
 	return false;
 }
 
-/* "R1=5" or "R[1]=5" begins the block. */
+/* Does the block start with "R1=5" or "R[1]=5"? */
 static bool assigns_r(const char *block)
 {
 	size_t digits = *block == 'R' ? strspn(block + 1, "0123456789") : 0;
@@ -165,7 +165,7 @@ static bool assigns_r(const char *block)
 	return digits > 0 && digits < 4 && block[1 + digits] == '=';
 }
 
-/* "PROC NAME", "PROC NAME(REAL A) SAVE": a text before a program that begins so goes on with other words. */
+/* "PROC NAME", "PROC NAME(REAL A) SAVE". Plain text with the same start continues with other words. */
 static bool is_proc(const char *line)
 {
 	const char *at = line + strspn(line, " \t");
@@ -204,7 +204,7 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 	const char *words = block + (*block == 'N');
 
 	words += strspn(words, "0123456789");
-	/* A structuring block of Klartext ("36 * - TOOL: DM=8 CR=0") is a title: its text says nothing. */
+	/* A structuring block of Klartext ("36 * - TOOL: DM=8 CR=0") is a title: its text is no sign. */
 	if (*words == '*')
 		return false;
 	switch (sign->match) {
@@ -244,7 +244,7 @@ static bool reads(const struct family *family, const char *dialect)
 	return false;
 }
 
-/* Takes a line into account; true: a certain sign was found. */
+/* Examines a line; true: a certain sign was found. */
 static bool look(const char *line, long number, const char *dialect, struct family_sign *found)
 {
 	char block[LINE_SHAPE_MAX];
@@ -293,7 +293,7 @@ static unsigned dialects_of(const struct family *family)
 	return bits;
 }
 
-/* Takes a line into account; false: it contradicts what came before. */
+/* Examines a line; false: the line contradicts the lines before. */
 static bool narrow(const char *line, long number, unsigned *dialects, struct family_guess *guess)
 {
 	char block[LINE_SHAPE_MAX];
@@ -304,7 +304,7 @@ static bool narrow(const char *line, long number, unsigned *dialects, struct fam
 		const struct family_sign found = {number, sign->shown, sign->family->title, sign->certain};
 		unsigned both;
 
-		/* Of a family that no dialect reads, one sign is enough. */
+		/* For a family that no dialect reads, one sign is enough. */
 		if (*dialects == 0 || !is_sign(sign, line, block))
 			continue;
 		both = *dialects & dialects_of(sign->family);

@@ -1,4 +1,4 @@
-/* standard_codes.h - rows of codes that mean the same on several controls. */
+/* standard_codes.h - rows of codes with the same meaning on several controls. */
 #ifndef FIVECHECK_GCODE_DIALECT_STANDARD_CODES_H
 #define FIVECHECK_GCODE_DIALECT_STANDARD_CODES_H
 

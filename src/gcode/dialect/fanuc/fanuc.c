@@ -28,7 +28,7 @@ static const struct code g_codes[] = {
 	{G13_1, G_NONMODAL, CODE_READ, "end of polar coordinate interpolation"},
 	{G15, G_POLAR, CODE_READ, "end of polar coordinates"},
 	{G16, G_POLAR, CODE_READ, "polar coordinate command"},
-	/* B-64484EN-2, "Stored Stroke Check": the zone stops the machine with an alarm, and moves nothing. */
+	/* B-64484EN-2, "Stored Stroke Check": the zone stops the machine with an alarm, and moves no axis. */
 	{G22, G_NONMODAL, CODE_IGNORED, "stored stroke check"},
 	{230, GROUP_NONE, CODE_IGNORED, "end of the stored stroke check"},
 	{250, GROUP_NONE, CODE_IGNORED, "end of spindle speed fluctuation detection"},
@@ -57,7 +57,7 @@ static const struct code g_codes[] = {
 	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
 	{G54_2, G_NONMODAL, CODE_READ, "end of the rotary table dynamic fixture offset (P0); another P is refused"},
 	{G54_4, G_NONMODAL, CODE_READ, "work setting error compensation, of values that are 0"},
-	/* Of controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
+	/* On controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
 	{G61_1, G_PATH, CODE_READ, "high-accuracy control"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
 	{G62, G_PATH, CODE_READ, "automatic corner override"},
@@ -78,11 +78,11 @@ static const struct code g_codes[] = {
 	/* B-63534EN, program format of Series 15, and Mazak: "Rigid Tapping". */
 	{842, G_MOTION, CODE_READ, "rigid tapping cycle, as G84"},
 	{843, G_MOTION, CODE_READ, "left-hand rigid tapping cycle, as G74"},
-	/* Of posts for several controls: I, J and K always count from the start here. Fanuc stops with an alarm. */
+	/* By posts for several controls: I, J and K are always relative here. Fanuc stops with an alarm. */
 	{911, G_ARC_DISTANCE, CODE_READ, "incremental arc centres"},
 	{G92_1, G_NONMODAL, CODE_READ, "workpiece coordinate system preset"},
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
-	/* The mode that is always in force here. */
+	/* The mode that is always active here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 	{1070, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
 	{1120, G_NONMODAL, CODE_BOUNDED, "polar coordinate interpolation"},
@@ -101,8 +101,8 @@ static const struct code_word words[] = {
 };
 
 /*
- * 30i-B operator's manual, canned cycles for drilling: drilling data hold from one cycle to the next, and the control
- * starts the spindle.
+ * 30i-B operator's manual, canned cycles for drilling: drilling data stay valid from one cycle to the next, and the
+ * control starts the spindle.
  */
 static const struct cycle_traits cycles = {
 	FANUC_FAMILY_CYCLES,
@@ -114,9 +114,9 @@ static const struct cycle_traits cycles = {
 };
 
 /*
- * 0i-MB operator's manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode": the length of an axis
- * that they move is taken back, and comes back by itself or with the next G43 or H, as parameter 5001#6 (EVO) says. A
- * tool change that goes to a place may do so by such codes.
+ * 0i-MB operator's manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode": these codes cancel the
+ * length of an axis that they move; parameter 5001#6 (EVO) decides whether the length is restored automatically or by
+ * the next G43 or H. A tool change at a fixed position may use such codes.
  */
 static void after_machine_move(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
@@ -138,8 +138,8 @@ const struct dialect dialect_fanuc = {
 	.traits = {
 		/* B-64484EN, "Preparatory Function": of one group in one block the last one is valid. */
 		.last_of_group = ANSWER_YES,
-		/* Parameters decide on units, distance and plane: the machine file has them. */
-		/* Cutting mode: G64 is in force at power-on. */
+		/* Parameters decide about units, distance mode and plane: the machine file has them. */
+		/* Cutting mode: G64 is active at power-on. */
 		.power_on = {.feed_mode = G94, .path = G64, .asks_motion = true},
 		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
 		.known_order = ANSWER_NO,
@@ -154,7 +154,7 @@ const struct dialect dialect_fanuc = {
 		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		/* Parameter 3403#5 (CIR): a line, or alarm PS0022. */
 		.arc_without_centre = ARC_WITHOUT_CENTRE_LINE,
-		/* "Circular Interpolation (G02, G03)": R takes precedence; the end need not lie on the arc. */
+		/* "Circular Interpolation (G02, G03)": R takes precedence; the end need not be on the arc. */
 		.arc_radius_wins = ANSWER_YES,
 		.arc_spirals = ANSWER_YES,
 		.arc_idle_zero = ANSWER_YES,
@@ -163,15 +163,13 @@ const struct dialect dialect_fanuc = {
 		.corner_words = CORNER_WORDS_WITH_ARCS,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
-		/* G code list: cycles are group 09, G0 to G3 group 01, G28 and its like group 00. */
+		/* G code list: cycles are group 09, G0 to G3 group 01, G28 and similar codes group 00. */
 		.cycles_apart = ANSWER_YES,
 		.motion_beside_words = ANSWER_YES,
 		/* Machine coordinate system (G53). */
 		.g53_rate = G53_RATE_RAPID,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
-		/*
-		 * B-64484EN, "Machine Coordinate System (G53)": it is ignored in G91. Not every such control does so.
-		 */
+		/* B-64484EN, "Machine Coordinate System (G53)": G53 is ignored in G91. Not all such controls do so. */
 		.g53_asks_g91 = ANSWER_YES,
 		.g53_alone = ANSWER_YES,
 		/* An alarm. */
@@ -183,7 +181,7 @@ const struct dialect dialect_fanuc = {
 		/* The same, "Three-dimensional coordinate conversion". */
 		.g68_in_space = ANSWER_YES,
 		.t_word = T_WORD_SELECTS,
-		/* B-64484EN, "Tool Function": T and M reach the builder's ladder at once. */
+		/* B-64484EN, "Tool Function": T and M reach the builder's ladder program at the same time. */
 		.m6_loads_own_t = ANSWER_NO,
 		.tool_change_stays = ANSWER_NO,
 		/* G54.1 P1 to P48, or to P300 as an option; G54 with P is the same. */
@@ -207,7 +205,7 @@ const struct dialect dialect_fanuc = {
 		.h_alone = H_ALONE_CHANGES,
 		.d_alone = ANSWER_YES,
 		.d_word = D_WORD_RADIUS,
-		/* "Start-up", type C (parameter 5003#1, SUV): the tool goes aside at once. */
+		/* "Start-up", type C (parameter 5003#1, SUV): the tool moves aside at once. */
 		.comp_waits = ANSWER_NO,
 		/* "Tool Length Offset": types A, B and C, parameter 5001#0 (TLC) and #1 (TLB). */
 		.length_axis_asked = ANSWER_YES,

@@ -22,7 +22,7 @@ static const struct code g_codes[] = {
 };
 
 static const struct code m_codes[] = {
-	/* Fanuc B-64483EN, spindle orientation; Haas, "M19 Orient Spindle": it stops, at the angle of P or R. */
+	/* Fanuc B-64483EN, spindle orientation; Haas, "M19 Orient Spindle": it stops at the angle of P or R. */
 	{19, M_SPINDLE, CODE_READ, "spindle orientation"},
 	{98, M_STOP, CODE_READ, "subprogram call"},
 };

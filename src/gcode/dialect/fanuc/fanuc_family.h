@@ -1,4 +1,4 @@
-/* fanuc_family.h - rows of codes that Fanuc's and Haas's controls have in common. */
+/* fanuc_family.h - rows of codes that are the same on Fanuc's and Haas's controls. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_FANUC_FAMILY_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_FANUC_FAMILY_H
 
@@ -8,12 +8,12 @@ extern const struct word_set fanuc_family_words;
 extern const struct code_set fanuc_family_g_codes, fanuc_family_m_codes;
 
 /*
- * How canned cycles drill, as both manuals have it. Neither says that the level is no coordinate, and neither forbids R
- * below Z; words of a cycle that is repeated 0 times are kept, and nothing is drilled.
+ * The behaviour of canned cycles in both manuals. Neither says that the initial level is no coordinate, and neither
+ * forbids R below Z; words of a cycle that is repeated 0 times are kept, and nothing is drilled.
  */
 #define FANUC_FAMILY_CYCLES \
 	.words_outlive_cycle = ANSWER_YES, \
-	/* Haas, "Looping Canned Cycles": G91 behind a G81 in G90 changes the way between holes alone. */ \
+	/* Haas, "Looping Canned Cycles": G91 after a G81 in G90 changes only the moves between holes. */ \
 	.words_keep_place = ANSWER_YES, \
 	.without_axes = ANSWER_YES, \
 	.starts_at_r = ANSWER_NO, \

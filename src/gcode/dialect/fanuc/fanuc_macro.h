@@ -1,4 +1,4 @@
-/* fanuc_macro.h - custom macro as Fanuc's control has it. */
+/* fanuc_macro.h - custom macro of Fanuc's controls. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_FANUC_MACRO_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_FANUC_MACRO_H
 

@@ -13,7 +13,7 @@
 #include "gcode/text/line_shape.h"
 #include "gcode/text/number.h"
 
-/* On some controls the first two letters will do (B-63944EN, abbreviation). */
+/* On some controls the first two letters are enough (B-63944EN, abbreviation). */
 static bool keyword(struct interp *interp, struct lexer *lexer, const char *word)
 {
 	const char two[3] = {word[0], word[1], '\0'};
@@ -31,7 +31,7 @@ static bool end_statement(struct lexer *lexer)
 	return fault(lexer->at, lexer_column(lexer), "a macro statement stands in a block of its own");
 }
 
-/* Skips a statement whose condition is false. Words of a block behind it would be lost, so that they are refused. */
+/* Skips a statement whose condition is false. Words of a block after it would be lost, so they are refused. */
 static bool pass_over(struct lexer *lexer)
 {
 	int depth = 0, letters;
@@ -73,7 +73,7 @@ static bool assign(struct interp *interp, struct lexer *lexer)
 	return macro_b_expr_sum(lexer, &value) && macro_b_vars_write(interp, number, column, value);
 }
 
-/* "#1=2", and more of them. */
+/* One or more assignments, "#1=2". */
 static bool do_assignments(struct interp *interp, struct lexer *lexer)
 {
 	do {
@@ -172,7 +172,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 	if (holds)
 		return true;
 	call->loop_count--;
-	/* Goes on behind END: the line of END itself would lead back into the loop. */
+	/* Continues after END: the line of END itself would return to the start of the loop. */
 	if (!macro_b_seek_jump(interp, &call->loops[call->loop_count].end, column))
 		return false;
 	reader_next(&interp->program.source->reader, &interp->at.text);
@@ -197,7 +197,7 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 
 /* ---------------------------------------------------------------- the line */
 
-/* The program's number may stand on its first line. Another number begins another program before M30 or M99. */
+/* The program's number is allowed on its first line. A later number starts another program before M30 or M99. */
 static bool check_program_number(struct interp *interp, struct lexer *lexer)
 {
 	const struct macro_b_call *call = macro_b_call_in_hand(interp);
@@ -226,9 +226,9 @@ static bool is_letters(const char *text)
 }
 
 /*
- * The head of a program that has a name in place of its number, "<PART-1>" (30i-B operator's manual B-64484EN, program
- * name), an O with text that a post processor left to be filled in, or "OCIRCLE" of controls that take names there.
- * None of them says anything of a motion.
+ * The head of a program with a name instead of a number: "<PART-1>" (30i-B operator's manual B-64484EN, program name),
+ * an O with text that a post processor left to be filled in, or "OCIRCLE" of controls that allow names there. None of
+ * these contains a motion.
  */
 static bool take_name(struct interp *interp, bool *done)
 {
@@ -258,7 +258,7 @@ static bool take_name(struct interp *interp, bool *done)
 	return true;
 }
 
-/* The whole number behind a letter; nothing is taken if there is none. */
+/* Reads the whole number after a letter; nothing is consumed if there is none. */
 static bool take_number(struct lexer *lexer, double *value)
 {
 	size_t position = lexer->position + 1;
@@ -270,7 +270,7 @@ static bool take_number(struct lexer *lexer, double *value)
 	return true;
 }
 
-/* The number of a G-code, which may have tenths; nothing is taken if there is none. */
+/* Reads the number of a G-code, which may have tenths; nothing is consumed if there is none. */
 static bool take_code(struct lexer *lexer, double *value)
 {
 	size_t position = lexer->position + 1;
@@ -282,7 +282,7 @@ static bool take_code(struct lexer *lexer, double *value)
 	return true;
 }
 
-/* '/', '/2', or several of them. */
+/* Skips '/', '/2', or several of them. */
 static void skip_slash(struct lexer *lexer)
 {
 	while (lexer_peek(lexer) == '/') {
@@ -292,7 +292,7 @@ static void skip_slash(struct lexer *lexer)
 	}
 }
 
-/* Skips '/', O and N as block_read reads them, which reports what is wrong with them. */
+/* Skips '/', O and N in the same way as block_read, which reports their faults. */
 static bool skip_start(struct interp *interp, struct lexer *lexer, bool *skipped)
 {
 	double value;
@@ -336,7 +336,7 @@ static bool is_text(const struct interp *interp, struct lexer *lexer)
 	       lexer_keyword(lexer, "dprnt") || is_naming(interp, lexer);
 }
 
-/* G65, G66 and G67; their words are not those of a block. */
+/* Carries out G65, G66 and G67; their words are not those of a block. */
 static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 {
 	bool modal = macro_b_of(interp)->rules->modal_calls;
@@ -389,7 +389,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBbSs", byte);
 	if (!*done)
 		return true;
-	/* G-codes first: they are the most. */
+	/* G-codes first: they are the most frequent. */
 	if ((byte == 'G' || byte == 'g') && isdigit((unsigned char)lexer->at->text[lexer->position + 1]))
 		return do_g(interp, lexer, done);
 	if (byte == '#')
@@ -412,7 +412,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	return true;
 }
 
-/* '%' in the file of a subprogram: it may begin it, and else ends the file too early. */
+/* '%' in the file of a subprogram: it may be at its start; elsewhere it ends the file too early. */
 static bool do_percent(struct interp *interp, bool *done)
 {
 	*done = macro_b_of(interp)->level > 0;
@@ -421,7 +421,7 @@ static bool do_percent(struct interp *interp, bool *done)
 	return macro_b_call_end_of_file(interp);
 }
 
-/* A line that is no plain block. */
+/* Carries out a line that is no plain block. */
 static APART bool take_line(struct interp *interp, bool *done)
 {
 	struct macro_b *macro = macro_b_of(interp);
@@ -454,7 +454,7 @@ bool macro_b_line(struct interp *interp, bool *done)
 	if ((macro->jumped || interp->program.repeated) &&
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
-	/* The machine's builder may have given its G-code to a macro. */
+	/* The machine builder may have assigned the block's G-code to a macro. */
 	if (interp->block.plain && builder_macro_of_code(interp, interp->block.g[G_MOTION] / 10.0))
 		interp->block.plain = false;
 	if (!interp->block.plain)

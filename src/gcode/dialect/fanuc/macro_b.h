@@ -7,12 +7,12 @@
 struct interp;
 
 /*
- * Carries out the line in hand if it is a macro statement: then *done is true.
- * The rest (M97, M98, M99 among it) is a block's. False: reported.
+ * Carries out the current line if it is a macro statement: then *done is true. All other lines, including M97, M98 and
+ * M99, are blocks. False: reported.
  */
 bool macro_b_line(struct interp *interp, bool *done);
 
-/* Fills interp->block from the words of the line in hand; values may be variables and expressions. False: reported. */
+/* Fills interp->block from the words of the current line; values may be variables and expressions. False: reported. */
 bool macro_b_read_block(struct interp *interp);
 
 #endif

@@ -82,8 +82,8 @@ static int argument_of(char letter)
 }
 
 /*
- * I, J and K by argument specification II: sets of three from #4 on, a new one
- * with each letter that does not come after the one before (Haas: alternate addressing).
+ * I, J and K by argument specification II: sets of three variables from #4 on. A letter that does not follow the letter
+ * before in this order starts a new set (Haas: alternate addressing).
  */
 static int argument_of_set(char letter, int *set, char *last)
 {
@@ -94,9 +94,8 @@ static int argument_of_set(char letter, int *set, char *last)
 }
 
 /*
- * B-63944EN, macro calls, units of arguments: without a decimal point a value
- * counts increments of its address. Which those are differs for E and F, and in
- * inches for A, B and C, which need not be axes.
+ * B-63944EN, macro calls, units of arguments: without a decimal point a value counts increments of its address. These
+ * increments differ for E and F, and in inches for A, B and C, which need not be axes.
  */
 static bool scale_argument(struct interp *interp, const struct word *word, double *value)
 {
@@ -130,7 +129,7 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 		return fault(&interp->at, word->column, "more than ten sets of I, J and K");
 	if (!word->vacant && !scale_argument(interp, word, &value))
 		return false;
-	/* Of a mixture the later one is valid (B-63944EN, mixture of argument specifications I and II). */
+	/* In a mixture the later argument is valid (B-63944EN, mixture of argument specifications I and II). */
 	request->arguments[number] = value;
 	return true;
 }
@@ -171,7 +170,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 
 /* --------------------------------------------------------------- G65, G66 */
 
-/* B-63944EN, simple call (G65): the call has local variables of its own, which are vacant but for its arguments. */
+/* B-63944EN, simple call (G65): the call has its own local variables, all vacant except its arguments. */
 static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct request *request, int column)
 {
 	struct macro_b_vars *vars = &macro_b_of(interp)->vars;
@@ -185,8 +184,8 @@ static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const
 }
 
 /*
- * Haas: "the arguments are set only on the first repetition", and what the macro
- * makes of its variables remains for the next. Fanuc's manual leaves that open.
+ * Haas: "the arguments are set only on the first repetition", so the next repetition finds the variables as the macro
+ * left them. Fanuc's manual does not say this.
  */
 static bool check_repeats(struct interp *interp, const struct request *request, int column)
 {
@@ -201,7 +200,7 @@ static bool check_repeats(struct interp *interp, const struct request *request, 
 	return true;
 }
 
-/* A program of the machine's builder: nothing, or a block that run_block carries out in place of this line. */
+/* Calls a program of the machine builder: no effect, or a block that run_block carries out instead of this line. */
 static void call_builder(struct interp *interp, const struct builder_macro *macro, const struct request *request,
 			 int column, bool *done)
 {
@@ -240,7 +239,7 @@ bool macro_b_call_by_code(struct interp *interp, struct lexer *lexer, int column
 	return true;
 }
 
-/* B-63944EN, modal call (G66): from the next block on, after each that moves; the block itself calls nothing. */
+/* B-63944EN, modal call (G66): after each following block that moves; the block of G66 itself calls nothing. */
 bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 {
 	struct macro_b *macro = macro_b_of(interp);
@@ -268,7 +267,7 @@ bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 	return true;
 }
 
-/* Is this a block that G66 may call its macro after? Moves of the macro itself call nothing. */
+/* May G66 call its macro after this block? Moves of the macro itself call nothing. */
 static bool modal_heeds(const struct interp *interp)
 {
 	const struct macro_b *macro = macro_b_of(interp);
@@ -283,8 +282,8 @@ static bool modal_heeds(const struct interp *interp)
 }
 
 /*
- * Of a block that heeds G66. The manual does not say what a move of a subprogram does if G66 stands outside of it: that
- * is refused.
+ * Calls the macro of G66 after a block. The manual does not say whether a move in a subprogram calls the macro if G66
+ * is outside of the subprogram: this is refused.
  */
 static bool call_modal(struct interp *interp)
 {
@@ -308,8 +307,8 @@ static bool call_modal(struct interp *interp)
 /* ------------------------------------------------------------ M97, M98, M99 */
 
 /*
- * B-64484EN, "Subprogram (M98, M99)", call by a sequence number: M98 Q calls the block N of the program in hand up to
- * its M99, as M97 P does on Haas. With P, Q would be a block of that program.
+ * B-64484EN, "Subprogram (M98, M99)", call by a sequence number: M98 Q calls the current program from its block N up to
+ * M99, like M97 P of Haas. With P, Q would be a block of program P.
  */
 static bool take_local(struct interp *interp, int *number)
 {
@@ -320,7 +319,7 @@ static bool take_local(struct interp *interp, int *number)
 	return block_integer(block, &interp->at, 'Q', 1, 99999999, number);
 }
 
-/* A P of five to eight digits, without L: repetitions and program, or (parameter 11304#3) one program. */
+/* A P of five to eight digits, without L: repetitions and program, or, by parameter 11304#3, only a program. */
 static bool split_p(struct interp *interp, int *number, int *repeats)
 {
 	const int column = block_column(&interp->block, 'P'), program = *number % 10000, count = *number / 10000;
@@ -342,7 +341,7 @@ static bool split_p(struct interp *interp, int *number, int *repeats)
 
 /*
  * B-63944EN, subprogram call: P is the number of the program. Without L, the last four digits of a longer P are the
- * program, and those before them the repetitions. Haas, M98: P and L.
+ * program, and the digits before them the repetitions. Haas, M98: P and L.
  */
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {
@@ -406,8 +405,8 @@ static bool end_outline(struct interp *interp, int column)
 }
 
 /*
- * M99 P: Fanuc goes to that block of the caller (B-63944EN, subprogram), Haas to
- * one of the subprogram itself (operator's manual, "Conditional Expressions").
+ * M99 P: Fanuc continues at this block of the caller (B-63944EN, subprogram), Haas at a block of the subprogram itself
+ * (operator's manual, "Conditional Expressions").
  */
 static bool do_m99(struct interp *interp, int column)
 {
@@ -434,7 +433,7 @@ static bool do_m99(struct interp *interp, int column)
 	       macro_b_seek_jump(interp, &target, p);
 }
 
-/* Haas, "G150": its P is a block N of the program in hand, or else a program. */
+/* Haas, "G150": P is a block N of the current program, or else a program. */
 static bool call_outline(struct interp *interp)
 {
 	struct diag *heard = interp->at.diag, unheard = {0};

@@ -15,7 +15,7 @@ struct macro_reader {
 	struct interp *interp;
 	const struct macro_b_rules *rules;
 	bool argument;	/* of a macro call */
-	double steps;	/* ROUND rounds to this number of steps a unit */
+	double steps;	/* ROUND rounds to this number of steps per unit */
 };
 
 static bool is_digit(char byte)
@@ -101,7 +101,7 @@ static bool compute_fix(const struct line_place *at, int column, const struct fu
 	return true;
 }
 
-/* To a whole number, or behind an address to its increment (B-63944EN, ROUND function; Haas, ROUND). */
+/* Rounds to a whole number, or after an address to its increment (B-63944EN, ROUND function; Haas, ROUND). */
 static bool compute_round(struct expr *expr, int column, double *value)
 {
 	const struct macro_reader *reader = expr->context;
@@ -119,9 +119,8 @@ static bool compute_round(struct expr *expr, int column, double *value)
 }
 
 /*
- * B-63944EN, ASIN and ATAN: with parameter NAT (No. 6004#0) at 0, as it is
- * delivered, angles go from 0 to 360, and those of ASIN from 270 to 90; with 1
- * from -180 to 180, and from -90 to 90.
+ * B-63944EN, ASIN and ATAN: with parameter NAT (No. 6004#0) = 0, the default, angles are from 0 to 360, and those of
+ * ASIN from 270 to 90; with NAT = 1 they are from -180 to 180, and from -90 to 90.
  */
 static void wrap_angle(struct expr *expr, int column, double *value)
 {
@@ -139,7 +138,7 @@ static void wrap_angle(struct expr *expr, int column, double *value)
 	*value += 360;
 }
 
-/* Behind ATAN[...]: "/[b]", where *given is set. */
+/* Reads "/[b]" after ATAN[...], if it is there; then *given is set. */
 static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *given)
 {
 	const struct macro_reader *reader = expr->context;
@@ -161,7 +160,7 @@ static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *g
 	return expr_bracket(expr, "ATAN[...]/", second);
 }
 
-/* ATAN[a]/[b] and ATAN[a,b]; ATAN[a] is that of a and 1. */
+/* ATAN[a]/[b] and ATAN[a,b]; ATAN[a] is the same as with b = 1. */
 static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand *value)
 {
 	const struct macro_reader *reader = expr->context;
@@ -243,9 +242,8 @@ bool macro_b_expr_function(struct expr *expr, int column, const struct function_
 /* ------------------------------------------------------------------- words */
 
 /*
- * Steps of the address's least increment: IS-B where the machine file does not
- * say, 0.001 mm and degrees or 0.0001 inch (B-63944EN, variable reference;
- * Haas, address substitution). 0: not rounded.
+ * Steps per unit of the address's least increment: without an entry in the machine file those of IS-B, 0.001 mm and
+ * degrees or 0.0001 inch (B-63944EN, variable reference; Haas, address substitution). 0: not rounded.
  */
 static double steps_of(const struct interp *interp, char letter)
 {
@@ -264,7 +262,7 @@ static bool fault_truth(const struct lexer *lexer, int column)
 	return fault(lexer->at, column, "the result of a comparison is no number here");
 }
 
-/* The value behind the address word->letter: #1, -#1, [#1+2]. */
+/* Reads the value after the address word->letter: #1, -#1, [#1+2]. */
 static enum lexer_result read_word(struct lexer *lexer, struct word *word, bool argument)
 {
 	struct macro_reader reader;

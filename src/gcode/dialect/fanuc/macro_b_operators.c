@@ -5,13 +5,13 @@
 #include "base/same_double.h"
 
 /*
- * Controls compute with about nine digits (B-63944EN, operation error): of
- * numbers that are nearer to each other, but not equal, nobody knows the order.
+ * Controls compute with about nine digits (B-63944EN, operation error): the order of numbers that are closer than this,
+ * but not equal, is not known.
  */
 #define NEAR 1e-8
 #define LARGEST_WHOLE 2147483647.0
 
-/* A vacant operand counts as 0 (B-63944EN, undefined variable); what Haas makes of one is not in its manual. */
+/* A vacant operand counts as 0 (B-63944EN, undefined variable); Haas's manual does not define this case. */
 bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
 			  struct expr_operand *value)
 {
@@ -50,7 +50,7 @@ static bool holds(enum expr_operation operation, double left, double right)
 	}
 }
 
-/* B-63944EN, undefined variable: in conditions a vacant value differs from 0 for EQ and NE only. */
+/* B-63944EN, undefined variable: in conditions a vacant value differs from 0 only for EQ and NE. */
 static bool compare(const struct macro_b_rules *rules, const struct line_place *at, int column,
 		    enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
@@ -58,7 +58,7 @@ static bool compare(const struct macro_b_rules *rules, const struct line_place *
 
 	if (left->truth || right->truth)
 		return fault(at, column, "the result of a comparison cannot be compared; use AND or OR");
-	/* A Haas program asks "#1 EQ #0" for a variable without a value; the number that #1 holds is not #0. */
+	/* A Haas program tests for a variable without a value by "#1 EQ #0"; any number in #1 differs from #0. */
 	if ((operation == EXPR_EQ || operation == EXPR_NE) && (other || (vacant && rules->vacant_counts))) {
 		*left = (struct expr_operand){(vacant == other) == (operation == EXPR_EQ), true};
 		return true;
@@ -103,7 +103,7 @@ static bool apply_logic(const struct macro_b_rules *rules, const struct line_pla
 	return true;
 }
 
-/* B-63944EN, MOD: of whole numbers, with the sign of the first; other controls differ in both. */
+/* B-63944EN, MOD: for whole numbers, with the sign of the first; other controls differ in both points. */
 static bool apply_modulo(const struct macro_b_rules *rules, const struct line_place *at, int column,
 			 struct expr_operand *left, double right)
 {

@@ -1,4 +1,4 @@
-/* macro_b_operators.h - the operators of macros, and what they make of vacant values. */
+/* macro_b_operators.h - the operators of macros, also for vacant values. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_OPERATORS_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_OPERATORS_H
 
@@ -11,14 +11,14 @@
 bool macro_b_operators_apply(const struct macro_b_rules *rules, const struct line_place *at, int column,
 		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right);
 
-/* A vacant value becomes 0 where vacant values count; else it is a fault, reported at the column. */
+/* Sets a vacant value to 0 on controls where vacant values count as 0; else it is a fault, reported at the column. */
 bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
 			  struct expr_operand *value);
 
-/* Do they differ, but by so little that controls may disagree? */
+/* Do the values differ, but by so little that controls may disagree? */
 bool macro_b_operators_nearly_equal(double left, double right);
 
-/* A whole number, below 2^31 in size. */
+/* Is the value a whole number with an absolute value below 2^31? */
 bool macro_b_operators_is_whole(double value);
 
 #endif

@@ -7,26 +7,26 @@
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/program_files.h"
 
-/* The start of a line as searches compare it: without blanks and comments, in capitals. */
+/* The start of a line for searches: without blanks and comments, in capitals. */
 #define GIST_MAX 256
 
 struct gist {
 	bool percent;
 	bool has_program, has_block;
 	long program, block;	/* O and N */
-	char rest[GIST_MAX];	/* what follows them */
+	char rest[GIST_MAX];	/* the text after them */
 };
 
-/* What a search looks for. */
+/* The target of a search. */
 enum aim { AIM_BLOCK, AIM_PROGRAM, AIM_ANY_PROGRAM, AIM_END };
 
 struct search {
 	enum aim aim;
 	long number;
-	long after;	/* AIM_BLOCK: lines up to this one do not count */
+	long after;	/* AIM_BLOCK: lines up to this one are ignored */
 	int open[MACRO_B_LOOPS];	/* AIM_END: the loops in between */
 	int open_count;
-	bool own_line;	/* the search starts with the program's first line, which has its number */
+	bool own_line;	/* the search starts at the program's first line, which has the program's number */
 	bool failed;	/* reported */
 	bool unfinished;	/* a pipe's window ended the search */
 };
@@ -80,7 +80,7 @@ static void read_gist(const char *text, enum colon colon, struct gist *gist)
 	snprintf(gist->rest, sizeof(gist->rest), "%s", at);
 }
 
-/* The first byte tells of most lines that no search looks for them. */
+/* May a search look for the line? For most lines the first byte excludes this. */
 static bool may_matter(const char *text)
 {
 	text += strspn(text, " \t");
@@ -105,7 +105,7 @@ static int loop_number(const char *rest, bool end)
 
 /* ------------------------------------------------------------------ a search */
 
-/* The loops of B-63944EN, nesting: up to three, one inside the other, that do not cross. */
+/* The loops of B-63944EN, nesting: up to three nested loops, which do not cross. */
 static bool meet_loop(struct interp *interp, struct search *search, const struct gist *gist, long line, int column)
 {
 	int opens = loop_number(gist->rest, false), closes = loop_number(gist->rest, true);
@@ -151,7 +151,7 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 	return meet_loop(interp, search, &gist, line, column);
 }
 
-/* Copies the text of the line in hand, because a search reads other lines into the reader's buffer. */
+/* Copies the text of the current line, because a search reads other lines into the reader's buffer. */
 static void keep_line(struct interp *interp)
 {
 	struct strbuf *line = &macro_b_of(interp)->line;
@@ -164,8 +164,8 @@ static void keep_line(struct interp *interp)
 }
 
 /*
- * The first line from `from` that is looked for, up to the line `to` (0: the end
- * of the program, or of the file). The reader is where it was before.
+ * Finds the first line of the search's target from `from` up to the line `to` (0: the end of the program, or of the
+ * file). The position of the reader does not change.
  */
 static bool look(struct interp *interp, struct search *search, const struct position *from, long to, int column,
 		 struct position *found)
@@ -190,7 +190,7 @@ static bool look(struct interp *interp, struct search *search, const struct posi
 		if (reader_next(reader, &text) != READER_LINE || (to > 0 && reader->line > to))
 			break;
 		met = meets(interp, search, text, reader->line, column, &over);
-		/* The program's own first line is not the next one's. */
+		/* The program's own first line is not that of the next program. */
 		over = over && !first;
 		met = met && !over;
 		first = first && !may_matter(text);
@@ -204,7 +204,7 @@ static bool look(struct interp *interp, struct search *search, const struct posi
 
 /* ------------------------------------------------------------ what was found */
 
-/* The search of a loop is made once: its result depends on nothing but the file. */
+/* The search for the end of a loop is made only once: its result depends only on the file. */
 static struct label *remembered(struct interp *interp, const struct position *from, const char *what, long number,
 				char *key)
 {
@@ -216,7 +216,7 @@ static void remember(struct interp *interp, const char *key, const struct positi
 {
 	struct label *label = labels_add(&macro_b_of(interp)->found, key, 0);
 
-	/* If there is no room for it, the next jump searches again. */
+	/* If the list is full, the next jump searches again. */
 	if (label)
 		label->at = *found;
 }
@@ -321,7 +321,7 @@ bool macro_b_seek_end(struct interp *interp, int number, int column, struct posi
 	return true;
 }
 
-/* In a file of its name: the program's O, or the first line if there is no O at all. */
+/* Searches in a file of the program's name: its O-number, or the first line if the file has no O-number. */
 static bool look_in_folders(struct interp *interp, int number, int column, struct position *found)
 {
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, any = {.aim = AIM_ANY_PROGRAM};
@@ -350,7 +350,7 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 	return true;
 }
 
-/* In the program's own file; *unfinished: it is a pipe that holds neither its start nor enough of what is ahead. */
+/* Searches in the main program's file; *unfinished: a pipe, whose window lacks its start or enough lines ahead. */
 static bool look_in_main(struct interp *interp, int number, int column, struct position *found, bool *unfinished)
 {
 	struct source *main = interp->program.sources.items[0];
@@ -399,7 +399,7 @@ bool macro_b_seek_has_program(struct interp *interp, int number, int column, boo
 	char key[96];
 
 	*has = remembered(interp, &in_hand, "O", number, key) != NULL;
-	/* Of a program that is not there it is remembered, too, for calls in a loop. */
+	/* A missing program is remembered, too, for calls in a loop. */
 	if (*has || remembered(interp, &in_hand, "no O", number, key))
 		return true;
 	*has = look_in_main(interp, number, column, &found, &unfinished) ||

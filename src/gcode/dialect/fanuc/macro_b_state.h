@@ -1,4 +1,4 @@
-/* macro_b_state.h - what a control with custom macro B remembers of a program: variables, calls, open loops. */
+/* macro_b_state.h - the state of custom macro B for a program: variables, calls, open loops. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_STATE_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_STATE_H
 
@@ -9,9 +9,9 @@
 #include "gcode/state.h"
 #include "gcode/text/label.h"
 
-/* #1 to #33 are a call's own. */
+/* #1 to #33 are local to a call. */
 #define MACRO_B_LOCALS 33
-/* Calls inside each other (Fanuc 30i/31i/32i operator's manual, B-63944EN, call nesting: fifteen). */
+/* Nested calls (Fanuc 30i/31i/32i operator's manual, B-63944EN, call nesting: fifteen). */
 #define MACRO_B_CALLS_MAX 15
 #define MACRO_B_COMMON 1000
 /* Assignments in one block. */
@@ -23,7 +23,7 @@
 struct macro_b_vars {
 	double local[MACRO_B_CALLS_MAX + 1][MACRO_B_LOCALS + 1];
 	double common[MACRO_B_COMMON];	/* #100 to #199, #500 to #999, and their other names */
-	bool given[MACRO_B_COMMON];	/* a value by this program */
+	bool given[MACRO_B_COMMON];	/* this program has assigned a value */
 	int level;	/* of G65 and G66 */
 };
 
@@ -36,12 +36,12 @@ struct macro_b_loop {
 
 enum macro_b_call_kind { MACRO_B_MAIN, MACRO_B_M98, MACRO_B_M97, MACRO_B_G65, MACRO_B_G66 };
 
-/* A program under way; the first one is the program itself. */
+/* An active program; the first one is the main program. */
 struct macro_b_call {
 	enum macro_b_call_kind kind;
 	int number;	/* O or, of M97, N */
-	struct position program;	/* where GOTO starts to search */
-	struct position entry;	/* where each repetition starts */
+	struct position program;	/* where the search of GOTO starts */
+	struct position entry;	/* the start of each repetition */
 	struct position back;
 	int left;	/* repetitions after this one */
 	const char *file;	/* of the caller's block */
@@ -51,12 +51,12 @@ struct macro_b_call {
 	int loop_count;
 };
 
-/* A call of a program of the machine's builder that is carried out as a block (builder_macro.h). */
+/* A call of a program of the machine builder that is carried out as a block (builder_macro.h). */
 struct builder_call {
 	const struct builder_macro *macro;	/* NULL: there is none */
 	double arguments[MACRO_B_LOCALS + 1];
 	int column;
-	int motion, path_motion;	/* in force before */
+	int motion, path_motion;	/* active before the call */
 	double feed;
 };
 
@@ -66,17 +66,17 @@ struct macro_b {
 	struct macro_b_call calls[MACRO_B_CALLS_MAX + 1];
 	int level;
 	int macro_calls;	/* by G65 and G66, of these */
-	int assigned[MACRO_B_ASSIGNED_MAX];	/* variables, by the block in hand */
+	int assigned[MACRO_B_ASSIGNED_MAX];	/* variables that the current block assigns */
 	int assigned_count;
-	bool started;	/* a line with more than comments has been met */
+	bool started;	/* a line with more than comments has been read */
 	bool jumped;	/* blocks are counted from the first jump on */
-	bool modal;	/* G66 is in force */
+	bool modal;	/* G66 is active */
 	int modal_number, modal_repeats, modal_level;
 	double modal_arguments[MACRO_B_LOCALS + 1];
 	struct builder_call builder;
 	bool cautioned_angle;
-	struct labels found;	/* what was searched for, and where it was found */
-	struct strbuf line;	/* the line in hand, while others are read */
+	struct labels found;	/* the results of earlier searches */
+	struct strbuf line;	/* the current line, while other lines are read */
 };
 
 static inline struct macro_b *macro_b_of(const struct interp *interp)
@@ -94,7 +94,7 @@ static inline struct macro_b_call *macro_b_call_in_hand(const struct interp *int
 /* A variable without a value. */
 double macro_b_vacant(void);
 
-/* A struct macro_b for a program that begins; all variables are vacant. */
+/* A struct macro_b for the start of a program; all variables are vacant. */
 void *macro_b_state_new(const struct macro_b_rules *rules);
 void macro_b_state_free(void *state);
 

@@ -19,7 +19,7 @@ static int whole_code(int code)
 	return code / 10;
 }
 
-/* What is known to the machine only, or differs from one to the next. Controls may add to it: macro_b_rules.h. */
+/* Variables that only the machine knows, or that differ between machines. Controls may have more: macro_b_rules.h. */
 static const struct macro_b_range machine_only[] = {
 	{2001, 2999, "tool offsets of the control's own table"},
 	{3000, 3000, "no value"},
@@ -126,8 +126,8 @@ static bool read_mode(struct interp *interp, int number, int column, double *val
 /* ---------------------------------------------------------- axes, offsets */
 
 /*
- * The slot of a control's axis. Haas counts X Y Z A B C; Fanuc's fourth axis and
- * those beyond are the machine builder's choice, unless there is one only.
+ * The slot of an axis number of the control. Haas counts X Y Z A B C; on Fanuc the machine builder chooses the fourth
+ * axis and further ones, unless there is only one.
  */
 static bool find_slot(struct interp *interp, int number, int index, int column, int *slot)
 {
@@ -149,7 +149,7 @@ static bool find_slot(struct interp *interp, int number, int index, int column, 
 		     index + 1);
 }
 
-/* B-63944EN: #5001 and on hold the end of the block before in workpiece coordinates, without tool compensation. */
+/* B-63944EN: #5001 and on are the end of the block before, in workpiece coordinates without tool compensation. */
 static bool read_position(struct interp *interp, int number, int column, double *value)
 {
 	const struct state *state = &interp->state;
@@ -169,7 +169,7 @@ static bool read_position(struct interp *interp, int number, int column, double 
 	return true;
 }
 
-/* The work offset and its slot that #number is, *system -1 if it is none. */
+/* The work offset and the slot of #number; *system is -1 if the variable is no work offset. */
 static bool find_work(struct interp *interp, int number, int column, int *system, int *slot)
 {
 	const struct macro_b_rules *rules = macro_b_of(interp)->rules;
@@ -191,7 +191,7 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 		     interp->config->dialect->name);
 }
 
-/* What follows from the program and the setup is not the machine file's to tell. */
+/* The machine file must not give values that follow from the program and the setup. */
 static bool check_untold(struct interp *interp, int number, int column)
 {
 	return !macro_b_kept_tells(interp, number) ||
@@ -243,7 +243,7 @@ static bool write_work(struct interp *interp, int number, int column, double val
 		return fault_unknown(interp, number, column);
 	if (isnan(value))
 		return fault(&interp->at, column, "#%d cannot be vacant", number);
-	/* When the control heeds a change of the offset in force depends on how far it reads ahead. */
+	/* A change of the active offset takes effect at a time that depends on the control's read ahead. */
 	if (system == state->system)
 		interp->state.work_assigned = true;
 	state->work[system].v[slot] = value * unit_of(state, slot);
@@ -259,10 +259,10 @@ bool macro_b_system_write(struct interp *interp, int number, int column, double 
 	case 3001:
 	case 3002:	/* clocks, which cannot be read here */
 	case 3003:	/* single block, waiting for M functions: moves nothing */
-	case 3006:	/* a stop with a message, as M0 */
+	case 3006:	/* a stop with a message, like M0 */
 		return true;
 	case 3004:
-		/* 1 holds feed hold back, 2 the override, 4 the exact stop. */
+		/* 1 disables feed hold, 2 the override, 4 the exact stop. */
 		if (value < 4)
 			return true;
 		return fault(&interp->at, column, "#3004=%.15g switches exact stops off, which is not supported yet",

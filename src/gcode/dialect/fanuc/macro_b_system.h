@@ -7,9 +7,9 @@
 struct interp;
 
 /*
- * The variables from #1000 on (B-63944EN, system variables; Haas mill
- * operator's manual, system variables). What only the machine knows when it
- * runs is a fault that says so. Lengths are in the program's unit. False: reported at the column.
+ * The variables from #1000 on (B-63944EN, system variables; Haas mill operator's manual, system variables). Variables
+ * that only the running machine knows are a fault that says so. Lengths are in the program's unit. False: reported at
+ * the column.
  */
 bool macro_b_system_read(struct interp *interp, int number, int column, double *value);
 bool macro_b_system_write(struct interp *interp, int number, int column, double value);

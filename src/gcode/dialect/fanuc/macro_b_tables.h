@@ -1,4 +1,4 @@
-/* macro_b_tables.h - the operators and functions that all controls with custom macro B have. */
+/* macro_b_tables.h - the operators and functions of all controls with custom macro B. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_TABLES_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_TABLES_H
 
@@ -6,7 +6,7 @@
 
 /*
  * B-63944EN, priority of operations: functions; * / AND MOD; + - OR XOR; and comparisons last. `unordered`: the
- * control's manual gives AND, OR and XOR no order among the others.
+ * control's manual does not define the precedence of AND, OR and XOR.
  */
 #define MACRO_B_OPERATORS(unordered) \
 	{"eq", EXPR_EQ, 1, false}, \
@@ -24,7 +24,7 @@
 	{"and", EXPR_AND, 3, unordered}, \
 	{"mod", EXPR_MODULO, 3, false},
 
-/* `refused`: of the functions that not every manual has. */
+/* `refused`: for functions that are not in every manual. */
 #define MACRO_B_FUNCTIONS(refused) \
 	{"abs", "ABS", FUNCTION_ABS, false}, \
 	{"acos", "ACOS", FUNCTION_ACOS, false}, \

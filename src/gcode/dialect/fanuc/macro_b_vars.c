@@ -23,7 +23,7 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 		     number, interp->config->dialect->name);
 }
 
-/* The manuals do not say whether the assignments of a block happen at once or one after the other. */
+/* Manuals do not say whether the assignments of a block take effect together or one after the other. */
 static bool was_assigned(const struct interp *interp, int number)
 {
 	for (int i = 0; i < macro_b_of(interp)->assigned_count; i++) {

@@ -1,4 +1,4 @@
-/* macro_b_vars.h - reads and writes the variables of macros: local, common, and the control's own. */
+/* macro_b_vars.h - reads and writes the variables of macros: local, common, and system variables. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_VARS_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_VARS_H
 
@@ -9,7 +9,7 @@ struct interp;
 /* The value of #number, NAN if it is vacant. False: reported at the column. */
 bool macro_b_vars_read(struct interp *interp, int number, int column, double *value);
 
-/* Gives #number a value, or NAN. False: reported at the column. */
+/* Assigns a value, or NAN for vacant, to #number. False: reported at the column. */
 bool macro_b_vars_write(struct interp *interp, int number, int column, double value);
 
 #endif

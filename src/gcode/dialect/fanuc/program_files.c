@@ -19,7 +19,7 @@ static bool is_repeated(char spellings[SPELLINGS][SPELLING_SIZE], size_t index)
 	return false;
 }
 
-/* The file in the folder with this spelling. False: *source is another one already, which was reported. */
+/* Finds the file with this spelling in the folder. False: *source is already another file, which was reported. */
 static bool find_spelling(struct interp *interp, size_t folder, const char *spelling, int number, int column,
 			  struct source **source)
 {

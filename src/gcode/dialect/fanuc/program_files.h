@@ -1,4 +1,4 @@
-/* program_files.h - files that hold one program each, under names that Fanuc's and Haas's programs have. */
+/* program_files.h - files with one program each, with the usual names of Fanuc's and Haas's programs. */
 #ifndef FIVECHECK_GCODE_DIALECT_FANUC_PROGRAM_FILES_H
 #define FIVECHECK_GCODE_DIALECT_FANUC_PROGRAM_FILES_H
 
@@ -8,9 +8,9 @@ struct interp;
 struct source;
 
 /*
- * The file of the program O<number>: O12, O0012 or O00012, with or without the
- * O, and nothing, .nc, .cnc, .tap or .txt behind it. *source is NULL if there is
- * none. False: reported at the column (there are two, or too many files).
+ * Finds the file of the program O<number>: O12, O0012 or O00012, with or without the O, and without an ending or with
+ * .nc, .cnc, .tap or .txt. *source is NULL if there is none. False: reported at the column (there are two such files,
+ * or too many files).
  */
 bool program_files_find(struct interp *interp, int number, int column, struct source **source);
 

@@ -19,7 +19,7 @@ static const struct code g_codes[] = {
 	{G68_2, GROUP_NONE, CODE_REFUSED, "tilted working plane"},
 	{G70, G_NONMODAL, CODE_READ, "bolt hole circle"},
 	{G71, G_NONMODAL, CODE_READ, "bolt hole arc"},
-	/* The manual does not say whether the first hole lies where the tool stands. */
+	/* The manual does not say whether the first hole is at the present position. */
 	{720, GROUP_NONE, CODE_REFUSED, "bolt holes along an angle (write the X and Y of each hole)"},
 	{G77, G_MOTION, CODE_BOUNDED, "back boring cycle"},
 	{G100, G_MIRROR, CODE_READ, "end of mirror image"},
@@ -28,7 +28,7 @@ static const struct code g_codes[] = {
 	{1070, GROUP_NONE, CODE_REFUSED, "cylindrical mapping"},
 	{1100, G_SYSTEM, CODE_READ, "additional work offset 1"},
 	{1110, G_SYSTEM, CODE_READ, "additional work offset 2"},
-	/* Mill operator's manual 96-8000: of G110 to G129. Newer manuals give the two codes to the interpolation. */
+	/* Mill operator's manual 96-8000: two of G110 to G129. In newer manuals the two codes are the interpolation. */
 	{1120, GROUP_NONE, CODE_REFUSED,
 	 "XY to XC interpolation (on older controls additional work offset 3: write G154 P3)"},
 	{1130, GROUP_NONE, CODE_REFUSED,
@@ -85,8 +85,8 @@ static const struct code m_codes[] = {
 	{12, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis on"},
 	{13, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis off"},
 	/*
-	 * Haas: chip conveyor, gears; further on doors (M80, M81), the air jet (M83, M84), coolant through the spindle
-	 * (M88, M89), pictures (M130, M131), mist (M158 to M163). M104 and M105 swing the tool probe's arm.
+	  * Haas: chip conveyor, gears; below, doors (M80, M81), the air jet (M83, M84), coolant through the spindle
+	  * (M88, M89), pictures (M130, M131), mist (M158 to M163). M104 and M105 move the arm of the tool probe.
 	 */
 	{31, GROUP_NONE, CODE_IGNORED, "chip conveyor forward"},
 	{33, GROUP_NONE, CODE_IGNORED, "chip conveyor stop"},
@@ -98,7 +98,7 @@ static const struct code m_codes[] = {
 	{48, GROUP_NONE, CODE_IGNORED, "check of the program"},
 	{49, GROUP_OUTPUT, CODE_IGNORED, "status of a pallet"},
 	{50, GROUP_NONE, CODE_REFUSED, "pallet change"},
-	/* M75, M78, M79: what becomes of the signal of G31; none moves an axis. */
+	/* M75, M78, M79: handling of the signal of G31; they move no axis. */
 	{73, GROUP_NONE, CODE_IGNORED, "air blast of the tool on"},
 	{74, GROUP_NONE, CODE_IGNORED, "air blast of the tool off"},
 	{75, GROUP_NONE, CODE_IGNORED, "reference point of G35 or G136"},
@@ -140,8 +140,8 @@ static const struct cycle_traits cycles = {
 };
 
 /*
- * "G28 Return to Machine Zero": it cancels the length for the lines that follow; whether without Z, too, and what it
- * does to G234, is not said.
+ * "G28 Return to Machine Zero": it cancels the length for the following lines. The manual does not say whether it does
+ * so without Z, and how it affects G234.
  */
 static void after_machine_move(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
@@ -171,8 +171,8 @@ const struct dialect dialect_haas = {
 	.words = {&fanuc_family_words},
 	.traits = {
 		.last_of_group = ANSWER_NO,
-		/* Parameters decide on units, distance and plane: the machine file has them. */
-		/* Cutting mode: G64 is in force at power-on. */
+		/* Parameters decide about units, distance mode and plane: the machine file has them. */
+		/* Cutting mode: G64 is active at power-on. */
 		.power_on = {.feed_mode = G94, .path = G64, .asks_motion = true},
 		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
 		.known_order = ANSWER_NO,
@@ -193,7 +193,7 @@ const struct dialect dialect_haas = {
 		.corner_words = CORNER_WORDS_WITH_LINES,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
-		/* G-codes: cycles are group 09, G00 to G03 group 01, G28 and its like group 00. */
+		/* G-codes: cycles are group 09, G00 to G03 group 01, G28 and similar codes group 00. */
 		.cycles_apart = ANSWER_YES,
 		.motion_beside_words = ANSWER_YES,
 		.g53_rate = G53_RATE_PROGRAMMED,
@@ -203,9 +203,9 @@ const struct dialect dialect_haas = {
 		.g28_without_axes = G28_WITHOUT_AXES_ALL,
 		.references_in_parameters = ANSWER_NO,
 		.g30_has_number = ANSWER_YES,
-		/* "M08 Coolant On": of pumps with several pressures. */
+		/* "M08 Coolant On": for pumps with several pressures. */
 		.m8_has_pressure = ANSWER_YES,
-		/* The manual says nothing of it. */
+		/* The manual does not mention this. */
 		.turned_by_machine = TURNED_BY_MACHINE_ACROSS,
 		.t_word = T_WORD_SELECTS,
 		/* "M06 Tool Change": M06 Tnn loads tool nn. */
@@ -226,7 +226,7 @@ const struct dialect dialect_haas = {
 		.shifts_ignore_g91 = ANSWER_NO,
 		.h_missing = H_MISSING_REFUSED,
 		.h_zero = H_ZERO_NONE,
-		/* "G49 Cancel G43/G44/G143": H0 does the same. That any other H changes the length is not said. */
+		/* "G49 Cancel G43/G44/G143": H0 does the same. The manual does not say this of any other H. */
 		.h_alone = H_ALONE_CANCELS,
 		.d_alone = ANSWER_YES,
 		.d_word = D_WORD_RADIUS,

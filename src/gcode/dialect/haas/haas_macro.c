@@ -4,7 +4,7 @@
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/macro_b_tables.h"
 
-/* Haas mill operator's manual, "Macros". It gives AND, OR and XOR no order among the others. */
+/* Haas mill operator's manual, "Macros". It does not define the precedence of AND, OR and XOR. */
 static const struct expr_operator operators[] = {MACRO_B_OPERATORS(true)};
 
 static const struct function_name functions[] = {MACRO_B_FUNCTIONS(true)};

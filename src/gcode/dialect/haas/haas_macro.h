@@ -1,4 +1,4 @@
-/* haas_macro.h - custom macro as Haas's control has it. */
+/* haas_macro.h - custom macro of Haas's controls. */
 #ifndef FIVECHECK_GCODE_DIALECT_HAAS_HAAS_MACRO_H
 #define FIVECHECK_GCODE_DIALECT_HAAS_HAAS_MACRO_H
 

@@ -10,7 +10,7 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/restart.h"
 
-/* Labels of branches and loops belong to the subprogram that is being carried out. */
+/* The key of a label: labels of branches and loops are local to the current subprogram. */
 static void make_key(const struct interp *interp, const struct oword *oword, char *key)
 {
 	const struct call *call = linuxcnc_call_in_hand(interp);
@@ -48,7 +48,7 @@ static bool skip_line(struct interp *interp, struct lexer *lexer, const struct o
 
 /* ------------------------------------------------------------------- lines */
 
-/* While a subprogram is looked for, its parameters do not exist yet: a label that must be computed is not read. */
+/* During the search for a subprogram its parameters do not exist yet: a label that must be computed is not read. */
 static bool is_computed(const struct interp *interp, const char *text)
 {
 	enum skip skip = linuxcnc_of(interp)->flow.skip;
@@ -67,7 +67,7 @@ static bool in_loop_or_call(const struct interp *interp)
 	return linuxcnc->flow.control_count > 0 || linuxcnc->params.level > 0 || interp->program.repeated;
 }
 
-/* What an o-word's line, or one of M98 and M99, can begin with. */
+/* Can a line of an o-word, M98 or M99 start with this byte? */
 static bool may_begin(char byte)
 {
 	switch (byte) {
@@ -84,7 +84,7 @@ static bool may_begin(char byte)
 	}
 }
 
-/* A line that is no plain block. */
+/* Carries out a line that is no plain block. */
 static APART bool take_line(struct interp *interp, bool *done)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
@@ -130,7 +130,7 @@ bool control_flow_end_of_file(struct interp *interp)
 			   "the subprogram %s is neither in %s nor in a file %s.ngc beside the program or in an "
 			   "--include folder",
 			   oword_title(call->name, title), end.file, call->name);
-		/* The message is about the call, which is therefore not named as a caller below it. */
+		/* The message is about the call itself; therefore the call is not listed again as a caller. */
 		params_leave(&linuxcnc_of(interp)->params);
 	} else if (flow->skip == SKIP_DEFINITION)
 		diag_error(interp->diag, flow->skip_from, "this sub is not closed: its endsub is missing");
@@ -190,7 +190,7 @@ static bool start_anew(struct interp *interp)
 	return restart_program(interp, &variables);
 }
 
-/* M70 to M73 and M99. */
+/* Carries out M70 to M73 and M99. */
 static APART bool run_m(struct interp *interp)
 {
 	int column = interp->block.m_column[M_STOP], modes = interp->block.m[M_MODES];

@@ -10,19 +10,16 @@
 
 struct interp;
 
-/*
- * Carries out the line in hand if it is one of control flow, or skips it: then
- * *done is true. False: reported.
- */
+/* Carries out the current line if it is control flow, or skips it: then *done is true. False: reported. */
 bool control_flow_line(struct interp *interp, bool *done);
 
-/* M99 of a block that has been carried out: the program itself starts anew. False: reported. */
+/* Call after a block: on M99 the main program restarts. False: reported. */
 bool control_flow_after_block(struct interp *interp);
 
-/* The file in hand has ended. False: something is not closed, which was reported. */
+/* Call at the end of the current file. False: a statement is not closed, which was reported. */
 bool control_flow_end_of_file(struct interp *interp);
 
-/* The calls under way (struct dialect). */
+/* The active calls (struct dialect). */
 bool control_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 #endif

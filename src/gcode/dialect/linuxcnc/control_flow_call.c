@@ -9,7 +9,7 @@
 
 /* ------------------------------------------------------------ definitions */
 
-/* A sub that stands in the way is remembered, and its body is skipped. */
+/* A sub that is reached without a call is remembered, and its body is skipped. */
 static bool define(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, oword->name);
@@ -34,7 +34,7 @@ static bool define(struct interp *interp, struct lexer *lexer, const struct owor
 	return true;
 }
 
-/* The line in hand is the subprogram that a call looks for. */
+/* The current line is the subprogram for which a call searches. */
 static bool found(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
@@ -67,7 +67,7 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 	if (oword->kind != O_ENDSUB || !same)
 		return true;
 	flow->skip = SKIP_NOTHING;
-	/* LinuxCNC computes an endsub's value here, with parameters that do not exist yet. */
+	/* LinuxCNC computes the value of endsub here, with parameters that do not exist yet. */
 	linuxcnc_of(interp)->params.returned = 0;
 	linuxcnc_of(interp)->params.value_returned = false;
 	linuxcnc_of(interp)->params.value_unclear = lexer_peek(lexer) == '[';
@@ -77,8 +77,8 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 /* ------------------------------------------------------------------- calls */
 
 /*
- * The file <name>.ngc, in the folder of the program or else in the folders of
- * the options, and nowhere else; *source is NULL if there is none. False: reported.
+ * Finds the file <name>.ngc in the folder of the program or else in the folders of the options; *source is NULL if
+ * there is none. False: reported.
  */
 static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
 {
@@ -95,7 +95,7 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 	return good;
 }
 
-/* Goes to a subprogram that was met before, or to the start of its own file, or searches this file forward. */
+/* Jumps to a subprogram that was read before, or to the start of its own file, or searches this file forward. */
 static bool go_to(struct interp *interp, const char *name, int column)
 {
 	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, name);
@@ -136,7 +136,7 @@ static bool enter(struct interp *interp, const char *name, int column, bool by_m
 	memcpy(call->saved, &params->numbered[1], sizeof(call->saved));
 	if (go_to(interp, name, column))
 		return true;
-	/* The message is about the call: it has no callers below it. */
+	/* The message is about the call itself: no callers are listed. */
 	params_leave(params);
 	return false;
 }
@@ -165,7 +165,7 @@ static bool do_call(struct interp *interp, struct lexer *lexer, const struct owo
 	return true;
 }
 
-/* P and L of M98, and nothing else. */
+/* Reads P and L of M98; nothing else is allowed. */
 static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int *program, int *count)
 {
 	bool has_program = false, has_count = false;
@@ -197,7 +197,7 @@ static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int
 	return true;
 }
 
-/* M98 P100 L3: LinuxCNC reads the block anew before each of its calls. */
+/* M98 P100 L3: LinuxCNC reads the block again before each of its calls. */
 static bool do_m98(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct call *caller = linuxcnc_call_in_hand(interp);
@@ -228,7 +228,7 @@ static bool leave(struct interp *interp, int column)
 	return control_stack_jump(interp, &call->back, column);
 }
 
-/* endsub and return, with a value or without. */
+/* endsub and return, with or without a value. */
 static bool do_return(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct params *params = &linuxcnc_of(interp)->params;
@@ -284,7 +284,7 @@ bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const st
 	default:
 		break;
 	}
-	/* A program's number only names what follows. */
+	/* The number of a program is only a name for the following lines. */
 	if (linuxcnc_of(interp)->params.level > 0 && !linuxcnc_call_in_hand(interp)->by_m98)
 		return fault(&interp->at, oword->column, "a subprogram of M98 inside of a sub");
 	return oword_end(lexer, oword);

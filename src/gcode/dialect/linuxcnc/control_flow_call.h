@@ -8,10 +8,10 @@
 
 struct interp;
 
-/* Carries out such a line, or a program's number. The lexer stands behind the keyword. False: reported. */
+/* Carries out such a line, or a program's number. The lexer is after the keyword. False: reported. */
 bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const struct oword *oword);
 
-/* The same while the body of a subprogram is skipped, or one is looked for. */
+/* The same while the body of a subprogram is skipped, or during the search for a subprogram. */
 bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const struct oword *oword);
 
 #endif

@@ -33,7 +33,7 @@ static struct control *expect_control(struct interp *interp, const struct oword 
 	return NULL;
 }
 
-/* The label of the line in hand, which may be new; a label stands at one place only. */
+/* Finds the label of the current line, which may be new; a label must be unique. */
 static bool find_label(struct interp *interp, const struct oword *oword, const char *key, struct label **label)
 {
 	const struct control *top = control_stack_top(interp);
@@ -52,7 +52,7 @@ static bool find_label(struct interp *interp, const struct oword *oword, const c
 		     (*label)->at.source->name);
 }
 
-/* A condition or count, and nothing behind it. */
+/* Reads a condition or count; nothing else may follow. */
 static bool read_test(struct lexer *lexer, const struct oword *oword, double *value)
 {
 	return linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), value) &&
@@ -77,7 +77,7 @@ static bool do_if(struct interp *interp, struct lexer *lexer, const struct oword
 	return true;
 }
 
-/* elseif, else or endif ends the lines that were carried out. LinuxCNC computes the condition of elseif here, too. */
+/* elseif, else or endif ends the branch that was carried out. LinuxCNC computes the condition of elseif here, too. */
 static bool leave_if(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
 	double test;
@@ -194,7 +194,7 @@ static bool end_loop(struct interp *interp, struct lexer *lexer, const struct ow
 	return true;
 }
 
-/* break and continue name the while or do that they leave, which may be an outer one. */
+/* break and continue name the while or do to leave, which may be an outer loop. */
 static bool leave_loop(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
@@ -284,7 +284,7 @@ static bool skip_if(struct interp *interp, struct lexer *lexer, const struct owo
 	}
 }
 
-/* At the end of a loop of which the rest was skipped. */
+/* At the end of a loop whose rest was skipped. */
 static bool skip_loop(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;

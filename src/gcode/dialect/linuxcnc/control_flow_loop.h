@@ -8,13 +8,10 @@
 
 struct interp;
 
-/*
- * Carries out a line of a branch or loop whose label has this key. The lexer
- * stands behind the keyword. False: reported.
- */
+/* Carries out a line of a branch or loop whose label has this key. The lexer is after the keyword. False: reported. */
 bool control_flow_loop_line(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key);
 
-/* The same while lines are skipped, for a line with the key that they are skipped for. */
+/* The same while lines are skipped, for a line with the key of the skipped branch or loop. */
 bool control_flow_loop_skip(struct interp *interp, struct lexer *lexer, const struct oword *oword);
 
 #endif

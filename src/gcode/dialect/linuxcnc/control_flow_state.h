@@ -1,4 +1,4 @@
-/* control_flow_state.h - LinuxCNC's branches, loops and calls that are open, and what lines are being skipped for. */
+/* control_flow_state.h - LinuxCNC's open branches, loops and calls, and the reason why lines are skipped. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_FLOW_STATE_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_FLOW_STATE_H
 
@@ -19,10 +19,10 @@ enum o_kind {
 struct control {
 	enum o_kind kind;	/* O_IF, O_WHILE, O_DO, O_REPEAT */
 	struct label *label;
-	double remaining;	/* passes of a repeat after this one */
+	double remaining;	/* passes of a repeat after the present one */
 };
 
-/* A call under way; the first one is the program itself. */
+/* An active call; the first one is the main program. */
 struct call {
 	char name[PARAM_NAME_MAX + 1];
 	bool by_m98;	/* arguments and #1 to #30 are the caller's */
@@ -31,17 +31,17 @@ struct call {
 	long line;
 	int column;
 	double saved[PARAM_ARGUMENTS];
-	size_t controls;	/* open when it began */
+	size_t controls;	/* the number of open branches and loops at its start */
 	struct modal_state modal;	/* of M70 and M73 */
-	int m98_left;	/* calls that the M98 under way at this level has left; 0: it is a new one */
+	int m98_left;	/* remaining calls of the active M98 at this level; 0: the M98 is new */
 };
 
-/* What lines are being skipped for. */
+/* The reason why lines are skipped. */
 enum skip {
 	SKIP_NOTHING,
 	SKIP_FALSE,	/* an if whose condition is false: to elseif, else, endif */
 	SKIP_DONE,	/* an if that has been carried out: to endif */
-	SKIP_LOOP,	/* a loop that is over: behind its end */
+	SKIP_LOOP,	/* a loop that is finished: past its end */
 	SKIP_CONTINUE,	/* the rest of one pass of a loop */
 	SKIP_DEFINITION,	/* the body of a subprogram: to endsub */
 	SKIP_SEARCH	/* to the subprogram that is called */
@@ -60,7 +60,7 @@ struct control_flow {
 	enum o_kind skip_kind;	/* of the branch or loop that is skipped */
 	char skip_key[CONTROL_KEY_MAX];
 	struct srcloc skip_from;
-	/* LinuxCNC's flags that outlive the loop that set them. */
+	/* LinuxCNC's flags that stay set after their loop. */
 	bool stale_break, stale_continue;
 };
 

@@ -1,4 +1,4 @@
-/* control_stack.h - the steps that branches, loops and calls of LinuxCNC have in common. */
+/* control_stack.h - operations that branches, loops and calls of LinuxCNC share. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_STACK_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_STACK_H
 
@@ -7,19 +7,19 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
 #include "gcode/dialect/linuxcnc/oword.h"
 
-/* The next line in hand is the one at `to`. False: reported at the column. */
+/* Jumps to the line at `to`. False: reported at the column. */
 bool control_stack_jump(struct interp *interp, const struct position *to, int column);
 
-/* Skips lines from the line in hand on. */
+/* Skips lines from the current line on. */
 void control_stack_skip_to(struct interp *interp, enum skip skip, enum o_kind kind, const char *key, int column);
 
-/* A new label at the line in hand. False: reported. */
+/* Adds a label for the current line. False: reported. */
 bool control_stack_add_label(struct interp *interp, const struct oword *oword, const char *key, struct label **label);
 
 /* Closes the branches and loops beyond the first `count`. */
 void control_stack_close(struct control_flow *flow, size_t count);
 
-/* The innermost branch or loop that the subprogram in hand has open; NULL: none. */
+/* The innermost open branch or loop of the current subprogram; NULL: none. */
 struct control *control_stack_top(struct interp *interp);
 
 #endif

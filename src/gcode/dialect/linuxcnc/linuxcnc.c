@@ -8,7 +8,7 @@
 
 /* LinuxCNC's manual, "G-Codes", "M-Codes". */
 static const struct code g_codes[] = {
-	/* Splines are made of arcs between points of the curve: spline.h. */
+	/* LinuxCNC follows splines by arcs between points of the curve: spline.h. */
 	{G5, G_MOTION, CODE_BOUNDED, "cubic spline"},
 	{G5_1, G_MOTION, CODE_BOUNDED, "quadratic spline"},
 	{G5_2, G_MOTION, CODE_BOUNDED, "NURBS block"},
@@ -57,13 +57,13 @@ static const struct code g_codes[] = {
 	{G92_2, G_NONMODAL, CODE_READ, "suspension of the coordinate system shift"},
 	{G92_3, G_NONMODAL, CODE_READ, "return of the coordinate system shift"},
 	{G96, G_SPINDLE, CODE_READ, "constant surface speed"},
-	/* The mode that is always in force here. */
+	/* The mode that is always active here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 };
 
 static const struct code m_codes[] = {
 	{19, M_SPINDLE, CODE_READ, "spindle orientation"},
-	/* LinuxCNC's manual, "M-Codes": overrides and outputs touch speeds and wires, no axis. */
+	/* LinuxCNC's manual, "M-Codes": overrides and outputs change speeds and signals, and move no axis. */
 	{48, M_OVERRIDE, CODE_IGNORED, "speed and feed overrides on"},
 	{49, M_OVERRIDE, CODE_IGNORED, "speed and feed overrides off"},
 	{50, M_OVERRIDE, CODE_IGNORED, "feed override control"},
@@ -82,7 +82,7 @@ static const struct code m_codes[] = {
 	{71, M_MODES, CODE_READ, "the saved modal state is invalid"},
 	{72, M_MODES, CODE_READ, "restoring of the modal state"},
 	{73, M_MODES, CODE_READ, "saving of the modal state, restored at the end of the subprogram"},
-	/* The call of a subprogram by its number is read before the block is. */
+	/* The call of a subprogram by its number is read before the block. */
 	{98, GROUP_STATEMENT, CODE_READ, "subprogram call"},
 };
 
@@ -110,7 +110,7 @@ static const struct cycle_traits cycles = {
 	.zero_repeats_refused = ANSWER_YES,
 	.only_xyz = ANSWER_YES,
 	.spindle_must_turn = ANSWER_YES,
-	/* Up to 2.9 it puts the coordinates of its taps in order for the plane twice. */
+	/* Up to version 2.9 it exchanges the coordinates of taps for the plane twice. */
 	.taps_confuse_planes = ANSWER_YES,
 	.feeds_to_clear = ANSWER_YES,
 	.rises_first = ANSWER_YES,
@@ -149,7 +149,7 @@ const struct dialect dialect_linuxcnc = {
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
 		/* "Order of Execution". */
 		.known_order = ANSWER_YES,
-		/* Its 2.9 interpreter, interp_check.cc. */
+		/* The 2.9 interpreter, interp_check.cc. */
 		.words_are_shared = ANSWER_YES,
 		.dwell_letters = "P",
 		.dwell_p = DWELL_P_SECONDS,
@@ -163,11 +163,11 @@ const struct dialect dialect_linuxcnc = {
 		.arcs_have_turns = ANSWER_YES,
 		.wrap_below_turn = ANSWER_YES,
 		.cycles = &cycles,
-		/* "Modal Groups": cycles and G80 are of one group with G0 to G3. */
+		/* "Modal Groups": cycles and G80 are in one group with G0 to G3. */
 		.cycles_apart = ANSWER_NO,
 		.motion_beside_words = ANSWER_NO,
 		.g53_rate = G53_RATE_PROGRAMMED,
-		/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
+		/* The interpreter has no machine axes: with switched kinematics G53 is a position of the tool point. */
 		.g53_under_tcp = G53_UNDER_TCP_TOOL_POINT,
 		.g53_asks_g91 = ANSWER_NO,
 		.g53_alone = ANSWER_NO,

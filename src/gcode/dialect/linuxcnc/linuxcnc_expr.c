@@ -10,19 +10,19 @@
 #include "gcode/dialect/linuxcnc/system_params.h"
 #include "gcode/eval/expr.h"
 
-/* LinuxCNC's TOLERANCE_EQUAL: EQ and NE take such numbers for equal; up to version 2.9 it was coarser. */
+/* LinuxCNC's TOLERANCE_EQUAL: EQ and NE treat such numbers as equal; up to version 2.9 it was coarser. */
 #define EQUAL_TOLERANCE 1e-6
 #define EQUAL_TOLERANCE_2_9 1e-4
 /* Its tolerance for whole numbers. */
 #define INTEGER_TOLERANCE 0.0001
 /*
- * Where a sine, cosine or tangent of an angle other than 0 vanishes, LinuxCNC (interp_execute.cc) computes it of a
- * rounded multiple of pi, in the long double of its processor: what comes out is below 1e-18, and of either sign. It is
- * carried on as a number far smaller than any other that a program computes, and what depends on its sign is refused.
+ * If the exact sine, cosine or tangent of an angle other than 0 is 0, LinuxCNC (interp_execute.cc) computes it from a
+ * rounded multiple of pi, in the long double of its processor: the result is below 1e-18, with either sign. Here it is
+ * a number far smaller than any other number of a program, and anything that depends on its sign is refused.
  */
 #define UNSURE_ZERO 1e-30
 #define UNSURE_MAX 1e-18
-/* Brackets and '#' inside each other. */
+/* The greatest depth of nested brackets and '#'. */
 #define DEPTH_MAX 256
 
 static bool is_zero(double value)
@@ -85,7 +85,7 @@ static bool divide(const struct line_place *at, int column, enum expr_operation 
 	return true;
 }
 
-/* LinuxCNC 2.9 compares exactly; later versions take nearly equal numbers for equal in LE and GE, too. */
+/* LinuxCNC 2.9 compares exactly; later versions treat nearly equal numbers as equal in LE and GE, too. */
 static bool compare(const struct line_place *at, int column, enum expr_operation operation, double *left, double right)
 {
 	static const char *const names[] = {
@@ -106,7 +106,7 @@ static bool compare(const struct line_place *at, int column, enum expr_operation
 	return true;
 }
 
-/* What compares or joins: has it one answer, whatever sign an unsure zero has? EQ and NE have. */
+/* Has a comparison or logical operation the same result for each sign of an unsure zero? EQ and NE have. */
 static bool is_decided(const struct line_place *at, int column, enum expr_operation operation, double left,
 		       double right)
 {
@@ -185,7 +185,7 @@ static const struct function_name functions[] = {
 	{"sqrt", "SQRT", FUNCTION_SQRT, false}, {"tan", "TAN", FUNCTION_TAN, false},
 };
 
-/* LinuxCNC rounds by way of an int, halves away from zero. */
+/* LinuxCNC rounds through an int, halves away from zero. */
 static bool compute_round(const struct line_place *at, int column, double *value)
 {
 	double moved = *value + (*value < 0 ? -0.5 : 0.5);
@@ -218,7 +218,7 @@ static bool read_integer(struct expr *expr, int *value)
 	return expr_value(expr, &operand) && to_integer(expr->lexer, column, operand.number, value);
 }
 
-/* EXISTS[#<name>]; a number exists if it is one of a parameter. */
+/* EXISTS[#<name>]; a numbered parameter exists if the number is valid. */
 static bool read_exists(struct expr *expr, double *value)
 {
 	struct lexer *lexer = expr->lexer;
@@ -264,7 +264,7 @@ static bool compute_periodic(const struct line_place *at, int column, const stru
 	return true;
 }
 
-/* What jumps at 0, or has no value below it. */
+/* Functions that are discontinuous at 0, or have no value below 0. */
 static bool compute_abrupt(const struct line_place *at, int column, const struct function_name *function, double *value)
 {
 	switch (function->function) {
@@ -426,7 +426,7 @@ static bool read_assignment(struct lexer *lexer)
 		if (!linuxcnc_expr_name(lexer, new.name) ||
 		    !system_param_names_check_write(interp, new.name, new.column))
 			return false;
-		/* From here on it exists, with the value 0: so does LinuxCNC read "#<x>=[#<x>+1]". */
+		/* From now on the parameter exists, with the value 0: this is how LinuxCNC reads "#<x>=[#<x>+1]". */
 		if (!params_make(&linuxcnc_of(interp)->params, new.name))
 			return fault(lexer->at, new.column, "more than %d named parameters", PARAM_NAMES_MAX);
 	} else if (!read_number_of_parameter(&expr, &new.number) ||
@@ -439,7 +439,7 @@ static bool read_assignment(struct lexer *lexer)
 	return true;
 }
 
-/* Comments that the control obeys (LinuxCNC's manual, "Comments"); messages and the log move nothing. */
+/* Comments that are commands (LinuxCNC's manual, "Comments"); messages and the log move nothing. */
 static bool check_comment(const struct lexer *lexer, const char *text)
 {
 	if (!strncasecmp(text, "py,", 3))

@@ -1,4 +1,4 @@
-/* linuxcnc_state.h - what LinuxCNC remembers of a program beside the modes: parameters and open control flow. */
+/* linuxcnc_state.h - LinuxCNC's state of a program besides the modes: parameters and open control flow. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_STATE_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_STATE_H
 
@@ -16,7 +16,7 @@ static inline struct linuxcnc *linuxcnc_of(const struct interp *interp)
 	return interp->dialect_state;
 }
 
-/* The call in hand; the program itself is the first. */
+/* The current call; the first one is the main program. */
 static inline struct call *linuxcnc_call_in_hand(const struct interp *interp)
 {
 	struct linuxcnc *linuxcnc = linuxcnc_of(interp);
@@ -24,7 +24,7 @@ static inline struct call *linuxcnc_call_in_hand(const struct interp *interp)
 	return &linuxcnc->flow.calls[linuxcnc->params.level];
 }
 
-/* A struct linuxcnc for a program that begins. */
+/* A struct linuxcnc for the start of a program. */
 void *linuxcnc_state_new(void);
 void linuxcnc_state_free(void *state);
 

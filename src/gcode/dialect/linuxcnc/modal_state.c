@@ -12,8 +12,8 @@ static bool refuse(struct interp *interp, int column, const char *what)
 }
 
 /*
- * LinuxCNC 2.9 takes modes back by running their codes, and some codes have effects of their own: G43 takes the length
- * of the tool in the spindle whatever its H was, and G94 forgets the feed. Where that matters it is refused.
+ * LinuxCNC 2.9 restores modes by running their codes, and some codes have further effects: G43 applies the length of
+ * the tool in the spindle whatever its H was, and G94 clears the feed. If this matters, the code is refused.
  */
 static bool check(struct interp *interp, const struct modal_state *modal, int column)
 {

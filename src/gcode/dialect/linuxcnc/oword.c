@@ -6,7 +6,7 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/text/number.h"
 
-/* A keyword comes after every other one that starts with it, as else after elseif. */
+/* A keyword comes after all keywords that start with it, such as else after elseif. */
 static const struct {
 	const char *name;
 	enum o_kind kind;
@@ -62,7 +62,7 @@ static void skip_start(struct lexer *lexer)
 	lexer->position = (size_t)(at - lexer->at->text);
 }
 
-/* M98, and M99 where it counts. */
+/* Reads M98, and M99 inside of subprograms. */
 static enum oword_result read_m(struct lexer *lexer, bool called, struct oword *oword)
 {
 	size_t position = lexer->position + 1;

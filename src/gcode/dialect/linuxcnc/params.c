@@ -32,7 +32,7 @@ static struct named_params *set_of(struct params *params, const char *name)
 	return name[0] == '_' ? &params->global : &params->local[params->level];
 }
 
-/* The index of the name, or where it belongs. */
+/* The index of the name, or the index at which to insert it. */
 static size_t search(const struct named_params *set, const char *name, bool *found)
 {
 	size_t low = 0, high = set->count;

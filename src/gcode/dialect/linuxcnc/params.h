@@ -1,4 +1,4 @@
-/* params.h - the parameters that a program sets itself: numbered, and named ones, global or of a subprogram call. */
+/* params.h - parameters that a program sets: numbered ones, and named ones, global or local to a subprogram call. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_PARAMS_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_PARAMS_H
 
@@ -7,13 +7,13 @@
 
 /* Numbered parameters are #1 to #5601 (LinuxCNC's RS274NGC_MAX_PARAMETERS). */
 #define PARAM_NUMBERS 5602
-/* #1 to #30 are a call's own. */
+/* #1 to #30 are local to a call. */
 #define PARAM_ARGUMENTS 30
-/* Levels of calls, the program itself being 0 (LinuxCNC's INTERP_SUB_ROUTINE_LEVELS). */
+/* Levels of calls; the main program is level 0 (LinuxCNC's INTERP_SUB_ROUTINE_LEVELS). */
 #define PARAM_LEVELS 10
 /* LinuxCNC takes lines of 255 bytes. */
 #define PARAM_NAME_MAX 255
-/* Names that a level can hold, so that memory is bounded. */
+/* The most names of a level: this bounds memory. */
 #define PARAM_NAMES_MAX 100000
 
 struct named_param {
@@ -27,7 +27,7 @@ struct named_params {
 	size_t count, capacity;
 };
 
-/* An assignment that takes effect when its block has been read. */
+/* An assignment, which takes effect after its block has been read. */
 struct assignment {
 	int number;	/* 0: a named parameter */
 	char name[PARAM_NAME_MAX + 1];
@@ -44,22 +44,22 @@ struct params {
 	size_t pending_count, pending_capacity;
 	double returned;	/* #<_value> */
 	bool value_returned;
-	bool value_unclear;	/* LinuxCNC computed it while it skipped a sub */
+	bool value_unclear;	/* LinuxCNC computed `returned` while it skipped a sub */
 };
 
 void params_release(struct params *params);
 
-/* The parameter of a name at the level in force, "_..." being global; NULL: there is none. */
+/* The parameter of this name at the current level; "_..." is global. NULL: there is none. */
 struct named_param *params_find(struct params *params, const char *name);
 
-/* The same, created with the value 0 if need be; NULL: there are too many. */
+/* The same; a missing parameter is created with the value 0. NULL: there are too many. */
 struct named_param *params_make(struct params *params, const char *name);
 
-/* A call begins and ends: its named parameters are its own. */
+/* Call at the start and the end of a call: named parameters are local to the call. */
 void params_enter(struct params *params);
 void params_leave(struct params *params);
 
-/* A new entry at the end of the pending assignments. */
+/* Adds an entry at the end of the pending assignments. */
 struct assignment *params_assign(struct params *params);
 
 #endif

@@ -110,7 +110,7 @@ static bool is_nonzero(double value)
 	return fpclassify(value) != FP_ZERO;
 }
 
-/* Values of modes: codes times ten, or 1 for the one in force. */
+/* Values of modes: codes times ten, or 1 for the active mode. */
 static double mode_value(const struct interp *interp, enum name what)
 {
 	const struct state *state = &interp->state;

@@ -1,4 +1,4 @@
-/* system_param_names.h - LinuxCNC's named parameters that the interpreter fills in, such as #<_x>. */
+/* system_param_names.h - LinuxCNC's predefined named parameters, such as #<_x>. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAM_NAMES_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAM_NAMES_H
 
@@ -7,9 +7,8 @@
 struct interp;
 
 /*
- * LinuxCNC's manual, "Predefined Named Parameters". What depends on the
- * machine's state in real time, or on its INI and HAL files, is a fault that
- * says so. Positions are in the program's unit, angles in degrees.
+  * LinuxCNC's manual, "Predefined Named Parameters". Parameters that depend on the machine's state in real time, or on
+  * its INI and HAL files, are a fault that says so. Positions are in the program's unit, angles in degrees.
  */
 
 /* Is this one of LinuxCNC's own names? */

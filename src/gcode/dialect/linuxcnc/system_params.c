@@ -6,7 +6,7 @@
 #include "gcode/execute/program_position.h"
 #include "gcode/execute/work_offset_use.h"
 
-/* Ranges of numbers, each of one value a slot. */
+/* Ranges of numbers, each with one value for each slot. */
 enum {
 	MACHINE_POSITION = 5021,
 	PROBE = 5061,
@@ -35,7 +35,7 @@ static bool in_slots(int number, int first)
 	return number >= first && number < first + SLOT_COUNT;
 }
 
-/* What only the machine knows; NULL: nothing of it. */
+/* The name of data that only the machine knows; NULL: the parameter is none of these. */
 static const char *real_time(int number)
 {
 	if (number >= PROBE && number <= PROBE_RESULT)
@@ -47,7 +47,7 @@ static const char *real_time(int number)
 	return NULL;
 }
 
-/* A length in the control's own unit is so many mm (LinuxCNC's manual, "[TRAJ] LINEAR_UNITS"); angles are degrees. */
+/* The control's own unit of length in mm (LinuxCNC's manual, "[TRAJ] LINEAR_UNITS"); angles are degrees. */
 static double unit_of(const struct interp *interp, int slot)
 {
 	return slot_is_rotary(slot) || !(interp->config->controller.unit > 0) ? 1 : interp->config->controller.unit;
@@ -132,7 +132,7 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 	return true;
 }
 
-/* LinuxCNC heeds a new value of these at some later time, or never: the program is refused. */
+/* LinuxCNC applies a new value of these at some later time, or never: the program is refused. */
 static bool check_work(struct interp *interp, int number, int column)
 {
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
@@ -185,7 +185,7 @@ static void set_number(struct interp *interp, int number, double value)
 	}
 }
 
-/* Assignments take effect before the block's codes do, but after all of its words were read. */
+/* Assignments take effect before the block's codes, but after all of its words were read. */
 bool system_params_assign(struct interp *interp)
 {
 	struct params *params = &linuxcnc_of(interp)->params;

@@ -1,4 +1,4 @@
-/* system_params.h - LinuxCNC's numbered parameters that the interpreter fills in: offsets, positions, the tool. */
+/* system_params.h - LinuxCNC's predefined numbered parameters: offsets, positions, the tool. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAMS_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAMS_H
 
@@ -7,10 +7,9 @@
 struct interp;
 
 /*
- * LinuxCNC's manual, "Numbered Parameters". What depends on the machine's state
- * in real time is a fault that says so. Lengths of offsets, references and tools
- * are in the control's own unit (its LINEAR_UNITS: gcode_config.controller.unit), positions
- * in the program's unit, angles in degrees.
+   * LinuxCNC's manual, "Numbered Parameters". Parameters that depend on the machine's state in real time are a fault
+   * that says so. Lengths of offsets, references and tools are in the control's own unit (its LINEAR_UNITS:
+   * gcode_config.controller.unit), positions in the program's unit, angles in degrees.
  */
 
 /* The value of #number. False: reported at the column. */
@@ -19,7 +18,7 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 /* Can the program write #number? False: reported at the column. */
 bool system_params_check_number(struct interp *interp, int number, int column);
 
-/* Writes what the block in hand has assigned, with what that changes of offsets and reference positions. */
+/* Carries out the assignments of the current block, and updates offsets and reference positions. */
 bool system_params_assign(struct interp *interp);
 
 #endif
