@@ -61,7 +61,7 @@ export class Camera {
 		this.target = add(this.target, add(scale(this.right(), -dx * mm), scale(this.up(), dy * mm)));
 	}
 
-	/** How many mm a pixel is at the target. @param {number} height of the view in pixels */
+	/** The number of mm per pixel at the target. @param {number} height of the view in pixels */
 	millimetres(height) {
 		return 2 * this.distance * Math.tan(FIELD / 2) / height;
 	}
@@ -71,7 +71,7 @@ export class Camera {
 		this.distance = Math.max(2, Math.min(1e6, this.distance * factor));
 	}
 
-	/** Shows a sphere. @param {Vec3} centre @param {number} radius @param {number} aspect width / height */
+	/** Makes a sphere visible. @param {Vec3} centre @param {number} radius @param {number} aspect width / height */
 	fit(centre, radius, aspect) {
 		this.target = centre;
 		this.distance = radius / Math.sin(FIELD / 2) / Math.min(1, aspect);
@@ -83,7 +83,10 @@ export class Camera {
 		return [r[0], u[0], b[0], 0, r[1], u[1], b[1], 0, r[2], u[2], b[2], 0, -dot(r, e), -dot(u, e), -dot(b, e), 1];
 	}
 
-	/** Eye to clip; everything within `size` of the target is seen. @param {number} aspect @param {number} size @returns {number[]} */
+	/**
+	 * Eye to clip; everything within `size` of the target is visible.
+	 * @param {number} aspect @param {number} size @returns {number[]}
+	 */
 	projection(aspect, size) {
 		const f = 1 / Math.tan(FIELD / 2);
 		const far = this.distance + size, near = Math.max(this.distance - size, far / 4000);
@@ -106,7 +109,10 @@ export class Camera {
 	}
 }
 
-/** Between two cameras, 0 to 1; turns the short way. @param {Camera} from @param {Camera} to @param {number} s @returns {Camera} */
+/**
+ * A camera between two others, 0 to 1; it rotates the short way.
+ * @param {Camera} from @param {Camera} to @param {number} s @returns {Camera}
+ */
 export function between(from, to, s) {
 	const camera = new Camera();
 	const turn = Math.atan2(Math.sin(to.yaw - from.yaw), Math.cos(to.yaw - from.yaw));
@@ -120,7 +126,7 @@ export function between(from, to, s) {
 /** A copy. @param {Camera} camera */
 export const copyOf = (camera) => between(camera, camera, 0);
 
-/** Does anything differ by more than a pixel would? @param {Camera} a @param {Camera} b */
+/** Is there a difference of more than a pixel? @param {Camera} a @param {Camera} b */
 export const differs = (a, b) =>
 	Math.abs(a.yaw - b.yaw) + Math.abs(a.pitch - b.pitch) + norm(sub(a.target, b.target)) / a.distance +
 	Math.abs(a.distance / b.distance - 1) > 1e-4;

@@ -11,7 +11,10 @@ import {proofSentence} from './proof.js';
 
 const MOTION = ['', 'rapid', 'feed', 'feed, spindle at rest', 'rapid, way not known'];
 
-/** Where an axis stands in work coordinates; '' where offsets alone do not say it. @param {import('./model.js').Modes|null} modes @param {string} letter @param {number} value */
+/**
+ * The position of an axis in work coordinates; '' if offsets alone do not determine it.
+ * @param {import('./model.js').Modes|null} modes @param {string} letter @param {number} value
+ */
 export function workValue(modes, letter, value) {
 	if (!modes?.work_offset || modes.turned || (modes.tcp && 'XYZUVW'.includes(letter))) return '';
 	return axisValue(value - (modes.work[letter] ?? 0) - (modes.shift[letter] ?? 0) - (letter === 'Z' ? modes.length : 0));
@@ -72,7 +75,7 @@ export function viewButtons(stage) {
 		model.findings.length ? button('Contact', 'Look at the contact (C)', () => stage.lookAtFocus()) : null,
 		button('Fit', 'Everything (F)', () => stage.fit()),
 		standardViews(stage),
-		// On a phone the rest comes when it is asked for.
+		// On a phone the rest is shown on request.
 		h('button.more-views', {'aria-label': 'More', 'aria-expanded': 'false', onclick: (/** @type {MouseEvent} */ e) => {
 			const open = views.classList.toggle('open');
 			/** @type {HTMLElement} */ (e.currentTarget).setAttribute('aria-expanded', String(open));
@@ -136,7 +139,7 @@ export function toggleProof(stage) {
 	stage.lookAtFocus();
 }
 
-/** What is selected or measured, the section's place, the proof's words. @param {Stage} stage */
+/** The selection and the measurement, the section's position, and the text of the proof. @param {Stage} stage */
 export function hintBar(stage) {
 	const {state, model} = stage;
 	const bar = h('div.hints', {role: 'status'});

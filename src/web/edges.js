@@ -11,7 +11,7 @@ export function featureEdges(mesh) {
 	const normals = faceNormals(mesh);
 	let size = 16;
 	while (size < indices.length * 2) size *= 2;
-	// An open hash of edges: its vertices and the first triangle, -2 once a second one has come.
+	// An open hash table of edges: its vertices and the first triangle, -2 after a second one.
 	const low = new Int32Array(size).fill(-1), high = new Int32Array(size), face = new Int32Array(size);
 	/** @type {number[]} */
 	const out = [];

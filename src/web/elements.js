@@ -35,7 +35,7 @@ export const table = (heads, rows) => h('table', {},
 /** @param {number} value @param {number} digits without negative zero */
 export const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, '$1');
 
-/** Seconds as a person reads them: 53.339 s, 3 min 19.3 s. @param {number} seconds */
+/** Seconds for people: 53.339 s, 3 min 19.3 s. @param {number} seconds */
 export function duration(seconds) {
 	const round = Math.round(seconds * 1000) / 1000;
 	if (round < 60) return `${fixed(round, 3)} s`;

@@ -12,15 +12,18 @@ const KINDS = {
 	collision: 'Collision', clearance: 'Too little clearance', limit: 'Axis limit', 'start-overlap': 'Overlap at the start',
 	'rapid-contact': 'Contact while not cutting', gouge: 'Gouge',
 };
-/** s: times are rounded, and this much before the end of a block it is still that block which is carried out. */
+/** s: times are rounded; this long before the end of a block it is still the current block. */
 const BEFORE_END = 2e-5;
-/** Cards that are made at once; the rest when asked for. */
+/** The number of cards that are made at once; the rest on request. */
 const FIRST_CARDS = 50;
 
 /** @type {Object<string, string>} */
 const VERBS = {clearance: 'comes too near to', 'start-overlap': 'overlaps', 'rapid-contact': 'enters', gouge: 'cuts too deep into'};
 
-/** The bodies with their sides, the one that acts first: the cutter, which the check names last. @param {Finding} finding @returns {{name: string, side: string}[]} */
+/**
+ * The bodies with their sides, the acting one first: the cutter, which the check names last.
+ * @param {Finding} finding @returns {{name: string, side: string}[]}
+ */
 function actors({kind, a, b}) {
 	const both = [{name: a ?? '', side: 'a'}, {name: b ?? '', side: 'b'}];
 	return kind === 'gouge' || kind === 'rapid-contact' ? both.reverse() : both;
@@ -38,10 +41,10 @@ export function findingTitle(finding) {
 /** @param {Finding} finding */
 export const kindName = (finding) => KINDS[finding.kind] || finding.kind;
 
-/** How an axis' value is written: mm and degrees as a control shows them. @param {number} value */
+/** The value of an axis as on a control: mm and degrees. @param {number} value */
 export const axisValue = (value) => fixed(value, 3);
 
-/** A length of the setup, as it was written. @param {number} mm */
+/** A length of the setup, as written there. @param {number} mm */
 const shortest = (mm) => String(Number(mm.toFixed(6)));
 
 /** The axes that move in the block of a finding. @param {Model} model @param {Finding} finding */
@@ -56,7 +59,10 @@ async function movesOf(model, finding) {
 	return all.filter((move) => Math.abs(move.to - move.from) > 0.0015);
 }
 
-/** What is worth a try; no proof stands behind it. @param {Model} model @param {Finding} finding @param {{axis: import('./model.js').Axis}[]} moves */
+/**
+ * Suggestions that may help; they are not proved.
+ * @param {Model} model @param {Finding} finding @param {{axis: import('./model.js').Axis}[]} moves
+ */
 function advice({bodies}, finding, moves) {
 	const roles = (finding.bodies || []).map((i) => bodies[i].role);
 	const turning = moves.filter(({axis}) => axis.rotary).map(({axis}) => axis.letter).join(' and ');
@@ -70,7 +76,7 @@ function advice({bodies}, finding, moves) {
 	return `retract ${before}, or take another way there.`;
 }
 
-/** Rounded up: so much is enough. @param {number} mm */
+/** Rounded up, so that the amount is enough. @param {number} mm */
 const enough = (mm) => fixed(Math.ceil(mm * 1000 - 0.001) / 1000, 3);
 
 /** A change of the setup in words. @param {{quantity: string, direction: string}} change @param {string} mm */
@@ -80,7 +86,7 @@ function changeText({quantity, direction}, mm) {
 		: `${quantity.toUpperCase()} of the work offset ${sign}${mm} mm`;
 }
 
-/** By how many mm something has to change for a clear program, where --sensitivity was asked. @param {Model} model */
+/** The change in mm that makes the program clear, if --sensitivity was used. @param {Model} model */
 function cures({sensitivity}) {
 	const cured = sensitivity.filter(({result, kind}) => result === 'turns' && kind === null).map((change) => {
 		const mm = enough(change.turn), less = change.tried > 0 ? `; ${fixed(change.tried, 3)} mm is not enough` : '';
@@ -90,7 +96,7 @@ function cures({sensitivity}) {
 	return cured.length || !sensitivity.length ? cured : [`No change of the setup that was tried, up to ${range} mm, is enough (--sensitivity).`];
 }
 
-/** How to ask for that. @param {Model} model @param {Finding} finding */
+/** How to get this amount. @param {Model} model @param {Finding} finding */
 function question({sensitivity, bodies}, {kind, bodies: two}) {
 	if (sensitivity.length || kind === 'gouge' || kind === 'start-overlap') return [];
 	const tool = (two || []).some((i) => ['holder', 'shank', 'cutter'].includes(bodies[i].role ?? ''));
@@ -113,7 +119,7 @@ export class FindingsView {
 		});
 	}
 
-	/** What kept the check from its end, each error with its line. */
+	/** The errors that ended the check early, each with its line. */
 	errors() {
 		const {errors, sources} = this.model;
 		return errors.slice(0, FIRST_CARDS).map(({file, line, text}) => {
@@ -130,7 +136,7 @@ export class FindingsView {
 			...(good ? this.smallest() : [h('p', {}, sentence)]));
 	}
 
-	/** How near bodies came to each other, which the proof knows. */
+	/** The smallest distance of bodies, according to the proof. */
 	smallest() {
 		const {clearance, pairs, bodies, program, sentence} = this.model, smallest = clearance?.smallest;
 		if (!clearance) return [h('p', {}, sentence)];
@@ -222,7 +228,10 @@ export class FindingsView {
 	}
 }
 
-/** Brings a card into view within its list; scrollIntoView would move a page around the report, too. @param {HTMLElement} card */
+/**
+ * Scrolls a card into view within its list; scrollIntoView would also scroll a page around the report.
+ * @param {HTMLElement} card
+ */
 function seen(card) {
 	const list = card.parentElement;
 	if (!list) return;
@@ -230,12 +239,12 @@ function seen(card) {
 	list.scrollTop += Math.min(own.top - all.top, Math.max(0, own.bottom - all.bottom));
 }
 
-/** Of a finding with the stock: does it hold for all that can be left? @param {boolean} certain */
+/** For a finding with the stock: is it certain for every stock that may remain? @param {boolean} certain */
 function certainty(certain) {
 	return certain ? 'Certain: they meet in this block where no cutter has been.' : 'Possible: all that they meet may have been cut, within the tolerances.';
 }
 
-/** The title with the bodies in the colours of the picture. @param {Finding} finding */
+/** The title, with the bodies in the colours of the picture. @param {Finding} finding */
 function titleParts(finding) {
 	if (!finding.a || !finding.b) return [findingTitle(finding)];
 	const [first, second] = actors(finding);

@@ -12,7 +12,10 @@
 
 const STILL = 5;
 
-/** One finger or the left button turns; two fingers, the other buttons or shift move. @param {HTMLElement} element @param {Moves} moves */
+/**
+ * One finger or the left button rotates; two fingers, the other buttons or shift move.
+ * @param {HTMLElement} element @param {Moves} moves
+ */
 export function watchGestures(element, moves) {
 	/** @type {Map<number, {x: number, y: number}>} */
 	const down = new Map();

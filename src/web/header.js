@@ -28,7 +28,10 @@ export function headerView(model, showHelp) {
 		doubts.length ? doubtsView(doubts) : null);
 }
 
-/** What the verdict takes for granted, and what speaks against it: the first of them can be read at once. @param {string[]} doubts */
+/**
+ * The assumptions of the verdict, and the doubts about them: the first of them is visible at once.
+ * @param {string[]} doubts
+ */
 function doubtsView(doubts) {
 	const many = doubts.length > 1;
 	return h('details.doubts', {}, h('summary', {}, h('b', {}, many ? `${grouped(doubts.length)} doubts about what this verdict takes for granted. ` : 'A doubt about what this verdict takes for granted. '),

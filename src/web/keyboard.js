@@ -40,7 +40,7 @@ export function watchKeys(state, stage, help) {
 	document.addEventListener('keydown', (e) => {
 		const target = /** @type {HTMLElement} */ (e.target);
 		if (e.ctrlKey || e.metaKey || e.altKey || help.open || target.closest('input, select, textarea')) return;
-		// A button takes the space bar itself.
+		// A button handles the space bar itself.
 		if (e.key === ' ' && target.closest('button, summary')) return;
 		if (e.key === '?') help.showModal();
 		else if (e.key === 'Escape') {

@@ -4,7 +4,7 @@
 import {lowerBound} from './numbers.js';
 import {unpackTable} from './pack.js';
 
-/** Unpacked chunks that are kept. */
+/** The number of unpacked chunks that are kept. */
 const KEPT = 24;
 
 /**
@@ -56,7 +56,7 @@ export class Levels {
 	static async open(head, fetchBlob) {
 		const unpack = async (/** @type {{blob: number, rows: number}} */ {blob, rows}) => unpackTable(await fetchBlob(blob), rows, head.scale);
 		if (head.coarse) return new Levels(head, fetchBlob, await unpack(head.coarse));
-		// A short table: its few chunks are all there is.
+		// A short table has only its few chunks.
 		return new Levels({...head, chunks: []}, fetchBlob, joinColumns(await Promise.all(head.chunks.map(unpack))));
 	}
 
@@ -96,13 +96,16 @@ export class Levels {
 		return coming;
 	}
 
-	/** What at() still needs. @param {number} time @returns {Promise<unknown>|null} */
+	/** The data that at() still needs. @param {number} time @returns {Promise<unknown>|null} */
 	missing(time) {
 		const wanted = this.around(time).filter((index) => !this.ready.has(index));
 		return wanted.length ? Promise.all(wanted.map((index) => this.load(index))) : null;
 	}
 
-	/** The two rows around a time: the first row that is not before it, and the row before that one. @param {number} time @returns {{before: number[], after: number[], share: number}} */
+	/**
+	 * The two rows around a time: the first row at or after it, and the row before that one.
+	 * @param {number} time @returns {{before: number[], after: number[], share: number}}
+	 */
 	at(time) {
 		const times = this.column('time');
 		const chunks = this.around(time).map((index) => this.ready.get(index));

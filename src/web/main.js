@@ -15,7 +15,7 @@ async function main() {
 		const app = new App(model);
 		app.show(document.body);
 		document.body.classList.add('viewing');
-		// For tests, and for who looks around in the console.
+		// For tests, and for use in the console.
 		Object.assign(window, {fivecheck: app});
 	} catch (e) {
 		console.warn('The 3-D view is not shown:', e);

@@ -19,10 +19,13 @@ export function toolChanges(path, tools) {
 	return marks;
 }
 
-/** A block that was put in parentheses, such as (M104 S205), which names nothing. */
+/** A block in parentheses, such as (M104 S205), is not the name of an operation. */
 const CODE = /^([A-Z]\s*[-+]?\d*\.?\d+\s+)+[A-Z]\s*[-+]?\d*\.?\d+$/i;
 
-/** The text of a line that is a comment and nothing else, and no code. @param {string} line @returns {string|null} */
+/**
+ * The text of a line that is only a comment, and not code in parentheses.
+ * @param {string} line @returns {string|null}
+ */
 export function commentOf(line) {
 	const text = line.trim().replace(/^N?\d+\s+/i, '');
 	const match = /^\(([^()]*)\)$/.exec(text) || /^;+\s*(.*)$/.exec(text) || /^\*\s*-+\s*(.*)$/.exec(text);
@@ -31,8 +34,7 @@ export function commentOf(line) {
 }
 
 /**
- * The first line of the last group of comments before a motion names what follows.
- *
+ * The first line of the last group of comments before a motion names the operation that follows.
  * @param {ReportPath} path
  * @param {import('./model.js').Source[]} sources
  * @returns {Mark[]}

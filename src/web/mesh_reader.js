@@ -4,9 +4,9 @@
 import {lowerBound, unzigzag} from './numbers.js';
 import {BitModels, numberModels, RangeDecoder} from './range_decoder.js';
 
-/** What lies beyond an edge. */
+/** The triangle or vertex on the other side of an edge. */
 const NONE = 0, NEW = 1, BEFORE = 2, AFTER = 3, OLD = 4, BEYOND = 5;
-/** The order of questions. */
+/** The order of the questions. */
 const CHOICES = [NEW, BEFORE, AFTER, NONE];
 const MEMORY_BITS = 14;
 
@@ -18,7 +18,7 @@ export class MeshReader {
 		this.corners = new Uint32Array(3 * triangles);
 		this.vertices = vertices;
 		this.seen = this.filled = 0;
-		/** Edges, as numbers, where the walk may go on. @type {Set<number>} */
+		/** Edges, as numbers, where the walk may continue. @type {Set<number>} */
 		this.open = new Set();
 		this.before = new Int32Array(vertices).fill(-1);
 		this.after = new Int32Array(vertices).fill(-1);
@@ -102,7 +102,10 @@ export class MeshReader {
 		this.gates.push(b, a, c, a, c, b, c, b, a);
 	}
 
-	/** A triangle lies along this edge: it closes it, or opens the other side. @param {number} from @param {number} to */
+	/**
+	 * A triangle has this edge: it closes the edge, or opens its other side.
+	 * @param {number} from @param {number} to
+	 */
 	lie(from, to) {
 		if (this.open.delete(this.edge(from, to))) return;
 		this.open.add(this.edge(to, from));
@@ -111,8 +114,7 @@ export class MeshReader {
 	}
 
 	/**
-	 * A new vertex; -1 stands for a neighbour that is not there.
-	 *
+	 * A new vertex; -1 represents a missing neighbour.
 	 * @param {number} corner @param {number} follows @param {number} other @param {number} opposite @returns {number}
 	 */
 	vertex(corner, follows, other, opposite) {
@@ -140,7 +142,7 @@ export class MeshReader {
 		for (let k = 0; k < 3; k++) {
 			const model = 36 * corner + 12 * k + 3 * equal;
 			const a = follows < 0 ? 0 : points[3 * follows + k], b = other < 0 ? a : points[3 * other + k], c = opposite < 0 ? a : points[3 * opposite + k];
-			// Each value is asked for once.
+			// Ask for each value only once.
 			let value = a, same = bits.bit(models, model);
 			if (!same && b !== a) value = b, same = bits.bit(models, model + 1);
 			if (!same && c !== a && c !== b) value = c, same = bits.bit(models, model + 2);

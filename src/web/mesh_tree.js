@@ -13,7 +13,7 @@ export class MeshTree {
 		const count = mesh.indices.length / 3;
 		this.order = new Uint32Array(count);
 		for (let t = 0; t < count; t++) this.order[t] = t;
-		/** Six numbers a node. @type {number[]} */
+		/** Six numbers for each node. @type {number[]} */
 		this.boxes = [];
 		/** First triangle, count; or count 0 and the second child (the first one follows). @type {number[]} */
 		this.nodes = [];
@@ -81,14 +81,14 @@ export class MeshTree {
 		let near = 0, far = limit;
 		for (let k = 0; k < 3; k++) {
 			const a = (this.boxes[6 * node + k] - o[k]) / d[k], b = (this.boxes[6 * node + 3 + k] - o[k]) / d[k];
-			// Not a number where the ray lies in the box's side: that counts as inside.
+			// Not a number if the ray is in the box's side: this counts as inside.
 			if (Math.min(a, b) > near) near = Math.min(a, b);
 			if (Math.max(a, b) < far) far = Math.max(a, b);
 		}
 		return near <= far;
 	}
 
-	/** Infinity: it misses. @param {number} t @param {Vec3} o @param {Vec3} d */
+	/** Infinity: there is no hit. @param {number} t @param {Vec3} o @param {Vec3} d */
 	meetsTriangle(t, o, d) {
 		const {positions: p, indices: i} = this.mesh;
 		const a = 3 * i[3 * t], b = 3 * i[3 * t + 1], c = 3 * i[3 * t + 2];

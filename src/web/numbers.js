@@ -1,7 +1,10 @@
 // @ts-check
 // numbers.js - small helpers for columns of numbers.
 
-/** Where the first number of at least x stands; the length if there is none. @param {ArrayLike<number>} column in order @param {number} x */
+/**
+ * The index of the first number of at least x; the length if there is none.
+ * @param {ArrayLike<number>} column in order @param {number} x
+ */
 export function lowerBound(column, x) {
 	let low = 0, high = column.length;
 	while (low < high) {

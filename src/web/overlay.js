@@ -5,7 +5,7 @@ import {h, svg} from './elements.js';
 
 /** @typedef {import('./camera.js').Camera} Camera */
 
-/** Buttons and the axes' positions are above and below the names. */
+/** The names are between the buttons and the axes' positions. */
 const EDGE = 46;
 
 export class Overlay {

@@ -8,7 +8,7 @@ import {unzigzag} from './numbers.js';
 
 const RESERVED = [0, 13, 14, 15, 26, 27, 60, 127];
 
-/** Text of seven bits to a character (src/report/format/seven_bit.h). @param {string} text */
+/** Text with seven bits per character (src/report/format/seven_bit.h). @param {string} text */
 export function sevenBit(text) {
 	const bytes = new Uint8Array(2 * text.length);
 	let filled = 0, bits = 0, held = 0;
@@ -33,8 +33,7 @@ export async function inflate(bytes) {
 }
 
 /**
- * Columns of second differences, each byte of the numbers in a plane of its own.
- *
+ * Columns of second differences; each byte of the numbers has a separate plane.
  * @param {Uint8Array} bytes inflated
  * @param {number} rows
  * @param {number[]} scale of each column

@@ -7,7 +7,7 @@ import {lowerBound} from './numbers.js';
 /** @typedef {import('./model.js').Pose} Pose */
 /** @typedef {import('./levels.js').Columns} Columns */
 
-/** Two times are one if they are nearer than this, s: half of what the report resolves. */
+/** s: two times are equal if they differ by less; this is half of the report's resolution. */
 const SAME = 5e-6;
 
 export class ReportPath {
@@ -51,7 +51,10 @@ export class ReportPath {
 		return this.levels.missing(time);
 	}
 
-	/** Rows around a time; between two chunks those of the one that is asked for. @param {number} time @param {'before'|'after'} side @returns {Promise<Columns>} */
+	/**
+	 * Rows around a time; between two chunks those of the requested side.
+	 * @param {number} time @param {'before'|'after'} side @returns {Promise<Columns>}
+	 */
 	async rows(time, side) {
 		const chunks = this.levels.around(time);
 		return chunks.length ? this.levels.load(side === 'after' ? chunks[chunks.length - 1] : chunks[0]) : this.levels.coarse;
@@ -63,7 +66,7 @@ export class ReportPath {
 		return time;
 	}
 
-	/** Where the present block ends, or if that is now, where the next one does. @param {number} time */
+	/** The end of the current block; at its end, that of the next one. @param {number} time */
 	async next(time) {
 		let end = time, block = -1;
 		while (end < this.duration - SAME) {
@@ -79,7 +82,7 @@ export class ReportPath {
 		return Math.min(end, this.duration);
 	}
 
-	/** Where the block before the present one ended. @param {number} time */
+	/** The end of the block before the current one. @param {number} time */
 	async previous(time) {
 		let columns = await this.rows(time - SAME, 'after');
 		let row = Math.min(lowerBound(columns[this.time], time - SAME), columns[this.time].length - 1);
@@ -100,7 +103,7 @@ export class ReportPath {
 		const row = this.search(this.levels.coarse, file, line);
 		const times = this.levels.coarse[this.time];
 		if (row < 0) return -1;
-		// Finer rows lie between this coarse row and the next one.
+		// There are finer rows between this coarse row and the next one.
 		let best = times[row];
 		const until = times[Math.min(row + 1, times.length - 1)];
 		for (let i = 0; i < this.levels.head.chunks.length; i++) {

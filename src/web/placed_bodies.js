@@ -67,7 +67,10 @@ export class PlacedBodies {
 		return {centre, radius: Math.max(...spheres.map((s) => norm(sub(s.centre, centre)) + s.radius))};
 	}
 
-	/** What a ray meets first. @param {Vec3} origin @param {Vec3} direction unit @param {number} limit @param {number[]} bodies @returns {Hit|null} */
+	/**
+	 * The first hit of a ray.
+	 * @param {Vec3} origin @param {Vec3} direction unit @param {number} limit @param {number[]} bodies @returns {Hit|null}
+	 */
 	hit(origin, direction, limit, bodies = this.all()) {
 		/** @type {Hit|null} */
 		let best = null;
@@ -87,7 +90,7 @@ export class PlacedBodies {
 	}
 }
 
-/** The middle of the box around the points, and how far they are from it. @param {Float32Array} p */
+/** The middle of the box around the points, and their largest distance from it. @param {Float32Array} p */
 function sphereOf(p) {
 	/** @type {Vec3[]} */
 	const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];

@@ -6,7 +6,7 @@ import {grouped, h} from './elements.js';
 /** @typedef {import('./state.js').State} State */
 
 const ROW = 22;
-/** Browsers do not lay out anything taller: a longer list scrolls in proportion. */
+/** Browsers do not lay out taller elements: a longer list scrolls in proportion. */
 const TALLEST = 8e6;
 
 export class ProgramView {
@@ -38,7 +38,7 @@ export class ProgramView {
 	listen() {
 		this.list.addEventListener('scroll', () => this.scrolled());
 		this.list.addEventListener('wheel', (e) => {
-			// In a list that is scaled a notch of the wheel would skip hundreds of lines.
+			// In a scaled list a notch of the wheel would skip hundreds of lines.
 			if (this.scale() === 1) return;
 			e.preventDefault();
 			this.scrollTo(this.first + Math.sign(e.deltaY) * Math.max(1, Math.round(Math.abs(e.deltaY) / ROW)));
@@ -71,7 +71,7 @@ export class ProgramView {
 		this.follow();
 	}
 
-	/** Another file, from its first line on. @param {number} file */
+	/** Shows another file from its first line on. @param {number} file */
 	show(file) {
 		this.file = file;
 		this.first = 0;
@@ -146,7 +146,7 @@ export class ProgramView {
 		this.draw();
 	}
 
-	/** Keeps the running block in sight. */
+	/** Keeps the current block visible. */
 	follow() {
 		const {line, file, block} = this.state.pose;
 		if (block && file !== this.file) {
@@ -180,7 +180,7 @@ export class ProgramView {
 			h('span.number', {}, grouped(line)), h('span.text', {}, text === null ? '\u00b7\u00b7\u00b7' : text));
 	}
 
-	/** A file that the user brings: it counts if its digest is that of a file of the report. @param {File} file */
+	/** A file that the user adds: it is used if its digest is that of a file of the report. @param {File} file */
 	async take(file) {
 		const bytes = await file.arrayBuffer();
 		const digest = [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].map((b) => b.toString(16).padStart(2, '0')).join('');

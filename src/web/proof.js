@@ -7,7 +7,7 @@ import {cross, multiply, place, scale, translation, turn, unit} from './vec.js';
 /** @typedef {import('./model.js').Vec3} Vec3 */
 /** @typedef {import('./placed_bodies.js').PlacedBodies} PlacedBodies */
 
-/** The row that holds at a time, or -1: nothing is near. @param {Model} model @param {number} time */
+/** The row that is valid at a time, or -1: nothing is near. @param {Model} model @param {number} time */
 function rowAt({planes}, time) {
 	if (!planes) return -1;
 	let low = 0, high = planes.time.length;
@@ -20,8 +20,7 @@ function rowAt({planes}, time) {
 }
 
 /**
- * Where the plane stands now, and which bodies it keeps apart.
- *
+ * The current place of the plane, and the bodies that it separates.
  * @param {Model} model
  * @param {number} time
  * @param {PlacedBodies} placed
@@ -44,7 +43,7 @@ export function planeExtra({point, normal, size}, colour) {
 	return {positions: Float32Array.from(corners), matrix: square, colour, kind: 'plane'};
 }
 
-/** What the plane says, in words. @param {Model} model @param {number} time */
+/** The meaning of the plane, in words. @param {Model} model @param {number} time */
 export function proofSentence(model, time) {
 	const row = rowAt(model, time);
 	if (row < 0 || !model.planes) return 'Proof: no bodies are near each other here; each pair is farther apart than is measured.';

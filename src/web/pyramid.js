@@ -3,7 +3,7 @@
 
 /** @typedef {import('./model.js').Clearance} Clearance */
 
-/** The interval that holds a time, or -1. @param {Clearance} clearance @param {number} time */
+/** The interval that contains a time, or -1. @param {Clearance} clearance @param {number} time */
 export function leastOf({times, least}, time) {
 	let low = 0, high = least.length;
 	while (low < high) {
@@ -18,7 +18,10 @@ export class Pyramid {
 	/** @param {Clearance} clearance */
 	constructor(clearance) {
 		this.clearance = clearance;
-		/** Of one, two, four, ... intervals. @type {{low: Float64Array, high: Float64Array}[]} */
+		/**
+		 * Minima and maxima of one, two, four, ... intervals.
+		 * @type {{low: Float64Array, high: Float64Array}[]}
+		 */
 		this.levels = [{low: clearance.least, high: clearance.most}];
 		for (let below = this.levels[0]; below.low.length > 1; below = this.levels[this.levels.length - 1]) {
 			const count = below.low.length + 1 >> 1;

@@ -3,10 +3,10 @@
 
 const LEAST = 32, SEEN_MAX = 16, NUMBER_BITS = 34, NUMBER_MODELS = NUMBER_BITS * 4;
 
-/** How slowly a model learns, by the bits that it has seen. */
+/** The learning rate of a model, by the number of bits seen. */
 const SHIFTS = Uint8Array.from({length: SEEN_MAX + 1}, (_, seen) => Math.min(5, 32 - Math.clz32(seen + 1)));
 
-/** What is expected of bits: `count` models, side by side. */
+/** The predictions of bits: `count` models. */
 export class BitModels {
 	/** @param {number} count */
 	constructor(count) {

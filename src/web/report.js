@@ -11,7 +11,7 @@ import {turnedMesh} from './turned.js';
 /** @typedef {import('./model.js').Model} Model */
 
 const VERSION = 1;
-/** A clearance table up to this length is unpacked whole. */
+/** A clearance table up to this length is unpacked as a whole. */
 const WHOLE = 1 << 17;
 
 /** @param {number} blob */

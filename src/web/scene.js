@@ -48,7 +48,7 @@ export class Scene {
 		});
 	}
 
-	/** The graphics card has forgotten everything. */
+	/** The graphics card has lost all data. */
 	restore() {
 		this.surface = this.program(VERTEX, SURFACE);
 		this.plain = this.program(VERTEX, PLAIN);
@@ -182,7 +182,7 @@ export class Scene {
 		const plane = extra.kind === 'plane';
 		this.use(this.plain, extra.matrix || identity(), extra.colour, plane ? 0.22 : 0.9, plane ? 5 : 0);
 		if (extra.kind === 'triangles') {
-			// They lie in the surfaces that were drawn before.
+			// They are in the surfaces that were drawn before.
 			gl.enable(gl.POLYGON_OFFSET_FILL);
 			gl.polygonOffset(-2, -4);
 		}

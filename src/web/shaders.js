@@ -8,7 +8,7 @@ uniform vec4 colour, cut;
 uniform vec3 eye;
 `;
 
-/** Vertex shader of both. */
+/** The vertex shader of both programs. */
 export const VERTEX = COMMON + `
 in vec3 position;
 out vec3 world, local;
@@ -19,7 +19,7 @@ void main() {
 	gl_PointSize = 7.0;
 }`;
 
-/** Flat faces under a lamp beside the eye; inner sides, seen where the section cuts, are hatched. */
+/** Flat faces with a lamp beside the eye; inner sides, visible in a section, are hatched. */
 export const SURFACE = COMMON + `
 in vec3 world, local;
 uniform float alpha;

@@ -17,9 +17,9 @@ import {bestDirection, inTheWay, normalOf} from './viewpoint.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./placed_bodies.js').Hit} Hit */
 
-/** How long a flight of the camera takes, ms. */
+/** ms: the duration of a flight of the camera. */
 const FLIGHT = 450;
-/** A finding's colours are shown this long before and after it while the time runs, s. */
+/** s: a finding's colours are shown this long before and after it while the time runs. */
 const NEAR = 0.05;
 
 export class Stage {
@@ -38,10 +38,10 @@ export class Stage {
 		this.selected = -1;
 		this.xray = true;
 		this.proof = false;
-		/** Where nothing is hit the way of the tool is what there is to see. */
+		/** Without a hit, show the path of the tool. */
 		this.trace = !this.model.findings.length;
 		this.measuring = false;
-		/** In the frame of a link, so that they move along. @type {{link: number, point: Vec3}[]} */
+		/** In the frame of a link, so that they move with it. @type {{link: number, point: Vec3}[]} */
 		this.measure = [];
 		/** @type {{axis: number, at: number, sign: number}|null} */
 		this.section = null;
@@ -85,7 +85,7 @@ export class Stage {
 		});
 	}
 
-	/** Changes the camera by hand: a flight ends. @param {() => void} change */
+	/** Changes the camera by hand; this ends a flight. @param {() => void} change */
 	by(change) {
 		this.flight = null;
 		change();
@@ -158,7 +158,10 @@ export class Stage {
 		return this.proof ? planeAt(this.model, this.state.time, this.placed) : null;
 	}
 
-	/** The bodies that matter now, and where to look. @returns {{bodies: number[], point: Vec3, radius: number}} */
+	/**
+	 * The bodies that are important now, and the point to look at.
+	 * @returns {{bodies: number[], point: Vec3, radius: number}}
+	 */
 	focus() {
 		const plane = this.plane();
 		if (plane) return {bodies: plane.bodies, point: plane.point, radius: Math.max(0.05 * this.size, 2 * plane.size)};
@@ -180,7 +183,7 @@ export class Stage {
 		return {bodies, point: tool.length ? this.placed.sphere(tool[tool.length - 1]).centre : centre, radius: Math.max(30, radius * 1.6)};
 	}
 
-	/** Puts the camera where the contact can be seen, or before the work. @param {boolean} [atOnce] */
+	/** Moves the camera to a view of the contact, or of the work. @param {boolean} [atOnce] */
 	lookAtFocus(atOnce) {
 		this.place();
 		const finding = this.finding();
@@ -193,13 +196,13 @@ export class Stage {
 		} else {
 			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
 			const work = this.workArea() ?? this.placed.around(bodies.length ? bodies : this.placed.all());
-			// A small tool without a part would fill the view, and tell nothing.
+			// A small tool without a part would fill the view, and show nothing useful.
 			goal.fit(work.centre, Math.max(work.radius, 0.1 * this.size), this.aspect());
 		}
 		this.fly(goal, atOnce);
 	}
 
-	/** Where nothing is found: around the way of the tool. */
+	/** Without a finding: around the path of the tool. */
 	workArea() {
 		const trace = this.model.findings.length ? null : this.way();
 		if (!trace) return null;
@@ -218,7 +221,7 @@ export class Stage {
 		const solid = this.placed.all().filter((body) => !this.ghosts.has(body));
 		const cut = this.cut();
 		if (!cut) return this.placed.hit(origin, direction, 1e6, solid);
-		// Begin where the ray enters what is left of the section.
+		// Begin where the ray enters the remaining part of the section.
 		const n = /** @type {Vec3} */ (cut.slice(0, 3));
 		const above = dot(n, origin) - cut[3], falling = -dot(n, direction);
 		const skip = above > 0 ? (falling > 0 ? above / falling : 1e6) : 0;
@@ -238,7 +241,10 @@ export class Stage {
 		for (const listener of this.onselect) listener();
 	}
 
-	/** The corner of the triangle that was hit if it is within a few pixels, else the point. @param {Hit} hit @returns {Vec3} */
+	/**
+	 * The corner of the triangle that was hit if it is within a few pixels, else the point.
+	 * @param {Hit} hit @returns {Vec3}
+	 */
 	snap(hit) {
 		const {indices, positions} = this.placed.bodies[hit.body].mesh;
 		const w = this.canvas.clientWidth, tall = this.canvas.clientHeight;
@@ -269,7 +275,7 @@ export class Stage {
 		this.select(-1);
 	}
 
-	/** n . x <= offset is kept. @returns {[number, number, number, number]|null} */
+	/** The part with n . x <= offset is kept. @returns {[number, number, number, number]|null} */
 	cut() {
 		if (!this.section) return null;
 		const {axis, at, sign} = this.section;
@@ -279,13 +285,16 @@ export class Stage {
 		return cut;
 	}
 
-	/** The range of the section's place: where the bodies are. @param {number} axis */
+	/** The range of the section's position: the extent of the bodies. @param {number} axis */
 	extent(axis) {
 		const {centre, radius} = this.placed.around(this.placed.all());
 		return {min: centre[axis] - radius, max: centre[axis] + radius};
 	}
 
-	/** Does the axis that leaves its travel carry the body? @param {import('./model.js').Finding} finding @param {number} body */
+	/**
+	 * Does the axis that exceeds its travel carry the body?
+	 * @param {import('./model.js').Finding} finding @param {number} body
+	 */
 	carriedBy(finding, body) {
 		const axis = this.model.axes.findIndex(({letter}) => letter === finding.axis);
 		return finding.kind === 'limit' && this.placed.bodies[body].link === axis + 1;
@@ -314,7 +323,7 @@ export class Stage {
 		const items = this.placed.all().map((body) => this.item(body, finding, plane?.bodies));
 		const extras = plane ? [planeExtra(plane, sceneColour('plane'))] : [];
 		if (this.trace) extras.push(...this.traceLines());
-		// The triangles stand where they are at the finding alone.
+		// The triangles are at these places only at the finding.
 		if (this.state.finding >= 0 && finding?.triangles) {
 			extras.push({kind: 'triangles', positions: Float32Array.from(finding.triangles.flat(2)), colour: sceneColour('mark')});
 		}
@@ -328,7 +337,7 @@ export class Stage {
 		}
 	}
 
-	/** The way of the tool. */
+	/** The path of the tool. */
 	way() {
 		return this.traced === undefined ? this.traced = toolTrace(this.model) : this.traced;
 	}
@@ -370,7 +379,10 @@ export class Stage {
 		}
 	}
 
-	/** The name of a body in contact, with a line to where the body is seen. @param {number} body @param {'a'|'b'|'proof-a'|'proof-b'} side @param {number} x of the ring @param {number} y */
+	/**
+	 * The name of a body in contact, with a line to a visible place of the body.
+	 * @param {number} body @param {'a'|'b'|'proof-a'|'proof-b'} side @param {number} x of the ring @param {number} y
+	 */
 	name(body, side, x, y) {
 		const {width, height} = this.overlay;
 		const anchor = this.anchor(body, x, y, width, height);
@@ -379,20 +391,23 @@ export class Stage {
 		const out = Math.min(90, width * 0.17);
 		const right = anchor[0] > x || (anchor[0] === x && side.endsWith('b'));
 		const to = [anchor[0] + (right ? out : -out), anchor[1] + (anchor[1] - y) / length * 30];
-		// The label may stand elsewhere, to stay within the picture; the line ends at it.
+		// The label may be elsewhere, to stay within the picture; the line ends at it.
 		const {left, top, right: end, bottom} = this.overlay.label(`name-${side}`, this.placed.bodies[body].name, to[0], to[1]);
 		this.overlay.line(`leader leader-${side}`, anchor, [(left + end) / 2, (top + bottom) / 2]);
 		this.overlay.dot('anchor', anchor[0], anchor[1], 3.5);
 	}
 
-	/** Where a body is seen, beside the ring: among some of its vertices. @param {number} body @param {number} x @param {number} y @param {number} width @param {number} height */
+	/**
+	 * A visible place of a body, beside the ring: among some of its vertices.
+	 * @param {number} body @param {number} x @param {number} y @param {number} width @param {number} height
+	 */
 	anchor(body, x, y, width, height) {
 		const {positions} = this.placed.bodies[body].mesh;
 		const eye = this.camera.eye(), wanted = Math.min(110, width * 0.2);
 		const step = 3 * Math.max(1, Math.floor(positions.length / 3 / 250));
 		/** @type {{at: Vec3, seen: Vec3, cost: number}[]} */
 		const beside = [];
-		/** Of a small body, all of which may be within the ring. */
+		/** For a small body, all of which may be within the ring. */
 		const within = /** @type {typeof beside} */ ([]);
 		for (let v = 0; v < positions.length; v += step) {
 			const at = place(this.placed.matrix(body), [positions[v], positions[v + 1], positions[v + 2]]);

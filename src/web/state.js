@@ -6,7 +6,7 @@
 
 /** @typedef {'time'|'playing'|'look'|'read'} Change */
 
-/** How long before a finding its approach begins to be worth a look, in seconds. */
+/** s: an approach to a finding is shown from this long before it. */
 const LEAD = 2;
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100];
 
@@ -17,13 +17,13 @@ export class State {
 		this.time = 0;
 		/** The finding whose exact pose is shown, or -1. */
 		this.finding = -1;
-		/** The finding that was last looked at. */
+		/** The last finding that the user looked at. */
 		this.lastFinding = model.findings.length ? 0 : -1;
 		this.playing = false;
 		this.speed = 1;
-		/** Where to stop when played from before a finding. */
+		/** The time at which to stop when played from before a finding. */
 		this.stopAt = Infinity;
-		/** A line that is to be read, such as a call; it need not move anything. */
+		/** A line to read, such as a call; it need not move anything. */
 		this.read = {file: 0, line: 0};
 		/** @type {((what: Change) => void)[]} */
 		this.listeners = [];
@@ -48,7 +48,7 @@ export class State {
 		this.refine();
 	}
 
-	/** Shows a finding at the very pose that the check names. @param {number} index */
+	/** Shows a finding at exactly the pose of the check. @param {number} index */
 	showFinding(index) {
 		const finding = this.model.findings[index];
 		if (!finding) return;
@@ -59,7 +59,7 @@ export class State {
 		this.tell('look');
 	}
 
-	/** The pose of the present time, and once more when the path knows it better. */
+	/** The pose at the current time; it is updated when finer data of the path arrives. */
 	refine() {
 		const {time, model} = this;
 		this.pose = this.poseNow();
@@ -78,7 +78,7 @@ export class State {
 		const pose = model.path.pose(this.time);
 		const finding = model.findings[this.finding];
 		if (!finding) return pose;
-		// Exactly as the check names it; the path is rounded.
+		// Exactly as in the check; the path is rounded.
 		const file = model.sources.findIndex((source) => source.name === finding.file);
 		return {
 			...pose, line: finding.line, file: file < 0 ? pose.file : file, tool: finding.tool ?? pose.tool,
@@ -91,7 +91,7 @@ export class State {
 		if (count) this.showFinding((Math.max(this.lastFinding, 0) + by + count) % count);
 	}
 
-	/** Two seconds before the finding; play goes on to it. */
+	/** Two seconds before the finding; play continues to the finding. */
 	beforeFinding() {
 		const finding = this.model.findings[this.lastFinding];
 		if (!finding) return;
@@ -99,20 +99,20 @@ export class State {
 		this.stopAt = finding.time;
 	}
 
-	/** To the end of another block: where it has led. @param {number} by blocks */
+	/** Goes to the end of another block: the position after it. @param {number} by blocks */
 	async step(by) {
 		this.pause();
 		this.seek(await this.model.path.blockEnd(this.time, by));
 	}
 
-	/** To the end of the block of a line. @param {number} file @param {number} line */
+	/** Goes to the end of the block of a line. @param {number} file @param {number} line */
 	async showLine(file, line) {
 		this.pause();
 		const time = await this.model.path.timeOf(file, line);
 		if (time >= 0) this.seek(time);
 	}
 
-	/** Shows a line of a file without going there. @param {string} name of the file @param {number} line */
+	/** Shows a line of a file without moving the time. @param {string} name of the file @param {number} line */
 	readLine(name, line) {
 		const file = this.model.sources.findIndex((source) => source.name === name);
 		if (file < 0) return;

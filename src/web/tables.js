@@ -6,7 +6,7 @@ import {fixed, grouped, h, table} from './elements.js';
 /** @typedef {import('./model.js').Model} Model */
 
 const FIRST_ROWS = 200;
-/** What it means, for who reads it for the first time. @type {Object<string, string>} */
+/** The meaning, for first-time readers. @type {Object<string, string>} */
 const STATUS = {
 	checked: 'proved apart, or found', rigid: 'no joint between them', adjacent: 'neighbours: excused, not proved',
 	'out of reach': 'proved apart over the whole travel', waived: 'excused by the machine file or setup', cutting: 'the cutter may touch the part',
@@ -22,7 +22,7 @@ export function pairsView(model) {
 		h('option', {value: ''}, `all ${grouped(model.pairs.length)} pairs`),
 		...[...counts].map(([key, count]) => h('option', {value: key}, `${key}: ${count}`))));
 
-	// What was checked comes first.
+	// Checked pairs come first.
 	const sorted = [...model.pairs].sort((p, q) => Number(q.status === 'checked') - Number(p.status === 'checked'));
 	const fill = (/** @type {number} */ most) => {
 		const word = name.value.toLowerCase();

@@ -98,7 +98,7 @@ export class Timeline {
 		return this.from + x / this.width() * (this.to - this.from);
 	}
 
-	/** To a moment; a finding's mark within a few pixels counts as the finding itself. @param {number} x */
+	/** Goes to a time; a finding's mark within a few pixels selects the finding itself. @param {number} x */
 	goTo(x) {
 		const near = this.model.findings.findIndex((f) => Math.abs(this.x(f.time) - x) < 4);
 		if (near >= 0) this.state.showFinding(near);
@@ -202,7 +202,7 @@ export class Timeline {
 		});
 	}
 
-	/** What was read, but not checked. @param {CanvasRenderingContext2D} pen @param {number} tall */
+	/** The part that was read, but not checked. @param {CanvasRenderingContext2D} pen @param {number} tall */
 	unchecked(pen, tall) {
 		const left = Math.max(0, this.x(this.model.path.checked)), right = this.width();
 		if (this.model.path.checked >= this.model.path.duration - 1e-4 || left >= right) return;
@@ -221,7 +221,10 @@ export class Timeline {
 		pen.restore();
 	}
 
-	/** Its name, where there is room for it. @param {CanvasRenderingContext2D} pen @param {number} y @param {number} free where the names of the scale end */
+	/**
+	 * The name, if there is room for it.
+	 * @param {CanvasRenderingContext2D} pen @param {number} y @param {number} free where the names of the scale end
+	 */
 	uncheckedName(pen, y, free) {
 		const {checked, duration: end} = this.model.path;
 		if (checked >= end - 1e-4) return;
@@ -239,7 +242,7 @@ export class Timeline {
 			pen.fillText('clearance not measured', 6, (top + bottom) / 2);
 			return;
 		}
-		// What was not checked has no clearance.
+		// The unchecked part has no clearance.
 		const w = Math.min(this.width(), this.x(clearance.times[clearance.times.length - 1]));
 		const y = (/** @type {number} */ mm) => bottom - (bottom - top) * Math.min(1, mm / clearance.cap);
 		pen.fillStyle = cssColour('clearance-fill');
@@ -260,7 +263,10 @@ export class Timeline {
 		pen.stroke();
 	}
 
-	/** What the greatest and the least height mean; returns where the words end. @param {CanvasRenderingContext2D} pen @param {number} top @param {number} bottom */
+	/**
+	 * The meaning of the largest and the smallest height; returns where the text ends.
+	 * @param {CanvasRenderingContext2D} pen @param {number} top @param {number} bottom
+	 */
 	scaleNames(pen, top, bottom) {
 		const {clearance} = this.model;
 		if (!clearance) return 0;

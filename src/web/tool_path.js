@@ -8,9 +8,9 @@ import {add, norm, place, placeBack, scale, sub} from './vec.js';
 /** @typedef {import('./model.js').Vec3} Vec3 */
 /** @typedef {{feed: Float32Array, rapid: Float32Array, link: number}} Trace */
 
-/** Points of the whole program: as many as one sees. */
+/** Points of the whole program: as many as are visible. */
 const POINTS = 6000;
-/** How much larger than the feeds alone a picture of the whole way may be. */
+/** The largest ratio of a picture of the whole path to one of the feeds alone. */
 const MOST_RAPID = 3;
 
 /** @param {Model} model @returns {Trace|null} null: no tool moves */
@@ -51,7 +51,8 @@ function sphereAround(...lists) {
 }
 
 /**
- * What to look at of a way, in the frame of the work: all of it, or what is fed alone where long rapids would make that small.
+ * The part of a path to look at, in the frame of the work: all of it, or only the feeds if long rapids would make these
+ * small.
  * @param {Trace} trace
  */
 export function whereItWorks({feed, rapid}) {

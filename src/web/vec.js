@@ -38,7 +38,10 @@ export function multiply(a, b) {
 /** @param {Vec3} v @returns {Mat4} */
 export const translation = (v) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, v[0], v[1], v[2], 1];
 
-/** Right-handed, about the unit vector u through the point p. @param {Vec3} u @param {Vec3} p @param {number} radians @returns {Mat4} */
+/**
+ * A right-handed rotation about the unit vector u through the point p.
+ * @param {Vec3} u @param {Vec3} p @param {number} radians @returns {Mat4}
+ */
 export function rotation(u, p, radians) {
 	const c = Math.cos(radians), s = Math.sin(radians), k = 1 - c;
 	const [x, y, z] = u;
@@ -63,12 +66,12 @@ export const turn = (m, d) => [
 	m[2] * d[0] + m[6] * d[1] + m[10] * d[2],
 ];
 
-/** A direction, turned back. @param {Mat4} m rigid @param {Vec3} d @returns {Vec3} */
+/** A direction, transformed back. @param {Mat4} m rigid @param {Vec3} d @returns {Vec3} */
 export const turnBack = (m, d) => [
 	m[0] * d[0] + m[1] * d[1] + m[2] * d[2],
 	m[4] * d[0] + m[5] * d[1] + m[6] * d[2],
 	m[8] * d[0] + m[9] * d[1] + m[10] * d[2],
 ];
 
-/** A point, brought back. @param {Mat4} m rigid @param {Vec3} p @returns {Vec3} */
+/** A point, transformed back. @param {Mat4} m rigid @param {Vec3} p @returns {Vec3} */
 export const placeBack = (m, p) => turnBack(m, sub(p, [m[12], m[13], m[14]]));

@@ -8,7 +8,7 @@ import {add, cross, dot, norm, scale, sub, unit} from './vec.js';
 
 const FAR = 1e6;
 
-/** Two directions square to d. @param {Vec3} d @returns {[Vec3, Vec3]} */
+/** Two directions perpendicular to d. @param {Vec3} d @returns {[Vec3, Vec3]} */
 function across(d) {
 	const u = unit(cross(d, Math.abs(d[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
 	return [u, cross(d, u)];
@@ -16,8 +16,7 @@ function across(d) {
 
 /**
  * The direction from a contact to the eye. The two bodies in contact must not hide it; others may, because they can be
- * made faint. A look along the touching surfaces shows more than one square to them.
- *
+ * made faint. A view along the touching surfaces shows more than one perpendicular to them.
  * @param {PlacedBodies} placed
  * @param {Vec3} point
  * @param {number[]} focus the bodies in contact
@@ -58,8 +57,7 @@ export function normalOf(t) {
 }
 
 /**
- * The bodies between the eye and what is to be seen: the point and a circle around it.
- *
+ * The bodies between the eye and the point with a circle around it.
  * @param {PlacedBodies} placed
  * @param {Vec3} eye
  * @param {Vec3} point
@@ -77,7 +75,7 @@ export function inTheWay(placed, eye, point, radius, focus) {
 		const goal = add(point, add(scale(u, r * Math.cos(k * Math.PI / 4)), scale(v, r * Math.sin(k * Math.PI / 4))));
 		const to = sub(goal, eye);
 		for (const body of others) {
-			// What lies just behind the surface that is touched is not in the way.
+			// Bodies just behind the touched surface do not hide it.
 			if (!found.has(body) && placed.hit(eye, unit(to), norm(to) - 3, [body])) found.add(body);
 		}
 	}

@@ -1,7 +1,7 @@
 // boot.js - inflates the viewer that the page carries and runs it. The page's policy allows both by their hashes.
 (async () => {
 	try {
-		// Seven bits to a character, as sevenBit() of pack.js reads it.
+		// Seven bits per character, like sevenBit() of pack.js.
 		const packed = document.getElementById('fivecheck-viewer').textContent, bytes = [], reserved = [0, 13, 14, 15, 26, 27, 60, 127];
 		let bits = 0, held = 0;
 		const put = (group) => {
@@ -19,7 +19,7 @@
 		script.textContent = text;
 		document.body.append(script);
 	} catch (e) {
-		// An old browser: the plain HTML says everything.
+		// An old browser: the plain HTML has everything.
 		console.warn(e);
 	}
 })();
