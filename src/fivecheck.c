@@ -11,7 +11,7 @@
 #include "control/dialects.h"
 #include "scene/model_check.h"
 
-/* The face shows its own names of these; they are the same numbers. */
+/* The interface has its own names for these; the numbers are the same. */
 _Static_assert((int)FIVECHECK_NOTE == DIAG_NOTE && (int)FIVECHECK_ERROR == DIAG_ERROR, "severities");
 _Static_assert((int)FIVECHECK_COLLISION == FINDING_COLLISION && (int)FIVECHECK_START_OVERLAP == FINDING_START_OVERLAP,
 	       "kinds of findings");
@@ -89,7 +89,7 @@ bool fivecheck_set_dialect(fivecheck_model *model, const char *name, fivecheck_d
 	return row >= 0;
 }
 
-/* More threads only cost memory. */
+/* More threads would only use memory. */
 static bool is_thread_count(int threads)
 {
 	return threads >= 1 && threads <= 1024;
@@ -267,7 +267,7 @@ double fivecheck_finding_limit(const fivecheck_finding *finding)
 	return is_limit(finding) ? finding->bound : 0;
 }
 
-/* The check itself stops where the options say so. */
+/* The check itself stops if the options say so. */
 static bool ignore_finding(void *context, const struct finding *finding)
 {
 	(void)context;

@@ -40,7 +40,7 @@ static enum run_status print(struct strbuf *text, struct diag *diag)
 	return output_print(text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-/* Is the SIMD level that the environment asks for there? */
+/* Is the SIMD level in the environment available? */
 static bool has_simd_level(struct diag *diag)
 {
 	const char *wanted = getenv(SIMD_LEVEL_VARIABLE);
@@ -80,7 +80,7 @@ static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 	return status;
 }
 
-/* A word that is no file and nearly the name of a command was probably meant to be one. */
+/* A word that is not a file and nearly the name of a command was probably meant to be one. */
 static void note_command(const char *word, struct diag *diag)
 {
 	struct spelling nearest;

@@ -15,7 +15,7 @@ struct arena_chunk {
 	alignas(max_align_t) unsigned char bytes[];
 };
 
-/* A chunk with room for `size` bytes, from the spare ones if the first of them will do. */
+/* A chunk with room for `size` bytes; the first spare one if it is large enough. */
 static struct arena_chunk *next_chunk(struct arena *arena, size_t size)
 {
 	struct arena_chunk *chunk = arena->spare;

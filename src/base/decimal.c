@@ -57,7 +57,7 @@ static bool scan_decimal(struct decimal *d, const char *word, size_t length)
 	return at == word + length;
 }
 
-/* The nearest double, if it is cheap to have: both factors are exact, so that one rounding is made. */
+/* The nearest double, if it can be computed cheaply: both factors are exact, so there is only one rounding. */
 static bool quick_value(const struct decimal *d, double *value)
 {
 	static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
@@ -71,7 +71,7 @@ static bool quick_value(const struct decimal *d, double *value)
 	return true;
 }
 
-/* Does rounding this double once more give the float nearest to the decimal? Not if it lies half-way between two. */
+/* Does rounding this double again give the float nearest to the decimal? Not if it is half-way between two. */
 static bool rounds_once(double value)
 {
 	const uint64_t below_float = ((uint64_t)1 << 29) - 1, half_way = (uint64_t)1 << 28;
@@ -82,7 +82,7 @@ static bool rounds_once(double value)
 	return (bits & below_float) != half_way;
 }
 
-/* The C library's conversions follow the thread's locale: they are asked in the C locale. */
+/* The C library's conversions depend on the thread's locale: they are called in the C locale. */
 static void read_slowly(const char *word, float *nearest, double *value)
 {
 	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0), previous = uselocale(c);

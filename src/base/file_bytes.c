@@ -21,7 +21,7 @@ static bool fault_errno(struct diag *diag, const char *path, const char *what)
 	return false;
 }
 
-/* Grows with what is read, so that a file that shrinks or grows meanwhile does no harm. */
+/* The buffer grows while reading, so that a file that shrinks or grows meanwhile does no harm. */
 static bool read_all(struct file_bytes *out, int fd, const char *path, struct diag *diag)
 {
 	struct file_bytes file = {0};

@@ -6,7 +6,7 @@
 #define SAVE_AS_UTF8 ": save it as UTF-8 (a text editor does)"
 #define UNPACK ": unpack it first"
 
-/* The first that fits counts: the mark of UTF-32 begins with that of UTF-16. */
+/* The first match is used: the mark of UTF-32 begins with that of UTF-16. */
 static const struct signature {
 	const char *bytes;
 	size_t length;
@@ -34,7 +34,7 @@ static bool is_ascii(char byte)
 	return byte && !((unsigned char)byte & 0x80);
 }
 
-/* Two characters of ASCII, each with a NUL before or behind it: UTF-16 without a mark. */
+/* Two ASCII characters, each with a NUL before or after it: UTF-16 without a mark. */
 static bool is_utf16(const char *bytes, size_t length)
 {
 	const bool swapped = length >= 4 && !bytes[0];

@@ -14,7 +14,7 @@
 void mem_keep_freed(void)
 {
 #ifdef __GLIBC__
-	/* Larger blocks are the kernel's: what is freed of them is of use to all threads. */
+	/* Larger blocks come from the kernel: their memory can be used by all threads after they are freed. */
 	mallopt(M_MMAP_THRESHOLD, MEGABYTE);
 	mallopt(M_TOP_PAD, 8 * MEGABYTE);
 	mallopt(M_TRIM_THRESHOLD, 256 * MEGABYTE);

@@ -12,7 +12,7 @@
 
 #include "base/mem.h"
 
-/* A folder that is only passed through need not be readable. */
+/* A folder on the way need not be readable. */
 #ifdef O_PATH
 #define PASS_THROUGH (O_PATH | O_DIRECTORY | O_CLOEXEC)
 #else
@@ -21,7 +21,7 @@
 
 #define READ_ONLY (O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)
 
-/* The resolved path of the file or, if there is none, of its folder; NULL: neither is there. */
+/* The resolved path of the file or, if it is missing, of its folder; NULL: both are missing. */
 static char *resolve(const char *path)
 {
 	const char *slash = strrchr(path, '/');
@@ -35,14 +35,14 @@ static char *resolve(const char *path)
 	return real;
 }
 
-/* What is left of a resolved path below a resolved root, without a slash in front; NULL: it is not below. */
+/* The part of a resolved path below a resolved root, without a slash at its start; NULL: the path is not below it. */
 static char *below(const char *root, char *path)
 {
 	size_t length = strlen(root);
 
 	if (strncmp(root, path, length) != 0)
 		return NULL;
-	/* The root of all files ends in the slash that others lack. */
+	/* The root of all files ends in a slash, other roots do not. */
 	if (root[length - 1] == '/')
 		return path + length;
 	return path[length] == '/' ? path + length + 1 : path[length] == '\0' ? path + length : NULL;
@@ -63,7 +63,7 @@ bool path_sandbox_holds(const char *root, const char *path)
 	return holds;
 }
 
-/* Step by step along a path without links: where one has appeared since, it is not followed. */
+/* Step by step along a path without links: a link that has appeared since is not followed. */
 static int walk(int folder, char *path)
 {
 	for (char *slash; folder >= 0 && (slash = strchr(path, '/')); path = slash + 1) {
@@ -97,7 +97,7 @@ int path_sandbox_open(const char *root, const char *path)
 		rest = below(outer, inner);
 		errno = EXDEV;
 		fd = rest ? walk(open(outer, PASS_THROUGH | O_NOFOLLOW), rest) : -1;
-		/* A link or something that is no folder has taken the place of what was there. */
+		/* A link or something other than a folder has replaced a folder. */
 		if (fd < 0 && (errno == ELOOP || errno == ENOTDIR))
 			errno = EXDEV;
 	}

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Longer names are not guessed at. */
+/* For longer names there is no suggestion. */
 #define LONGEST ((size_t)64)
 
 static size_t least(size_t a, size_t b)
@@ -17,7 +17,7 @@ static bool same_letter(char a, char b)
 	return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
-/* Levenshtein's distance with exchanged neighbours as one slip; capitals do not matter. */
+/* Levenshtein's distance, with two exchanged neighbours as one error; upper and lower case are equal. */
 static size_t distance(const char *a, size_t na, const char *b, size_t nb)
 {
 	size_t rows[3][LONGEST + 1];

@@ -41,7 +41,7 @@ void strbuf_addv(struct strbuf *buf, const char *format, va_list args)
 	size_t room;
 	int length;
 
-	/* Most of what is added is short, and is printed once. */
+	/* Most of the added texts are short, and are then printed once. */
 	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + SHORT_TEXT, 1);
 	room = buf->capacity - buf->length;
 	va_copy(again, args);

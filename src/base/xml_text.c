@@ -2,7 +2,10 @@
 
 #include "base/utf8.h"
 
-/* Appends the character at `text`, with a sign in place of what no XML may hold; returns its bytes there. */
+/*
+ * Appends the character at `text`, or a replacement for a character that XML does not permit; returns its bytes in
+ * `text`.
+ */
 static size_t add_character(struct strbuf *out, const char *text)
 {
 	size_t control = strbuf_control_bytes(text), length = utf8_length(text);

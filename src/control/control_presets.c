@@ -22,7 +22,7 @@ const struct control_preset presets_of_parameters[] = {
 	{.name = NULL},
 };
 
-/* "G-codes": those that are in force at power-on, among them G17 and G90. */
+/* "G-codes": those that are active at power-on, among them G17 and G90. */
 const struct control_preset presets_of_settings[] = {
 	{.name = "classic",
 	 .source = "mill operator's manual 96-8000",

@@ -1,12 +1,12 @@
 /*
  * main.c - fivecheck-mesh FILE: prints the meshes of a file that libassimp can read, for `fivecheck import`.
  *
- * A program of its own, so that a reader of a dozen formats is no part of the checker, and that the import can limit
- * the memory and the time that a broken file takes. It opens the file and, of glTF, its buffers beside it; nothing
- * else.
+ * This is a separate program, so that a reader of a dozen formats is not part of the checker, and so that the import
+ * can limit the memory and the time that a broken file takes. It opens the file and, for glTF, its buffers beside it;
+ * nothing else.
  *
  * Output: for each mesh of each node a line "mesh COUNT NAME" and COUNT triangles of nine 32-bit floats, little-endian,
- * in the units of the file, placed as the file places its node; at last the line "end", or "fault" and what is wrong.
+ * in the units of the file, with the placement of the node; at the end the line "end", or "fault" and the reason.
  */
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>
@@ -160,7 +160,7 @@ static void put_name(const char *name)
 		putchar((unsigned char)*name < 0x20 ? '_' : *name);
 }
 
-/* A mirrored node turns its triangles inside out; the order of their corners undoes it. */
+/* A mirrored node turns its triangles inside out; reversing the order of their corners corrects this. */
 static bool is_mirrored(const struct aiMatrix4x4 *m)
 {
 	return (double)m->a1 * ((double)m->b2 * m->c3 - (double)m->b3 * m->c2) -

@@ -98,7 +98,7 @@ static double in_unit(dd angle, bool degrees)
 	return angle.hi + angle.lo;
 }
 
-/* Of a quotient that is its own arc tangent: y/x 2^exponent, which may be denormal. */
+/* For a quotient that equals its arc tangent: y/x 2^exponent, which may be denormal. */
 static double narrow_angle(double y, double x, int exponent, bool degrees)
 {
 	dd angle = dd_divide((dd){y, 0}, (dd){x, 0});
@@ -118,7 +118,7 @@ static double angle_of_any(double y, double x, bool left, bool degrees)
 	apart = y_exponent - x_exponent;
 	if (!left && apart < -32)
 		return narrow_angle(y, x, apart, degrees);
-	/* Farther apart is as good as infinitely far beside a right angle. */
+	/* A larger ratio gives a right angle, as an infinite one does. */
 	apart = apart < -200 ? -200 : apart > 200 ? 200 : apart;
 	return in_unit(angle_of((dd){y * power_of_two(apart), 0}, (dd){x, 0}, left), degrees);
 }

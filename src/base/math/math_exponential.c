@@ -30,19 +30,20 @@ static const dd powers[32] = {
 	{0x1.dfc97337b9b5fp0, -0x1.1a5cd4f184b5cp-54}, {0x1.ea4afa2a490dap0, -0x1.e9c23179c2893p-54},
 	{0x1.f50765b6e454p0, 0x1.9d3e12dd8a18bp-54},};
 
-/* log(2)/32 = the first, of 36 bits, whose product with a number of 17 bits is exact, and the rest. */
+/* log(2)/32 is the sum of the first, with 36 bits, whose product with a number of 17 bits is exact, and the second. */
 #define STEP_UPPER 0x1.62e42fefap-6
 static const dd STEP_LOWER = {0x1.cf79abc9e3b3ap-45, -0x1.ff0342542fc33p-99};
 #define STEPS_PER_UNIT 0x1.71547652b82fep+5
 /* e to a power beyond these is infinite, or 0, rounded to a double. */
 #define OVERFLOWS 710
 #define VANISHES -746
-/* Adding and taking away this rounds to a whole number, half to even. */
+/* Adding and subtracting this rounds to a whole number, half to even. */
 #define ROUNDING 0x1.8p52
 
 /*
- * A number of nine bits near the reciprocals of 1 + i/64 to 1 + (i + 1)/64, and its logarithm with the other sign. From
- * i = 27 on the mantissa is taken for twice a number below 1: so the logarithms near 1 are small, on both sides of it.
+ * A number of nine bits near the reciprocals of 1 + i/64 to 1 + (i + 1)/64, and its logarithm with the opposite sign.
+ * From i = 27 on the mantissa is treated as twice a number below 1, so that the logarithms near 1 are small on both
+ * sides.
  */
 struct reciprocal {
 	double value;
@@ -118,7 +119,7 @@ double dd_scaled(dd a, int exponent)
 {
 	const int size = (int)(bits_of(a.hi) >> 52 & 0x7ff) - 1023 + exponent, half = exponent / 2;
 
-	/* Less than half of the least number. */
+	/* Less than half of the smallest number. */
 	if (size < -1076)
 		return copysign(0, a.hi);
 	if (size < -1022) {
@@ -132,7 +133,7 @@ double dd_scaled(dd a, int exponent)
 	return (a.hi + a.lo) * power_of_two(half) * power_of_two(exponent - half);
 }
 
-/* e^x, to 2^-80 of it. */
+/* e^x, with a relative error of 2^-80. */
 static double exponential(dd x)
 {
 	const double k = (x.hi * STEPS_PER_UNIT + ROUNDING) - ROUNDING;
@@ -151,7 +152,7 @@ static double exponential(dd x)
 	return dd_scaled(dd_add(powers[j], dd_multiply(powers[j], less_one)), (whole - j) / 32);
 }
 
-/* log(1 + r), |r| <= 1/64, to 2^-75 of it. */
+/* log(1 + r), |r| <= 1/64, with a relative error of 2^-75. */
 static dd logarithm_near_one(dd r)
 {
 	/* 1/5 - r/6 + ... + r^10/15 */
@@ -167,7 +168,7 @@ static dd logarithm_near_one(dd r)
 	return dd_add(r, dd_multiply(dd_multiply(r, r), sum));
 }
 
-/* Of a finite number > 0, to 2^-72 of it. */
+/* For a finite number > 0, with a relative error of 2^-72. */
 static dd logarithm(double x)
 {
 	int exponent;
@@ -191,7 +192,7 @@ double math_exp(double x)
 	return x < VANISHES ? 0 : exponential((dd){x, 0});
 }
 
-/* The logarithm of what has none, or no finite one. */
+/* The logarithm of a number that has no finite one. */
 static double special_logarithm(double x)
 {
 	if (isnan(x) || x > 0)
@@ -219,7 +220,7 @@ double math_log10(double x)
 	return log.hi + log.lo;
 }
 
-/* x^y where one of them is 0 or infinite, the other one is a number, and y is not 0. */
+/* x^y if one of them is 0 or infinite, the other is a number, and y is not 0. */
 static double special_power(double x, double y, bool odd)
 {
 	const double size = fabs(x);

@@ -9,7 +9,7 @@
  * polynomials give those of r, and the addition theorems those of the sum.
  */
 
-/* The part of an angle that is left, and what is known of it. */
+/* The remaining part of an angle, and its properties. */
 struct turn {
 	unsigned steps;	/* k, modulo a full turn of 128 */
 	dd rest;		/* r, in radians */
@@ -41,13 +41,13 @@ static const dd DEGREE = {0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
 #define STEPS_PER_RADIAN 0x1.45f306dc9c883p+4
 /* Exactly pi/64. */
 #define STEP_DEGREES 2.8125
-/* Up to here, k has 22 bits. */
+/* Up to this angle, k has 22 bits. */
 #define LARGE_ANGLE 0x1p17
-/* Up to here, the quotient of degrees by a step is a whole number that a double holds with its fraction. */
+/* Up to this angle, the quotient of degrees by a step is a whole number that a double holds with its fraction. */
 #define LARGE_DEGREES 0x1p30
 /* Below this, x - x^3/6 rounds to x and 1 - x^2/2 to 1. */
 #define SMALL_ANGLE 0x1p-30
-/* Adding and taking away this rounds to a whole number, half to even. */
+/* Adding and subtracting this rounds to a whole number, half to even. */
 #define ROUNDING 0x1.8p52
 
 /* 2/pi = 0.w0 w1 w2 ... in digits of 32 bits. */
@@ -78,7 +78,7 @@ static uint32_t bits_from(const uint32_t *digits, unsigned at)
 	return (uint32_t)(pair >> at % 32);
 }
 
-/* The fraction whose first 128 bits these are, or less 1 where it is more than a half, in radians. */
+/* The fraction with these first 128 bits, minus 1 if it is more than a half, in radians. */
 static dd fraction_of_step(const uint32_t fraction[4])
 {
 	const uint32_t flip = fraction[0] >> 31 ? UINT32_MAX : 0;
@@ -95,8 +95,9 @@ static dd fraction_of_step(const uint32_t fraction[4])
 }
 
 /*
- * Payne and Hanek: of 2/pi only the digits that matter to the angle's size, times its mantissa. Those before them add
- * whole turns. 224 bits leave 2^-133 of a step in doubt, and no double comes nearer to a step than 2^-62.
+ * Payne and Hanek: only the digits of 2/pi that matter for the size of the angle are multiplied by its mantissa. The
+ * digits before them add whole turns. 224 bits leave an error of 2^-133 of a step, and no double is nearer to a step
+ * than 2^-62.
  */
 static struct turn turn_of_large(double angle)
 {
@@ -140,7 +141,7 @@ static struct turn turn_of(double angle)
 	near = angle - k * step[0];
 	rest = two_sum(near, -k * step[1]);
 	if (fabs(rest.hi) < SMALL_ANGLE) {
-		/* Near a multiple of the step: the parts of it that did not matter do now. */
+		/* Near a multiple of the step, the parts of the step that did not matter before are needed. */
 		rest = dd_add(rest, (dd){-k * step[2], 0});
 		rest = dd_add(rest, (dd){-k * step[3], 0});
 	} else {
@@ -163,7 +164,7 @@ static struct turn turn_of_degrees(double angle)
 	return (struct turn){modulo_turn(k), radians};
 }
 
-/* What the polynomials say of the rest r = hi + lo. */
+/* The values of the polynomials for the rest r = hi + lo. */
 struct small_angle {
 	double upper, lower;	/* hi in 26 bits, and what remains of r */
 	double hi;
@@ -184,7 +185,7 @@ static struct small_angle small_angle_of(dd r)
 				    square * cosine - r.hi * r.lo};
 }
 
-/* a cos r + b sin r, where a and b are of the table. */
+/* a cos r + b sin r, with a and b from the table. */
 static dd added(dd a, dd b, const struct small_angle *r)
 {
 	const dd sum = two_sum(a.hi, b.hi * r->upper);
@@ -201,7 +202,7 @@ static dd signed_as(dd value, unsigned negative)
 	return (dd){sign * value.hi, sign * value.lo};
 }
 
-/* The table's values for the steps of the turn: the sine and the cosine of what lies before the rest. */
+/* The table's values for the steps of the turn: the sine and the cosine of the part before the rest. */
 static void look_up(struct turn turn, dd *sine, dd *cosine)
 {
 	const unsigned quadrant = turn.steps / 32, k = turn.steps % 32, odd = quadrant & 1;
@@ -219,7 +220,7 @@ static dd sine_of(struct turn turn)
 	return added(s, c, &small);
 }
 
-/* The sine of a quarter more. */
+/* The sine of the turn plus a quarter. */
 static dd cosine_of(struct turn turn)
 {
 	turn.steps = (turn.steps + 32) & 127;
