@@ -226,7 +226,7 @@ const struct dialect dialect_haas = {
 		.shifts_ignore_g91 = ANSWER_NO,
 		.h_missing = H_MISSING_REFUSED,
 		.h_zero = H_ZERO_NONE,
-		/* "G49 Cancel G43/G44/G143": H0 does the same. The manual does not say this of any other H. */
+		/* "G49 Cancel G43/G44/G143": H0 does the same. The manual does not say what any other H does. */
 		.h_alone = H_ALONE_CANCELS,
 		.d_alone = ANSWER_YES,
 		.d_word = D_WORD_RADIUS,

@@ -1,4 +1,4 @@
-/* klartext_approach.h - APPR and DEP: to a contour under radius compensation, and away from it. */
+/* klartext_approach.h - APPR and DEP: approach to a contour under radius compensation, and departure from it. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_APPROACH_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_APPROACH_H
 
@@ -6,19 +6,19 @@
 
 #include "gcode/dialect/klartext/klartext_move.h"
 
-/* APPR: its words come next. It waits for the first path of the contour. False: reported. */
+/* Reads the words of APPR, which waits for the first path of the contour. False: reported. */
 bool klartext_approach_read(struct lexer *lexer);
 
-/* The line in hand is that of APPR: its end is told when it has been carried out. */
+/* The current line is that of APPR: its end is sent to the sink after APPR was carried out. */
 void klartext_approach_keep_line(struct interp *interp);
 
-/* Carries out the APPR that waits in front of this path. False: reported, or the sink wants no more. */
+/* Carries out the waiting APPR before this path. False: reported, or the sink wants no more. */
 bool klartext_approach_make(struct interp *interp, const struct klartext_path *first);
 
-/* None may wait here. False: reported. */
+/* Checks that no APPR waits. False: reported. */
 bool klartext_approach_check_none(struct interp *interp);
 
-/* DEP: its words come next. */
+/* Reads the words of DEP and carries it out. */
 bool klartext_approach_depart(struct lexer *lexer);
 
 #endif

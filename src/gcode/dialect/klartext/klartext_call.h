@@ -1,4 +1,4 @@
-/* klartext_call.h - CYCL CALL, CYCL CALL POS and CYCL CALL PAT: the blocks that call the cycle in force. */
+/* klartext_call.h - CYCL CALL, CYCL CALL POS and CYCL CALL PAT: the blocks that call the active cycle. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CALL_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CALL_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/text/lexer.h"
 
-/* Behind CYCL CALL: like a block of M-functions, behind which the cycle is called. False: reported. */
+/* Reads the text after CYCL CALL like a block of M-functions, and then calls the cycle. False: reported. */
 bool klartext_call_run(struct lexer *lexer);
 
 #endif

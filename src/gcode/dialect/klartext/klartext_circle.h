@@ -7,7 +7,7 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Each reads and carries out what stands behind its word. False: reported, or the sink wants no more. */
+/* Each function reads the text after its word and carries it out. False: reported, or the sink wants no more. */
 bool klartext_circle_pole(struct lexer *lexer);
 bool klartext_circle_about_pole(struct lexer *lexer); /* C */
 bool klartext_circle_by_radius(struct lexer *lexer); /* CR */

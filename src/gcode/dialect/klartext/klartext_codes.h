@@ -1,4 +1,4 @@
-/* klartext_codes.h - what becomes of the M-functions and the words of a Heidenhain control. */
+/* klartext_codes.h - the M-functions and words of a Heidenhain control, and how each is treated. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CODES_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CODES_H
 

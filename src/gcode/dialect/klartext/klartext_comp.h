@@ -13,35 +13,35 @@ static inline bool klartext_comp_is_selected(const struct interp *interp)
 	return interp->comp.side != 0;
 }
 
-/* RL, RR or R0 of a path block, before its move. False: reported, or the sink wants no more. */
+/* Carries out RL, RR or R0 of a path block, before its move. False: reported, or the sink wants no more. */
 bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path);
 
-/* The same of a block that does not move. */
+/* The same for a block that does not move. */
 bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words);
 
-/* Starts it for APPR, whose first move is the next one. */
+/* Starts compensation for APPR, whose first move is the next one. */
 bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int column);
 
-/* A straight move of the tool's centre itself, before the first one beside the path. */
+/* Makes a straight move of the tool's centre, before the first compensated move. */
 bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path);
 
-/* DEP ends it: in the straight move that comes next; or where the tool's centre stands beside the path. */
+/* DEP ends compensation: in the next straight move; or at the present position of the tool's centre. */
 bool klartext_comp_leave(struct interp *interp, const struct klartext_path *path, int column);
 bool klartext_comp_leave_standing(struct interp *interp, int column);
 
-/* Makes the move of a path: beside it while compensation is on. False: the same. */
+/* Makes the move of a path; while compensation is on, beside the path. False: the same. */
 bool klartext_comp_go(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
 
-/* A block has moved the axes named: where the tool stands in the plane may be known again behind R0. */
+/* Call after a block has moved the named axes: after R0, the position in the plane may be known again. */
 void klartext_comp_settle(struct interp *interp, const struct klartext_words *words);
 
-/* The coordinates turn: what was open along one of their axes may be open along any. */
+/* Call when the coordinates turn: an uncertainty along one of their axes may then be along every axis. */
 void klartext_comp_turn_open(struct interp *interp);
 
-/* No path may be counted from where the tool stands behind R0 without a move. False: reported. */
+/* Checks that no path is relative to the position after R0 without a move. False: reported. */
 bool klartext_comp_check_known(struct interp *interp, int column, const char *what);
 
-/* The program ends here: what waits ends where it is. False: reported, or the sink wants no more. */
+/* Call at the end of the program: waiting moves end at their present ends. False: reported, or the sink ... */
 bool klartext_comp_end(struct interp *interp, int column);
 
 #endif

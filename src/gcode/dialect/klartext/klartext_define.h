@@ -1,4 +1,4 @@
-/* klartext_define.h - CYCL DEF: the lines of a definition, and the cycles that take effect where they are defined. */
+/* klartext_define.h - CYCL DEF: the lines of a definition, and the cycles that take effect at their definition. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_DEFINE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_DEFINE_H
 
@@ -8,25 +8,25 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Behind CYCL: DEF, or CALL with its words. False: reported. */
+/* After CYCL: reads DEF, or CALL with its words. False: reported. */
 bool klartext_define_read(struct lexer *lexer);
 
-/* Behind TCH PROBE: its number, name and parameters. False: reported. */
+/* After TCH PROBE: reads its number, name and parameters. False: reported. */
 bool klartext_define_probe(struct lexer *lexer);
 
-/* Is a definition open that goes on in this line? `numbered`: the line has a block number. */
+/* Is a definition open that this line continues? `numbered`: the line has a block number. */
 bool klartext_define_goes_on(struct lexer *lexer, bool numbered);
 
-/* A further line of the definition. False: reported. */
+/* Reads a further line of the definition. False: reported. */
 bool klartext_define_line(struct lexer *lexer);
 
-/* Ends a definition that is open. False: reported. */
+/* Ends an open definition. False: reported. */
 bool klartext_define_end(struct interp *interp);
 
-/* Words of axes, "X+10 IY-5", up to the end of the line, as those of CYCL DEF 7. False: reported. */
+/* Reads words of axes, "X+10 IY-5", up to the end of the line, like those of CYCL DEF 7. False: reported. */
 bool klartext_define_read_axes(struct lexer *lexer, struct klartext_cycle *cycle);
 
-/* One more of them. False: there is no room. */
+/* Adds a word. False: there is no room. */
 bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double value);
 
 #endif

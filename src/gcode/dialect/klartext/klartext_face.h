@@ -1,4 +1,4 @@
-/* klartext_face.h - surfaces that a cycle mills line by line: the tool stays over them and beside them. */
+/* klartext_face.h - surfaces that a cycle mills line by line: the region of the tool above and beside the surface. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FACE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FACE_H
 
@@ -6,10 +6,10 @@
 
 #include "gcode/dialect/klartext/klartext_region.h"
 
-/* The region of cycles 230 and 232, whose parameters say where it lies. False: reported. */
+/* The region of cycles 230 and 232, whose parameters give its position. False: reported. */
 bool klartext_face_at(const struct klartext_call_of *call, struct klartext_region *region);
 
-/* The region of cycle 233, which lies where the tool stands. False: reported. */
+/* The region of cycle 233, at the present position of the tool. False: reported. */
 bool klartext_face_here(const struct klartext_call_of *call, struct klartext_region *region);
 
 #endif

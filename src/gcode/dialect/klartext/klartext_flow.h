@@ -7,22 +7,22 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Behind LBL. False: reported. */
+/* Carries out the text after LBL. False: reported. */
 bool klartext_flow_label(struct lexer *lexer);
 
-/* Behind CALL: LBL or PGM. */
+/* The same after CALL: LBL or PGM. */
 bool klartext_flow_call(struct lexer *lexer);
 
-/* Behind the colon of FN 9 to FN 12. */
+/* The same after the colon of FN 9 to FN 12. */
 bool klartext_flow_jump(struct lexer *lexer, int number);
 
-/* END PGM: the program ends, or the one that has called it goes on. */
+/* END PGM: the program ends, or its caller continues. */
 bool klartext_flow_end(struct lexer *lexer);
 
-/* The file in hand has ended without END PGM. */
+/* Call if the current file has ended without END PGM. */
 bool klartext_flow_end_of_file(struct interp *interp);
 
-/* The calls under way (struct dialect). */
+/* The active calls (struct dialect). */
 bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 /* SEL PGM. False: reported. */
@@ -32,8 +32,8 @@ bool klartext_flow_select(struct lexer *lexer);
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
 
 /*
- * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The program goes on
- * where it is. False: reported, or a call returned false.
+  * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The position in the
+  * program does not change. False: reported, or a call returned false.
  */
 typedef bool (*klartext_flow_line)(void *context, struct lexer *lexer);
 bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,

@@ -1,4 +1,4 @@
-/* klartext_folder.h - the files that programs call, which are looked for by their names without folders. */
+/* klartext_folder.h - finds the files that programs call, by their names without folders. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FOLDER_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FOLDER_H
 
@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
- * The file of a name, without the folders of the control, as it stands or with one of the endings; *source is NULL if
- * there is none. False: reported at the column.
+   * Finds the file of a name without the control's folders, unchanged or with one of the endings; *source is NULL if
+   * there is none. False: reported at the column.
  */
 bool klartext_folder_find(struct interp *interp, const char *name, const char *const endings[3], int column,
 			  struct source **source);

@@ -1,4 +1,4 @@
-/* klartext_free.h - FK free contour programming: elements that their own block determines. */
+/* klartext_free.h - FK free contour programming: elements that are determined by their own block. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FREE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FREE_H
 
@@ -7,18 +7,18 @@
 #include "gcode/text/lexer.h"
 
 /*
- * FL and FLT (straight lines), FC and FCT (circles); T: tangential to the element before. Where they end has to follow
- * from the block and the element before it alone, and in one way only. False: reported, or the sink wants no more.
+  * FL and FLT (straight lines), FC and FCT (circles); T: tangential to the element before. The block and the element
+  * before must determine the end uniquely. False: reported, or the sink wants no more.
  */
 bool klartext_free_line(struct lexer *lexer);
 bool klartext_free_line_tangential(struct lexer *lexer);
 bool klartext_free_circle(struct lexer *lexer);
 bool klartext_free_circle_tangential(struct lexer *lexer);
 
-/* FPOL: the pole of PR, PA, CCPR and CCPA. False: reported. */
+/* Carries out FPOL: the pole of PR, PA, CCPR and CCPA. False: reported. */
 bool klartext_free_pole(struct lexer *lexer);
 
-/* FSELECT: one of several solutions. False: reported. */
+/* Carries out FSELECT: selects one of several solutions. False: reported. */
 bool klartext_free_select(struct lexer *lexer);
 
 #endif

@@ -6,10 +6,10 @@
 
 #include "gcode/text/lexer.h"
 
-/* Behind FN. False: reported. */
+/* Carries out the text after FN. False: reported. */
 bool klartext_function_run(struct lexer *lexer);
 
-/* Behind FUNCTION. False: reported. */
+/* Carries out the text after FUNCTION. False: reported. */
 bool klartext_function_mode(struct lexer *lexer);
 
 #endif

@@ -1,4 +1,4 @@
-/* klartext_kept.h - what parameters and tables of the control hold before a program begins, from the machine file. */
+/* klartext_kept.h - values of the control's parameters and tables before a program starts, from the machine file. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_KEPT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_KEPT_H
 
@@ -6,13 +6,13 @@
 #include "gcode/text/lexer.h"
 
 /*
- * Gives Q, QR and QS parameters what the machine file says that they hold. False: it does not fit, which was reported.
+  * Sets Q, QR and QS parameters to the values of the machine file. False: a value does not fit, which was reported.
  */
 bool klartext_kept_load(struct lexer *lexer);
 
 /*
- * Data of the control's tables that FN 18 reads, which no program changes: tools, pockets, limits, touch probes. False:
- * the machine file does not tell this one, or the data are others.
+   * Reads data of the control's tables for FN 18 that no program changes: tools, pockets, limits, touch probes. False:
+   * the machine file does not have this value, or the query is for other data.
  */
 bool klartext_kept_data(const struct interp *interp, const struct klartext_query *query, double *value);
 

@@ -1,4 +1,4 @@
-/* klartext_lexis.h - the smallest pieces of a Klartext line: keywords, numbers, names, the end of the line. */
+/* klartext_lexis.h - the lexical elements of a Klartext line: keywords, numbers, names, the end of the line. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LEXIS_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LEXIS_H
 
@@ -21,13 +21,13 @@ static inline char klartext_lower(char byte)
 	return byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
 }
 
-/* A lexer for the line in hand, whose context is the interpreter. */
+/* A lexer for the current line, whose context is the interpreter. */
 struct lexer klartext_lexer(struct interp *interp);
 
-/* Does nothing but blanks follow the '~' that comes next? */
+/* Is the next byte a '~' that only blanks follow? */
 bool klartext_ends_by_tilde(const struct lexer *lexer);
 
-/* Has the line nothing more but a comment or the '~' that continues it? */
+/* Has the rest of the line only a comment or the '~' that continues it? */
 static inline bool klartext_ends(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
@@ -35,22 +35,22 @@ static inline bool klartext_ends(struct lexer *lexer)
 	return byte == '\0' || byte == ';' || (byte == '~' && klartext_ends_by_tilde(lexer));
 }
 
-/* Nothing more may follow. False: reported. */
+/* Checks that nothing more follows. False: reported. */
 bool klartext_expect_end(struct lexer *lexer);
 
-/* Does the line go on in the next one? */
+/* Does the next line continue this line? */
 bool klartext_continues(const char *text);
 
 /* Column of the next byte that is no blank. */
 int klartext_column(struct lexer *lexer);
 
-/* Takes the letters that come next, in upper case; longer words are cut off. Returns how many there are. */
+/* Reads the next letters, in upper case; longer words are cut off. Returns their number. */
 size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD]);
 
-/* Takes this word, given in upper case, if it comes next and no letter follows but a parameter, as in REPQ5. */
+/* Consumes this upper-case word if it comes next and no letter follows, except a parameter, as in REPQ5. */
 bool klartext_take(struct lexer *lexer, const char *word);
 
-/* A name in quotes, or up to the next blank. False: reported. */
+/* Reads a name in quotes, or up to the next blank. False: reported. */
 bool klartext_name(struct lexer *lexer, const char *what, char *name, size_t size);
 
 #endif

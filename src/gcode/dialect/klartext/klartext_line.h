@@ -1,4 +1,4 @@
-/* klartext_line.h - one line of a Klartext program: which block it is, and who carries it out. */
+/* klartext_line.h - determines the block type of a Klartext line, and calls the function for it. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LINE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LINE_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* Carries out the line in hand: the dialect's `statement`, which takes every line. False: reported. */
+/* Carries out the current line: the dialect's `statement`, which takes every line. False: reported. */
 bool klartext_line_run(struct interp *interp, bool *done);
 
 #endif

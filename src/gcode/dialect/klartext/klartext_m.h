@@ -1,4 +1,4 @@
-/* klartext_m.h - the M-functions of a Heidenhain control, those of a block's start and those of its end. */
+/* klartext_m.h - the M-functions of a Heidenhain control, which act at the start or the end of a block. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_M_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_M_H
 
@@ -6,15 +6,15 @@
 
 #include "gcode/dialect/klartext/klartext_words.h"
 
-/* Carries out S and what takes effect at the start of the block. False: reported, or the sink wants no more. */
+/* Carries out S and the M-functions at the start of the block. False: reported, or the sink wants no more. */
 bool klartext_m_start(struct interp *interp, const struct klartext_words *words);
 
-/* What takes effect at the end of the block, cycle calls included. False: the same. */
+/* Carries out the M-functions at the end of the block, including cycle calls. False: the same. */
 bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
 
 /*
- * Does no M-function of the block act at its end, or move an axis? With `ends` those of the end that move none may
- * stand there. False: reported, with `where` the block stands.
+   * Checks that no M-function of the block acts at its end or moves an axis. With `ends`, M-functions at the end that
+   * move no axis are allowed. False: reported; `where` describes the place of the block.
  */
 bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words, const char *where, bool ends);
 

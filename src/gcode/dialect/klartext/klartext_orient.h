@@ -1,4 +1,4 @@
-/* klartext_orient.h - TX, TY, TZ of LN, and AXIS SPAT: the rotary axes that stand the tool in a direction. */
+/* klartext_orient.h - TX, TY, TZ of LN, and AXIS SPAT: the positions of the rotary axes for a tool direction. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_ORIENT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_ORIENT_H
 
@@ -6,14 +6,14 @@
 
 #include "gcode/dialect/klartext/klartext_move.h"
 
-/* Puts the positions of the rotary axes into the target. False: reported. */
+/* Sets the positions of the rotary axes in the target. False: reported. */
 bool klartext_orient_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target);
 
-/* Is no way of a rotary axis from `from` to `a` longer than to `b`? */
+/* Is the distance of every rotary axis from `from` to `a` at most that to `b`? */
 bool klartext_orient_is_no_farther(const axis_values *from, const struct kinematics_solution *a,
 				   const struct kinematics_solution *b);
 
-/* Does the tool lie along Z of the program's coordinates? False: the kinematics has none, which was reported. */
+/* *along: the tool is parallel to Z of the program's coordinates. False: the kinematics has no direction; reported. */
 bool klartext_orient_along_z(struct interp *interp, int column, bool *along);
 
 #endif

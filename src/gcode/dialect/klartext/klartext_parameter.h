@@ -10,27 +10,27 @@
 struct klartext_call_of {
 	struct interp *interp;
 	const struct klartext_cycle *cycle;
-	int column; /* of what calls it */
+	int column; /* of the call */
 };
 
 /* The value of Q<q>. False: the cycle has none. */
 bool klartext_parameter_find(const struct klartext_call_of *call, int q, double *value);
 
-/* The same, and a length in mm, of a parameter that the cycle must have. False: reported. */
+/* The same, and as a length in mm, for a parameter that the cycle must have. False: reported. */
 bool klartext_parameter_need(const struct klartext_call_of *call, int q, double *value);
 bool klartext_parameter_length(const struct klartext_call_of *call, int q, double *value);
 
-/* The value, or a length in mm, of a parameter that may be left out. */
+/* The value, or a length in mm, of an optional parameter. */
 double klartext_parameter_or(const struct klartext_call_of *call, int q, double otherwise);
 double klartext_parameter_length_or(const struct klartext_call_of *call, int q, double otherwise);
 
-/* mm/s, of F in mm/min or tenths of an inch a minute. */
+/* Converts F in mm/min or tenths of an inch per minute to mm/s. */
 double klartext_parameter_per_second(const struct klartext_call_of *call, double feed);
 
-/* The first value of line n.<part> of an older cycle, as it stands; 0: it has none. */
+/* The first value of line n.<part> of an older cycle, without conversion; 0: there is none. */
 double klartext_parameter_part(const struct klartext_call_of *call, int part);
 
-/* Heights along the tool, mm, that nearly all cycles have. */
+/* The heights along the tool of nearly all cycles, mm. */
 struct klartext_heights {
 	double start, bottom, clear; /* set-up clearance, bottom, second set-up clearance */
 	double clearance; /* of `start` above the surface */

@@ -1,4 +1,4 @@
-/* klartext_path.h - what path blocks have in common: words, M-functions, corners, the direction at the end. */
+/* klartext_path.h - the common part of path blocks: words, M-functions, corners, the direction at the end. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
 
@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_move.h"
 
 /*
- * A path block from its words on: reads them, carries out what takes effect at its start, lets `shape` fill in the
- * path from words and target, makes the move, and carries out what takes effect at its end.
+   * Carries out a path block: reads its words, carries out the functions at its start, lets `shape` compute the path
+   * from words and target, makes the move, and carries out the functions at its end.
  */
 typedef bool (*klartext_path_shape)(struct interp *interp, const struct klartext_words *words,
 				    struct klartext_target *target, struct klartext_path *path);
@@ -16,7 +16,7 @@ typedef bool (*klartext_path_shape)(struct interp *interp, const struct klartext
 /* False: reported, or the sink wants no more. */
 bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape);
 
-/* Makes the move of a path in programmed coordinates, now or when the corner behind it is known. False: the same. */
+/* Makes the move of a path in programmed coordinates, now or when the corner after it is known. False: the same. */
 bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 			struct klartext_path *path);
 

@@ -1,4 +1,4 @@
-/* klartext_plane.h - the PLANE function: tilted working planes, and where the rotary axes go. */
+/* klartext_plane.h - the PLANE function: tilted working planes, and the moves of the rotary axes. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PLANE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PLANE_H
 
@@ -7,7 +7,7 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Behind PLANE. False: reported, or the sink wants no more. */
+/* Carries out the text after PLANE. False: reported, or the sink wants no more. */
 bool klartext_plane_run(struct lexer *lexer);
 
 /* CYCL DEF 19, one line of it: only its reset is certain. False: reported. */

@@ -1,4 +1,4 @@
-/* klartext_pocket.h - pockets, slots, bores, threads, studs and faces that a cycle mills: where the tool stays. */
+/* klartext_pocket.h - milling cycles for pockets, slots, bores, threads, studs and faces: the region of the tool. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POCKET_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POCKET_H
 
@@ -6,15 +6,15 @@
 
 #include "gcode/dialect/klartext/klartext_parameter.h"
 
-/* Is it a cycle of which only the region is known? */
+/* Is this a cycle of which only the region is known? */
 bool klartext_pocket_is(int number);
 
-/* Carries it out as klartext_region_carry_out says. False: reported, or the sink wants no more. */
+/* Carries out the cycle by klartext_region_carry_out. False: reported, or the sink wants no more. */
 bool klartext_pocket_make(const struct klartext_call_of *call);
 
 /*
- * The older cycles 3, 4 and 5, whose definition is in lines. The tool stands at the set-up
- * clearance, and comes back there.
+  * Carries out the older cycles 3, 4 and 5, whose definition has several lines. The tool starts at the set-up clearance
+  * and returns there.
  */
 bool klartext_pocket_make_old(const struct klartext_call_of *call);
 

@@ -1,4 +1,4 @@
-/* klartext_preset.h - the preset in force: CYCL DEF 247, PRESET SELECT, and the only preset of a setup. */
+/* klartext_preset.h - the active preset: CYCL DEF 247, PRESET SELECT, and the only preset of a setup. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PRESET_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PRESET_H
 
@@ -6,16 +6,16 @@
 
 #include "gcode/dialect/klartext/klartext_state.h"
 
-/* CYCL DEF 247: takes effect where its definition ends. False: reported. */
+/* Carries out CYCL DEF 247 at the end of its definition. False: reported. */
 bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *cycle);
 
 /*
- * Which preset is in force at the start is known only if the setup has no other. Asked at each axis word. False:
- * reported.
+  * Is the active preset known? At the start of a program it is known only if the setup has a single preset. Called for
+  * each axis word. False: reported.
  */
 bool klartext_preset_check(struct interp *interp, int column);
 
-/* Has a preset in a tilted plane left open whether it is still tilted? False: it has, which was reported. */
+/* Is it known whether the plane is still tilted, after a preset in a tilted plane? False: reported. */
 bool klartext_preset_check_plane(struct interp *interp, int column);
 
 #endif

@@ -1,4 +1,4 @@
-/* klartext_rest.h - what stands in the file behind END PGM. */
+/* klartext_rest.h - checks the text of the file after END PGM. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_REST_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_REST_H
 
@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
- * Reads the rest of the file: the control reads nothing of it. Text there is a caution; another program there would
- * not be checked. False: there is one, which was reported.
+  * Reads the rest of the file, which the control ignores. Text there is a caution; another program there would not be
+  * checked. False: there is another program, which was reported.
  */
 bool klartext_rest_check(struct interp *interp);
 

@@ -1,4 +1,4 @@
-/* klartext_shape.h - what the shapes of milling cycles have in common: sizes, places, turns, and the tool's radius. */
+/* klartext_shape.h - common functions for the shapes of milling cycles: sizes, places, turns, the tool's radius. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SHAPE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SHAPE_H
 
@@ -7,14 +7,14 @@
 #include "gcode/dialect/klartext/klartext_region.h"
 
 /*
- * The length of Q<q>, mm, which is a size: the region of a negative one would shrink to its centre. False: reported.
+  * The size in Q<q>, mm. A negative size is refused, because its region would shrink to its centre. False: reported.
  */
 bool klartext_shape_size(const struct klartext_call_of *call, int q, double *value);
 
-/* A box of these half sides, mm, turned by an angle: the box about it along X and Y. */
+/* Sets the region to the box along X and Y that encloses a turned box of these half sides, mm. */
 void klartext_shape_turn(struct klartext_region *region, double along, double across, double degrees);
 
-/* Where the centre lies from where the tool stands, as Q367 says, in the units of `places`. False: reported. */
+/* The centre relative to the present position, according to Q367, in the units of `places`. False: reported. */
 bool klartext_shape_place(const struct klartext_call_of *call, const double places[5][2], double way[2]);
 
 /* Moves the centre by these lengths, mm, along X and Y turned by an angle. */
@@ -26,10 +26,10 @@ bool klartext_shape_middle(const struct klartext_call_of *call, struct klartext_
 /* The region of the tool's centre within a circle, both mm. */
 void klartext_shape_disc(struct klartext_region *region, double diameter, double radius);
 
-/* The tool's radius, mm, as far as it is known: the region within a shape is the greater without. */
+/* The tool's radius, mm, or 0 if not known: without it the region inside a shape is larger. */
 double klartext_shape_tool_radius(const struct klartext_call_of *call);
 
-/* The same for a shape that the tool stays outside of: the radius has to be known. False: reported. */
+/* The same for a shape whose outside is milled: the radius must be known. False: reported. */
 bool klartext_shape_need_radius(const struct klartext_call_of *call, double *radius);
 
 #endif

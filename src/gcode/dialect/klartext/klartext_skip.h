@@ -1,4 +1,4 @@
-/* klartext_skip.h - blocks that begin with '/', which the control leaves out while block skip is on. */
+/* klartext_skip.h - blocks that start with '/', which the control skips while block skip is on. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SKIP_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SKIP_H
 
@@ -7,13 +7,13 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
-/* Takes the number of the block, if there is one. */
+/* Reads the number of the block, if there is one. */
 bool klartext_skip_number(struct lexer *lexer);
 
-/* Takes the number of the block and the '/' behind or before it. Returns whether there is a number; *slash: a '/'. */
+/* Reads the number of the block and a '/' after or before it. True: there is a number; *slash: there is a '/'. */
 bool klartext_skip_head(struct lexer *lexer, bool *slash);
 
-/* Is the line in hand left out as a definition with '/', or as a further line of one that was left out? */
+/* Is the current line skipped, as a definition with '/' or as a further line of such a definition? */
 bool klartext_skip_definition(struct interp *interp);
 
 #endif
