@@ -5,10 +5,10 @@
  * THE PAGE (src/web/README.md has its outline). Its parts, by their id:
  *   plain            a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it once it has
  *                    started.
- *   fivecheck-head   <script type="text/plain">: the JSON object below, packed as a blob is.
- *   blob-N           <script type="text/plain">: bytes as text (report/format/seven_bit.h). Of a mesh they are its
- *                    code, of all others a zlib stream (RFC 1950: DecompressionStream("deflate")). N counts from 0. In
- *                    the JSON a blob is named by its number N.
+ *   fivecheck-head   <script type="text/plain">: the JSON object below, packed like a blob.
+ *   blob-N           <script type="text/plain">: bytes as text (report/format/seven_bit.h). For a mesh they are
+ *                    its code, for all others a zlib stream (RFC 1950: DecompressionStream("deflate")). N counts from
+ *                    0. The JSON refers to a blob by its number N.
  *   fivecheck-viewer <script type="text/plain">: the viewer's one script, packed as a blob; boot.js inflates and runs
  *                    it.
  * The content security policy is `default-src 'none'` with the SHA-256 of the one <style>, of boot.js and of the
@@ -16,18 +16,18 @@
  * element.style are allowed.
  *
  * UNITS. mm, degrees, seconds, machine coordinates. Positions in the JSON are numbers with up to 12 digits. Text is
- * valid UTF-8 and may hold anything that a stranger can write: put it in by textContent.
+ * valid UTF-8 and may contain anything that a stranger can write: insert it by textContent.
  *
  * THE JSON OBJECT (keys that do not apply are null or absent where that is said)
- *   report        1, this version. A viewer refuses what it does not know.
+ *   report        1, this version. A viewer rejects unknown versions.
  *   fivecheck     version of the program, "0.1.0"
  *   program       name of the NC program as it was given
  *   verdict       {word, sentence, cautions: [text], doubts: [text], failing: bool, waived, left_out}
- *                 doubts: those of the cautions that doubt what the verdict takes for granted (report/verdict.h);
+ *                 doubts: those of the cautions that doubt an assumption of the verdict (report/verdict.h);
  *                 word: "clear" "passed" "found" "accepted" "incomplete"; failing: does it fail the
  *                 run; waived, left_out: numbers of findings that a waiver, or --fail-on, excuses
  *   errors        [{file, line, column, text}]: why the check is incomplete
- *   files         [{kind, file, sha256}]: what was read; sha256 null: unknown
+ *   files         [{kind, file, sha256}]: the files that were read; sha256 null: unknown
  *   options       {method, step, tolerance, clearance, all, dialect, ...} as in the header of --format=ndjson
  *   shard         null, or {part, parts, of}: only a part was checked
  *   machine       {name, file, axes: [axis], links: [name], spindle: {link, location: [3], direction: [3]},
@@ -40,8 +40,8 @@
  *                 translation by value * direction, or a right-handed rotation by value about `direction` through
  *                 `location`. A vertex v of a body on link k is at pose(k) * v: meshes are in machine coordinates with
  *                 all axes at 0.
- *     spindle     its gauge point, and the way from there to the tip of a tool; workholding: the link that carries the
- *                 work
+ *     spindle     its gauge point, and the direction from there to the tip of a tool; workholding: the link that
+ *                 carries the work
  *   read_out      names of the axes in the order in which a control shows them (X Y Z A B C U V W)
  *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then
  *                 tools
@@ -54,9 +54,9 @@
  *   accuracy      mm: no drawn vertex is farther than this from the one in the STL file. Say "drawn to 0.02 mm; proved
  *                 on the STL's numbers".
  *   stock         null: there is none; else {body, when: "finding"|"end"|"start", excess}. bodies[body].mesh, null if
- *                 nothing is drawn, is what remains at the first finding, or where the check ends: all that is left,
- *                 and what lies deeper than `excess` (mm) below its surface is certainly there. "start": no cutter has
- *                 been in the blank by then, and the blank is drawn.
+ *                 nothing is drawn, is the stock that remains at the first finding, or where the check ends. It
+ *                 encloses the remaining material; material deeper than `excess` (mm) below its surface is certainly
+ *                 there. "start": no cutter has been in the blank by then, and the blank is drawn.
  *   tools         [{number, name|null, length}]: of the setup
  *   offsets       [{name, axes: {X: ...}}]: the setup's work offsets
  *   pairs         [{a, b, status, clearance, reason}]: a, b: indices of bodies; status: "checked" "rigid" "adjacent"
@@ -69,10 +69,10 @@
  *     triangles   [[9 numbers of a triangle of a], [of b]], machine coordinates at the finding's pose. They touch, or
  *                 are the nearest. null for a limit, and with the stock.
  *     block_number  number of the block among those that were carried out, from 1, as in the path
- *                 At a finding's time the axes are exactly those of the finding, not those that the path gives.
- *   findings_left_out  how many more there are (the first FINDINGS_MAX are here)
+ *                 At a finding's time the axes are exactly those of the finding, not those of the path.
+ *   findings_left_out  the number of further findings (the first FINDINGS_MAX are here)
  *   statistics    [[name, text]]: for people
- *   sensitivity   of --sensitivity, as in NDJSON: [{quantity, direction, result, turn, kind ...}]; empty: not asked for
+ *   sensitivity   of --sensitivity, as in NDJSON: [{quantity, direction, result, turn, kind ...}]; empty: not requested
  *   path          see PATH; null: the program moves nothing, or nothing was recorded
  *   clearance     see CLEARANCE; null: not measured
  *   planes        see PLANES; null: none
@@ -82,44 +82,44 @@
  * f64 first (little endian). Then, column by column, p planes of rows - 1 bytes. For row r from 1 on, z = sum over k <
  * p of plane[k][r - 1] * 256^k is a zigzag code: d2 = z / 2 if z is even, else -(z + 1) / 2. d2 is a second difference:
  * with delta[0] = 0, delta[r] = delta[r - 1] + d2[r], value[r] = value[r - 1] + delta[r], value[0] = first. Numbers
- * stay below 2^53; z may exceed 2^32, so add planes as floating numbers, not with <<. The number that a column means is
+ * stay below 2^53; z may exceed 2^32, so add planes as floating numbers, not with <<. The meaning of a value is
  * value * scale (its table's `scale`).
  *
  * A TABLE of a whole program comes at two levels:
  *   {columns: [name], scale: [number], rows, coarse: {blob, rows}, chunks: [{blob, first, rows, from, to}], complete}
  * rows: of the whole program. coarse: the whole program in at most COARSE_ROWS rows. chunks: the finest level in order
- * of time, where the size of the report allows it, nearest to the findings first: rows `first` to `first + rows - 1` of
- * the program, times from..to (s). complete: the chunks hold all rows; coarse is null if they do and are few. Show the
- * chunk where there is one, else the coarse level.
+ * of time, as far as the size of the report permits, nearest to the findings first: rows `first` to `first + rows - 1`
+ * of the program, times from..to (s). complete: the chunks hold all rows; coarse is null if they do and are few. Show
+ * the chunk if there is one, else the coarse level.
  *
  * PATH. A table; a row is an instant. Between two rows all axes are linear in time. The first row is where the program
  * starts. Columns: time (scale 1e-5 s), block, line, file, tool, class, modes, feed (0.1 mm/min), then one column for
  * each axis in the order of machine.axes, by its name (scale 0.01 mm or 0.001 degrees). block: the number of the NC
  * block that ends or passes here, counted from 1; blocks that move nothing have no row. line: of that block in
  * files[file]. tool: in the spindle on the way to this row. class: of the motion that ends here: 0 rest (a dwell or a
- * tool change), 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way between both rows is unknown
- * (rapid="any"). modes: index in path.modes of what holds on the way to this row, -1: not kept. feed: that the program
- * asks for; 0: a rapid, a feed of rotary axes alone, or a time (G93). In the coarse level rows are left out; every row
+ * tool change), 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose path between both rows is unknown
+ * (rapid="any"). modes: index in path.modes of the modes on the way to this row, -1: not kept. feed: the programmed
+ * one; 0: a rapid, a feed of rotary axes alone, or a time (G93). In the coarse level rows are left out; every row
  * that is there is a row of the path. Besides the table's keys:
  *   files       [name]: of the program and its subprograms
  *   modes       [{work_offset: name|null, work: {X: ...}, shift: {X: ...}, length, tcp: bool, turned: bool, spindle}]:
- *               the work offset in force (null: machine coordinates are commanded), its values, what G52 and G92 add,
- *               the tool length in force (mm), tool centre point control; turned: the program has turned, mirrored or
- *               scaled its coordinates; spindle: revolutions per minute, by M4 below 0; 0: it stands, or its speed is
- *               not known. With neither tcp nor turned an axis is at position - work - shift (Z: - length) in work
- *               coordinates
+ *               the active work offset (null: machine coordinates are commanded), its values, the shift by G52 and G92,
+ *               the active tool length (mm), tool centre point control; turned: the program has rotated, mirrored or
+ *               scaled its coordinates; spindle: revolutions per minute, below 0 with M4; 0: it does not turn, or its
+ *               speed is unknown. With neither tcp nor turned an axis is at position - work - shift (Z: - length) in
+ *               work coordinates
  *   end         time of the last row
- *   checked     time up to which the program was checked: the end of the block of the first finding, or `end`. What
- *               comes later was read but not checked.
+ *   checked     time up to which the program was checked: the end of the block of the first finding, or `end`. The
+ *               part after it was read but not checked.
  *
  * CLEARANCE. A table; a row is a block, in the coarse level one or several. Columns: time (scale 1e-5 s: where the
  * block ends), least (scale 0.001 mm), most, pair (index in `pairs`, -1: none was measured). Throughout the interval
  * from the row before to this one all bodies that must be kept apart are at least `least` apart (a proven bound,
  * rounded down; `most` is the largest of the bounds that were merged, so least = most for a single block). The bound is
- * within 0.3 mm of the smallest distance, or at least 60 % of it, as far as that can be had for about the effort of the
- * check; elsewhere at least a tenth of it; with --clearance-report 85 %. Values at the cap mean "the cap or more".
- * In the block of a finding `least` is at most the distance that the finding tells, 0 where bodies meet: of a cutter
- * and the part, which are not kept apart, no clearance is measured otherwise. Besides the table's keys:
+ * within 0.3 mm of the smallest distance, or at least 60 % of it, as far as this is possible with about the effort of
+ * the check; elsewhere at least a tenth of it; with --clearance-report 85 %. Values at the cap mean "the cap or more".
+ * In the block of a finding `least` is at most the distance in the finding, 0 if bodies meet; otherwise no clearance is
+ * measured between a cutter and the part, which need not be kept apart. Besides the table's keys:
  *   cap         mm
  *   start       s: where the first interval begins
  *   bound       mm: of all blocks, the cap or less
