@@ -1,4 +1,4 @@
-/* klartext_string.h - string parameters QS: texts that programs join, and names that they give. */
+/* klartext_string.h - string parameters QS: texts that programs join, and names in them. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STRING_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STRING_H
 
@@ -10,20 +10,20 @@
 /* Does a string parameter come next, "QS5"? */
 bool klartext_string_follows(struct lexer *lexer);
 
-/* Carries out QS1 = "A" || QS2, also behind DECLARE STRING. False: reported. */
+/* Carries out QS1 = "A" || QS2, also after DECLARE STRING. False: reported. */
 bool klartext_string_assign(struct lexer *lexer);
 bool klartext_string_declare(struct lexer *lexer);
 
-/* Gives QS<number> a text. False: it is too long, or there are too many, which was reported at the column. */
+/* Assigns a text to QS<number>. False: it is too long, or there are too many, which was reported at the column. */
 bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text);
 
-/* Behind TONUMB: "( SRC_QS5 )", the number that the string is. False: reported. */
+/* After TONUMB: reads "( SRC_QS5 )" and converts the string to a number. False: reported. */
 bool klartext_string_number(struct lexer *lexer, double *value);
 
-/* As klartext_name; a string parameter gives the name, too. */
+/* Like klartext_name; a string parameter may give the name, too. */
 bool klartext_string_name(struct lexer *lexer, const char *what, char name[KLARTEXT_NAME]);
 
-/* The control has given strings values that are not known here: they have none any more. */
+/* Call if the control has assigned unknown values to strings: the strings have no values any more. */
 void klartext_string_forget(struct klartext *klartext);
 
 #endif

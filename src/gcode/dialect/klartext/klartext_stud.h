@@ -1,4 +1,4 @@
-/* klartext_stud.h - studs and outside threads that a cycle mills: the tool stays about them. */
+/* klartext_stud.h - milling cycles for studs and outside threads: the region of the tool around them. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STUD_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_STUD_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/dialect/klartext/klartext_region.h"
 
-/* Each fills in where the tool may be in X and Y, mm; the heights are there already. False: reported. */
+/* Each sets the region of the tool in X and Y, mm; the heights are set already. False: reported. */
 bool klartext_stud_rectangle(const struct klartext_call_of *call, struct klartext_region *region);
 bool klartext_stud_circle(const struct klartext_call_of *call, struct klartext_region *region);
 bool klartext_stud_polygon(const struct klartext_call_of *call, struct klartext_region *region);

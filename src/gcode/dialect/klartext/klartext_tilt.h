@@ -1,5 +1,5 @@
 /*
- * klartext_tilt.h - how PLANE describes a plane, as a rotation: spatial, projected and Euler angles, vectors, points.
+  * klartext_tilt.h - the rotation of a plane of PLANE: by spatial, projected and Euler angles, vectors, points.
  */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
@@ -12,13 +12,13 @@
 
 struct klartext_tilt {
 	bool reset; /* PLANE RESET */
-	unsigned axes; /* PLANE AXIAL: bits 1 << slot of the axes whose positions say it; else 0 */
+	unsigned axes; /* PLANE AXIAL: bits 1 << slot of the axes with given positions; else 0 */
 	double angle[SLOT_COUNT]; /* of these, degrees */
 	mat3 turn; /* else: the columns are the directions of the tilted X, Y and Z */
 };
 
 /*
- * Reads the kind of plane and its values. `before` is the tilting in force, which RELATIVE adds to. False: reported.
+  * Reads the kind of plane and its values. RELATIVE is relative to the active tilting `before`. False: reported.
  */
 bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext_tilt *tilt);
 

@@ -7,13 +7,13 @@
 #include "gcode/state.h"
 #include "gcode/text/lexer.h"
 
-/* Behind TOOL DEF. False: reported. */
+/* Carries out the text after TOOL DEF. False: reported. */
 bool klartext_tool_define(struct lexer *lexer);
 
-/* Behind TOOL CALL. False: reported, or the sink wants no more. */
+/* Carries out the text after TOOL CALL. False: reported, or the sink wants no more. */
 bool klartext_tool_call(struct lexer *lexer);
 
-/* M6: on some machines it carries out what TOOL CALL has prepared. False: reported at the column. */
+/* M6: on some machines it carries out the tool change that TOOL CALL has prepared. False: reported at the column. */
 bool klartext_tool_m6(struct interp *interp, int column);
 
 #endif

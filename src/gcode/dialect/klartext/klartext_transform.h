@@ -1,4 +1,4 @@
-/* klartext_transform.h - TRANS and PRESET: coordinates as the cycles 7, 8, 10 and 247 change them. */
+/* klartext_transform.h - TRANS and PRESET, which change coordinates like the cycles 7, 8, 10 and 247. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TRANSFORM_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TRANSFORM_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/text/lexer.h"
 
-/* Carry out what stands behind TRANS, PRESET, and SEL TABLE. False: reported. */
+/* Carry out the text after TRANS, PRESET, and SEL TABLE. False: reported. */
 bool klartext_transform_run(struct lexer *lexer);
 bool klartext_transform_preset(struct lexer *lexer);
 bool klartext_transform_table(struct lexer *lexer);

@@ -42,7 +42,7 @@ struct klartext_words {
 	bool feed_per_revolution; /* FU */
 	bool has_speed;
 	double speed;
-	bool has_spatial; /* A, B or C of AXIS SPAT */
+	bool has_spatial; /* A, B or C with AXIS SPAT */
 	bool has_normal, has_tool; /* LN */
 	double normal[3], tool[3];
 	int m_count;
@@ -50,7 +50,7 @@ struct klartext_words {
 	bool has_length, has_centre_angle; /* LEN and CCA of APPR and DEP */
 	double length, centre_angle;
 	int first_column; /* of the first word */
-	struct klartext_m m[KLARTEXT_M_MAX]; /* the first m_count, the others are left open */
+	struct klartext_m m[KLARTEXT_M_MAX]; /* only the first m_count are set */
 };
 
 /* Reads words up to the end of the block. False: reported. */
@@ -61,7 +61,7 @@ static inline bool klartext_words_has(const struct klartext_words *words, int sl
 	return words->axes & 1U << slot;
 }
 
-/* The first FZ of a program is a caution: how many teeth the tool has is not known here. */
+/* Warns at the first FZ of a program: the number of teeth of the tool is not known here. */
 void klartext_words_caution_teeth(struct lexer *lexer, int column);
 
 /* The M-function of this number, or NULL. */
