@@ -1,4 +1,4 @@
-/* sinumerik_argument.h - the arguments of a cycle, and the heights that most cycles have among them. */
+/* sinumerik_argument.h - the arguments of a cycle, and the heights among them. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_ARGUMENT_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_ARGUMENT_H
 
@@ -17,7 +17,7 @@ struct sinumerik_arguments {
 
 bool sinumerik_argument_given(const struct sinumerik_arguments *arguments, size_t i);
 
-/* Given, and not 0: of many arguments 0 is the same as none. */
+/* Is the argument given and not 0? For many arguments 0 is the same as none. */
 bool sinumerik_argument_counts(const struct sinumerik_arguments *arguments, size_t i);
 
 double sinumerik_argument_or(const struct sinumerik_arguments *arguments, size_t i, double otherwise);
@@ -28,16 +28,16 @@ double sinumerik_argument_length(const struct sinumerik_arguments *arguments, si
 /* A decimal digit of a whole number: 0 the units, 1 the tens ... */
 int sinumerik_argument_digit(const struct sinumerik_arguments *arguments, size_t i, int place);
 
-/* Where a cycle has the three arguments that say what the others mean; 0: it has none of this kind. */
+/* The indices of the three arguments of a cycle that define the meaning of the others; 0: there is none. */
 struct sinumerik_modes {
 	size_t geometry, display, alternative;	/* _GMODE, _DMODE, _AMODE */
 	bool has_relative;	/* DPR */
 };
 
-/* Is the plane that these units of _DMODE select the one in force? False: reported. */
+/* Do the units of _DMODE select the active plane? False: reported. */
 bool sinumerik_argument_plane(const struct sinumerik_arguments *arguments, size_t display);
 
-/* Heights above the plane: coordinates of the axis across the plane, mm. */
+/* Heights above the plane: coordinates of the axis perpendicular to the plane, mm. */
 struct sinumerik_heights {
 	double clear;	/* RTP */
 	double safe;	/* RFP + SDIS */
@@ -45,7 +45,7 @@ struct sinumerik_heights {
 	double bottom;
 };
 
-/* False: the heights contradict each other, or lie in another plane than that in force, which was reported. */
+/* False: the heights contradict each other, or are not for the active plane, which was reported. */
 bool sinumerik_argument_heights(const struct sinumerik_arguments *arguments, const struct sinumerik_modes *modes,
 				struct sinumerik_heights *heights);
 

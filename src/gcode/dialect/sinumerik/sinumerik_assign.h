@@ -7,10 +7,10 @@
 /* Is this upper-case name an R parameter or a variable of the program? */
 bool sinumerik_assign_is_own(const struct interp *interp, const char *name);
 
-/* Behind the upper-case name: indices, '=' and what is assigned. False: reported. */
+/* After the upper-case name: reads indices, '=' and the values, and assigns them. False: reported. */
 bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *name, int column);
 
-/* Behind DEF: the type, and the variables with their first values. False: reported. */
+/* After DEF: reads the type, and the variables with their initial values. False: reported. */
 bool sinumerik_assign_define(struct interp *interp, struct lexer *lexer);
 
 /* The name of a type, "REAL" and the like, or STRING[20] with its length, else 0. False: reported. */

@@ -9,7 +9,7 @@
 #define SINUMERIK_M_MAX 10
 
 struct sinumerik_block {
-	bool any;	/* there is something in the line, N and labels included */
+	bool any;	/* the line is not empty; N and labels count */
 	bool machine_axes;	/* X1= and the like, which G74 and G75 may have */
 	uint32_t letters;	/* bits of letter_bit: the block has this word; G, M, N and R apart */
 	int axis_column;	/* of the first word of an axis or of a circle's centre; 0: there is none */
@@ -27,7 +27,7 @@ struct sinumerik_block {
 	char call[SINUMERIK_NAME + 1];	/* "": none; a cycle or a subprogram: its name in upper case */
 	int call_column;
 	bool call_has_arguments;	/* '(' comes next in the lexer */
-	/* What is behind here counts only of what the block has, and is left open for all else. */
+	/* The members below are set only for the words that the block has. */
 	double value[26];
 	unsigned char way[26];
 	double address_value[SINUMERIK_ADDRESSES];
@@ -62,8 +62,8 @@ static inline int sinumerik_block_axis_column(const struct sinumerik_block *bloc
 }
 
 /*
- * Reads the words up to the end of the line, or up to the arguments of a call; variables get their values on the
- * way. The block was emptied by sinumerik_block_clear. False: reported.
+  * Reads the words up to the end of the line, or up to the arguments of a call, and carries out assignments to
+  * variables. sinumerik_block_clear must be called before. False: reported.
  */
 bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sinumerik_block *block);
 

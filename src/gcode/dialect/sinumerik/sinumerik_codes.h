@@ -1,4 +1,4 @@
-/* sinumerik_codes.h - G-codes, words and addresses of the 840D, and what becomes of each. */
+/* sinumerik_codes.h - G-codes, words and addresses of the 840D, and how each is treated. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CODES_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CODES_H
 

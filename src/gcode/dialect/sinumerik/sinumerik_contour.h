@@ -4,28 +4,28 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
 
-/* CYCLE62: which contour comes next, by the arguments of the call. False: reported. */
+/* CYCLE62: selects the next contour by the arguments of the call. False: reported. */
 bool sinumerik_contour_select(struct interp *interp, int column);
 
 /*
- * CYCLE72: begins to follow the contour. Where the tool goes beside it is not known: by its radius and the allowance to
- * either side, and at every height down to the depth; all of that is covered. False: reported.
+  * CYCLE72: starts to follow the contour. The exact path of the tool is not known: it may be off by its radius plus the
+  * allowance to either side, and at every height down to the depth; all of this is covered. False: reported.
  */
 bool sinumerik_contour_mill(struct interp *interp, int column);
 
-/* Do the moves of the blocks in hand describe a contour? Then sinumerik_contour_take carries them out. */
+/* Do the moves of the current blocks describe a contour? Then sinumerik_contour_take carries them out. */
 bool sinumerik_contour_is_read(const struct interp *interp);
 
-/* While a contour is read: has the block nothing but moves? False: it has, which was reported. */
+/* While a contour is read: has the block only moves? False: it has other words, which was reported. */
 bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block *block);
 
 /* A move of the contour to a place in program coordinates; `circle` is NULL for a straight one. False: reported. */
 bool sinumerik_contour_take(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle);
 
-/* Has the contour ended, and is its CYCLE72 in hand again? */
+/* Has the contour ended, and is its CYCLE72 the current line again? */
 bool sinumerik_contour_waits(struct interp *interp);
 
-/* The way back to the retraction plane. False: reported. */
+/* Makes the move back to the retraction plane. False: reported. */
 bool sinumerik_contour_end(struct interp *interp);
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* Is this the name of a cycle that drills, taps or bores where the tool stands? */
+/* Is this the name of a cycle that drills, taps or bores at the present position? */
 bool sinumerik_cycle_drills(const char *name);
 
-/* Drills by this cycle with these arguments (NAN: left out) where the tool stands. False: reported. */
+/* Carries out this cycle with these arguments (NAN: omitted) at the present position. False: reported. */
 bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 
 #endif

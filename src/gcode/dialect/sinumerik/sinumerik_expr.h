@@ -4,7 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* All of these read at the lexer's position and leave it behind what they have read. False: reported. */
+/* All functions read at the lexer's position and move it past the text that they have read. False: reported. */
 
 /* A number: with operators, functions, R parameters, variables and system variables. */
 bool sinumerik_expr_number(struct interp *interp, struct lexer *lexer, double *value);
@@ -13,7 +13,7 @@ bool sinumerik_expr_number(struct interp *interp, struct lexer *lexer, double *v
 bool sinumerik_expr_whole(struct interp *interp, struct lexer *lexer, const char *what, int least, int most,
 			  int *value);
 
-/* Does text come next: a string or a variable of it? Nothing is taken. */
+/* Is a string or a text variable next? Nothing is consumed. */
 bool sinumerik_expr_is_text(struct interp *interp, struct lexer *lexer);
 
 /* Text: strings, variables and functions with << between them; numbers may stand among them. */

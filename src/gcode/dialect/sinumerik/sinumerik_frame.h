@@ -16,7 +16,7 @@ const slot_values *sinumerik_frame_place(struct interp *interp);
 /* The straight position (rotated_frame.h) of program coordinates. */
 slot_values sinumerik_frame_straight(const struct interp *interp, const slot_values *place);
 
-/* The position was changed by other means than program coordinates. */
+/* Call after the position was changed by other means than program coordinates. */
 void sinumerik_frame_moved(struct interp *interp);
 
 /*
@@ -25,13 +25,13 @@ void sinumerik_frame_moved(struct interp *interp);
  */
 bool sinumerik_frame_changed(struct interp *interp, int column);
 
-/* Matrix and shift of the frames in force, one after the other. */
+/* Matrix and shift of all active frames together. */
 struct sinumerik_frame sinumerik_frame_total(const struct sinumerik *sinumerik);
 
-/* The frame `inner` carried out first, and then `outer`. */
+/* The frame that applies `inner` first, and then `outer`. */
 struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer, const struct sinumerik_frame *inner);
 
-/* How a frame changes lengths: its factor. False: it differs from direction to direction. */
+/* The scale factor of a frame. False: it depends on the direction. */
 bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
 /*
@@ -40,7 +40,7 @@ bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
  */
 bool sinumerik_frame_scale_plane(const mat3 *matrix, enum axis_slot across, double *factor);
 
-/* Does what is in force change lengths in any direction (SCALE)? Turning and mirroring do not. */
+/* Do the active frames change lengths in any direction (SCALE)? Rotation and mirroring do not. */
 bool sinumerik_frame_resizes(const struct interp *interp);
 
 struct sinumerik_frame sinumerik_frame_none(void);

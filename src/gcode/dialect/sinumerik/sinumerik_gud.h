@@ -10,7 +10,7 @@
 /* Makes the variables of the machine file that have a type. False: they do not fit together, which was reported. */
 bool sinumerik_gud_make(struct interp *interp);
 
-/* What an R parameter holds when the program begins; NAN: the machine file does not tell it. */
+/* The value of an R parameter at the start of the program; NAN: the machine file does not give it. */
 double sinumerik_gud_r(const struct interp *interp, int number);
 
 /*

@@ -1,11 +1,11 @@
-/* sinumerik_open_place.h - where a milling cycle has left the tool, of which only the region is known. */
+/* sinumerik_open_place.h - the uncertain position of the tool after a milling cycle whose path is not known. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_OPEN_PLACE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_OPEN_PLACE_H
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
- * From here on the tool is somewhere in a box about its place; `half` is its extent along the axes of the program, mm.
+  * From now on the tool is somewhere in a box about its place; `half`: half its size along the program's axes, mm.
  */
 void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1]);
 
@@ -19,8 +19,8 @@ void sinumerik_open_place_settle(struct interp *interp, uint32_t letters);
 void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters);
 
 /*
- * Does the tool stand at a place that is known? False: it does not, which was reported: `what` names what needs the
- * place.
+   * Is the place of the tool known? False: it is not, which was reported; `what` names in the message the thing that
+   * needs the place.
  */
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what);
 

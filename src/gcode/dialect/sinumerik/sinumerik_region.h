@@ -1,4 +1,4 @@
-/* sinumerik_region.h - milling cycles of which the region is known in which the tool stays, but not its path. */
+/* sinumerik_region.h - milling cycles whose region is known, but not the path of the tool in it. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_REGION_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_REGION_H
 
@@ -8,9 +8,9 @@
 bool sinumerik_region_is(const char *name);
 
 /*
- * Carries one out: the tool goes to the retraction plane over the region, may be anywhere in the region down to its
- * depth, and comes back to the retraction plane; where it stands over the region stays open. `arguments` as for
- * sinumerik_cycle_drill. False: reported.
+   * Carries out such a cycle: the tool moves to the retraction plane above the region, may be anywhere in the region
+    * down to its depth, and returns to the retraction plane; its position above the region is then not known.
+    * `arguments` as for sinumerik_cycle_drill. False: reported.
  */
 bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 

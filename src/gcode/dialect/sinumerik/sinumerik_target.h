@@ -1,4 +1,4 @@
-/* sinumerik_target.h - where the axis words of a block lead. */
+/* sinumerik_target.h - the end position that the axis words of a block command. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TARGET_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TARGET_H
 
@@ -13,7 +13,7 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 /* The same for a cycle, whose coordinates are absolute lengths in the plane in force. */
 bool sinumerik_target_check_cycle(struct interp *interp, int column);
 
-/* Program coordinates at the end of the block's motion, mm and degrees. Axes without a word stay. False: reported. */
+/* Program coordinates at the end of the block's motion, mm and degrees. Other axes stay. False: reported. */
 bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
 
 /* The same for SUPA, G53 and G153: positions of the machine's axes, for which the tool length still counts. */

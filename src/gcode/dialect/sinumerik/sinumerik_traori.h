@@ -1,4 +1,4 @@
-/* sinumerik_traori.h - which transformation TRAORI switches on. */
+/* sinumerik_traori.h - the transformation that TRAORI switches on. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TRAORI_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TRAORI_H
 

@@ -1,10 +1,10 @@
-/* sinumerik_way.h - AC(), IC() and the like: how the coordinate of one word counts. */
+/* sinumerik_way.h - AC(), IC() and the like: the reference of the coordinate of one word. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_WAY_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_WAY_H
 
 #include "gcode/state.h"
 
-/* How a coordinate counts: as G90 and G91 say, or X=IC(...) and the like for this word alone. */
+/* The reference of a coordinate: according to G90 and G91, or X=IC(...) and the like for this word only. */
 enum sinumerik_way {
 	SINUMERIK_WAY_MODAL,
 	SINUMERIK_WAY_AC,
