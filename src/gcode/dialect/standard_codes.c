@@ -1,8 +1,8 @@
 #include "gcode/dialect/standard_codes.h"
 
 /*
-  * LinuxCNC's manual, "G-Codes", "M-Codes"; Fanuc 30i-B operator's manual (B-64484EN), preparatory function; Haas mill
-  * operator's manual, G-codes, M-codes: the codes of all three.
+ * LinuxCNC's manual, "G-Codes", "M-Codes"; Fanuc 30i-B operator's manual (B-64484EN), preparatory function; Haas mill
+ * operator's manual, G-codes, M-codes: the codes of all three.
  */
 static const struct code g_codes[] = {
 	{G0, G_MOTION, CODE_READ, "rapid positioning"},

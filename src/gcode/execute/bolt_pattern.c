@@ -38,7 +38,7 @@ static bool check(struct interp *interp)
 
 /*
  * Haas mill operator's manual, "G70 Bolt Hole Circle" and "G71 Bolt Hole Arc": I is the radius, J the angle of the
-  * first hole, counter-clockwise from three o'clock, L the number of holes; G70 spaces them evenly, G71 by K.
+ * first hole, counter-clockwise from three o'clock, L the number of holes; G70 spaces them evenly, G71 by K.
  */
 bool bolt_pattern_run(struct interp *interp)
 {

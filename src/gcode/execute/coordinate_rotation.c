@@ -237,9 +237,9 @@ static bool check_choice(struct interp *interp, const struct kinematics_orientat
 }
 
 /*
-  * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control (G53.1): the rotary axes turn at the rapid
-  * rate while the linear axes stand still, or, with G53.6, while the tip stands still. From then on coordinates are
-  * those of the tool point on the workpiece, which may have turned with its table.
+ * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control (G53.1): the rotary axes turn at the rapid
+ * rate while the linear axes stand still, or, with G53.6, while the tip stands still. From then on coordinates are
+ * those of the tool point on the workpiece, which may have turned with its table.
  */
 bool coordinate_rotation_orient_tool(struct interp *interp)
 {

@@ -16,8 +16,8 @@
 #define PIECES_MAX 100000
 
 /*
-  * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it,
-  * G7.1 with 0 ends it. The word is a length.
+ * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it,
+ * G7.1 with 0 ends it. The word is a length.
  */
 bool cylinder_switch(struct interp *interp)
 {
@@ -115,8 +115,8 @@ static struct plane_point surface_point(const struct cylinder *cylinder, const s
 }
 
 /*
-  * The same section: the angle times the radius is a length on the surface that contains the arc. The distance of a
-  * chord from its arc, at equal shares of both, is at most R w^2 / 8 for the radius R and the angle w.
+ * The same section: the angle times the radius is a length on the surface that contains the arc. The distance of a
+ * chord from its arc, at equal shares of both, is at most R w^2 / 8 for the radius R and the angle w.
  */
 bool cylinder_arc(struct interp *interp)
 {

@@ -104,8 +104,8 @@ static bool go_on_the_way(struct interp *interp)
 }
 
 /*
-  * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference position return; Haas, G28: one rapid to
-  * the point of the axis words, then the named axes, or all axes if none is named, move to the reference position.
+ * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference position return; Haas, G28: one rapid to
+ * the point of the axis words, then the named axes, or all axes if none is named, move to the reference position.
  */
 bool reference_return_go(struct interp *interp)
 {
@@ -150,8 +150,8 @@ bool reference_return_remember(struct interp *interp)
 }
 
 /*
-  * Haas mill operator's manual, "M06 Tool Change": the control moves Z to its home. On Fanuc controls the machine
-  * builder defines M6.
+ * Haas mill operator's manual, "M06 Tool Change": the control moves Z to its home. On Fanuc controls the machine
+ * builder defines M6.
  */
 static bool fault_no_place(struct interp *interp, int column)
 {

@@ -38,8 +38,8 @@ static struct weighted mix(struct weighted a, struct weighted b, double part)
 }
 
 /*
-  * The blossom of the polynomial between the knots `span` and `span` + 1, which must differ: `first` of its arguments
-  * are u0, the others u1 (L. Ramshaw, "Blossoming"; de Boor's algorithm with another argument at each step).
+ * The blossom of the polynomial between the knots `span` and `span` + 1, which must differ: `first` of its arguments
+ * are u0, the others u1 (L. Ramshaw, "Blossoming"; de Boor's algorithm with another argument at each step).
  */
 static struct weighted blossom(const struct spline *spline, size_t span, double u0, double u1, int first)
 {

@@ -55,8 +55,8 @@ static bool skip_comment(struct lexer *lexer)
 }
 
 /*
-  * Has the text after a ';' that ends a block any word or statement? Text without one is a remark: the control may
-  * refuse or skip it, but it moves no axis.
+ * Has the text after a ';' that ends a block any word or statement? Text without one is a remark: the control may
+ * refuse or skip it, but it moves no axis.
  */
 static bool may_be_blocks(const char *text)
 {

@@ -11,11 +11,11 @@
 #define MACRO_B_DEPTH_MAX 32
 
 /*
-  * Fanuc Series 30i/31i/32i operator's manual (B-63944EN), custom macro, variables and arithmetic and logic operation;
-  * Haas mill operator's manual, "Macros". What Haas's manual does not define (the precedence of AND, OR and XOR among
-  * other operators, sums of undefined values) is a fault, not a guess. All functions read at the lexer's position and
-  * move it past the text that they have read. False: the fault was reported. The context of the lexer is the struct
-  * interp.
+ * Fanuc Series 30i/31i/32i operator's manual (B-63944EN), custom macro, variables and arithmetic and logic operation;
+ * Haas mill operator's manual, "Macros". What Haas's manual does not define (the precedence of AND, OR and XOR among
+ * other operators, sums of undefined values) is a fault, not a guess. All functions read at the lexer's position and
+ * move it past the text that they have read. False: the fault was reported. The context of the lexer is the struct
+ * interp.
  */
 
 struct interp;

@@ -85,8 +85,8 @@ static const struct code m_codes[] = {
 	{12, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis on"},
 	{13, GROUP_NONE, CODE_IGNORED, "brake of the fifth axis off"},
 	/*
-	  * Haas: chip conveyor, gears; below, doors (M80, M81), the air jet (M83, M84), coolant through the spindle
-	  * (M88, M89), pictures (M130, M131), mist (M158 to M163). M104 and M105 move the arm of the tool probe.
+	 * Haas: chip conveyor, gears; below, doors (M80, M81), the air jet (M83, M84), coolant through the spindle
+	 * (M88, M89), pictures (M130, M131), mist (M158 to M163). M104 and M105 move the arm of the tool probe.
 	 */
 	{31, GROUP_NONE, CODE_IGNORED, "chip conveyor forward"},
 	{33, GROUP_NONE, CODE_IGNORED, "chip conveyor stop"},

@@ -1,6 +1,6 @@
 /*
-  * klartext_builder_cycle.h - cycles and programs of the machine builder, and probing cycles, whose effect the machine
-  * file defines.
+ * klartext_builder_cycle.h - cycles and programs of the machine builder, and probing cycles, whose effect the machine
+ * file defines.
  */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
@@ -23,9 +23,9 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle);
 
 /*
-  * Carries out CALL PGM and the like for a program without a file, according to <macro program="NAME"> of the machine
-  * file; NAME is the file's name without folder and ending. False: reported, also if the machine file does not define
-  * the program, or the sink wants no more.
+ * Carries out CALL PGM and the like for a program without a file, according to <macro program="NAME"> of the machine
+ * file; NAME is the file's name without folder and ending. False: reported, also if the machine file does not define
+ * the program, or the sink wants no more.
  */
 bool klartext_builder_program_run(struct interp *interp, const char *name, int column);
 

@@ -23,8 +23,8 @@ static inline bool klartext_contour_is(int number)
 }
 
 /*
-  * Carries out one of these cycles: the tool may be anywhere in the box of the contours, minus its radius, between the
-  * depth and the clearance height. False: reported, or the sink wants no more.
+ * Carries out one of these cycles: the tool may be anywhere in the box of the contours, minus its radius, between the
+ * depth and the clearance height. False: reported, or the sink wants no more.
  */
 bool klartext_contour_make(const struct klartext_call_of *call);
 

@@ -20,8 +20,8 @@ void klartext_corner_keep_line(struct interp *interp);
 bool klartext_corner_read(struct lexer *lexer, bool chamfer);
 
 /*
-  * Makes the moves of the held block and of the corner before the path; the path then starts at the corner's end.
-  * False: reported, or the sink wants no more.
+ * Makes the moves of the held block and of the corner before the path; the path then starts at the corner's end.
+ * False: reported, or the sink wants no more.
  */
 bool klartext_corner_make(struct interp *interp, const struct klartext_words *words, struct klartext_path *path);
 

@@ -20,8 +20,8 @@ void klartext_cycle_set(struct klartext_cycle *cycle, const char *name, double v
 bool klartext_cycle_carry_out(struct interp *interp, int column);
 
 /*
-  * Are the parameters of the cycle unchanged since its definition? Without `heights` Q200, Q203 and Q204 may have
-  * changed. False: reported.
+ * Are the parameters of the cycle unchanged since its definition? Without `heights` Q200, Q203 and Q204 may have
+ * changed. False: reported.
  */
 bool klartext_cycle_check_values(struct interp *interp, int column, bool heights);
 
@@ -29,8 +29,8 @@ bool klartext_cycle_check_values(struct interp *interp, int column, bool heights
 bool klartext_cycle_start(struct interp *interp, double *height);
 
 /*
-  * M89: calls the cycle after its own block and after every further block that `moves` axes, until M99 or another
-  * definition. False: reported.
+ * M89: calls the cycle after its own block and after every further block that `moves` axes, until M99 or another
+ * definition. False: reported.
  */
 bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words, bool moves);
 

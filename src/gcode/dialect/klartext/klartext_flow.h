@@ -32,8 +32,8 @@ bool klartext_flow_select(struct lexer *lexer);
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
 
 /*
-  * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The position in the
-  * program does not change. False: reported, or a call returned false.
+ * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The position in the
+ * program does not change. False: reported, or a call returned false.
  */
 typedef bool (*klartext_flow_line)(void *context, struct lexer *lexer);
 bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,

@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
-   * Finds the file of a name without the control's folders, unchanged or with one of the endings; *source is NULL if
-   * there is none. False: reported at the column.
+ * Finds the file of a name without the control's folders, unchanged or with one of the endings; *source is NULL if
+ * there is none. False: reported at the column.
  */
 bool klartext_folder_find(struct interp *interp, const char *name, const char *const endings[3], int column,
 			  struct source **source);

@@ -13,8 +13,8 @@ bool klartext_formula_assign(struct lexer *lexer);
 bool klartext_formula_function(struct lexer *lexer, int number);
 
 /*
-  * Reads the text after the colon of FN 9 to FN 12: "IF Q1 EQU 5", or "IF Q1 IS UNDEFINED" of FN 9, up to GOTO. False:
-  * reported; also if the result of the condition is not known.
+ * Reads the text after the colon of FN 9 to FN 12: "IF Q1 EQU 5", or "IF Q1 IS UNDEFINED" of FN 9, up to GOTO. False:
+ * reported; also if the result of the condition is not known.
  */
 bool klartext_formula_condition(struct lexer *lexer, int number, bool *holds);
 

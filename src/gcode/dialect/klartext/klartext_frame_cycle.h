@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
-  * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling) take effect at the end of their
-  * definition. False: reported.
+ * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling) take effect at the end of their
+ * definition. False: reported.
  */
 bool klartext_frame_cycle_shift(struct interp *interp, const struct klartext_cycle *cycle);
 bool klartext_frame_cycle_mirror(struct interp *interp, const struct klartext_cycle *cycle);

@@ -7,8 +7,8 @@
 #include "gcode/text/lexer.h"
 
 /*
-  * FL and FLT (straight lines), FC and FCT (circles); T: tangential to the element before. The block and the element
-  * before must determine the end uniquely. False: reported, or the sink wants no more.
+ * FL and FLT (straight lines), FC and FCT (circles); T: tangential to the element before. The block and the element
+ * before must determine the end uniquely. False: reported, or the sink wants no more.
  */
 bool klartext_free_line(struct lexer *lexer);
 bool klartext_free_line_tangential(struct lexer *lexer);

@@ -8,15 +8,15 @@
 #include "gcode/state.h"
 
 /*
-  * The position 0 of a rotary axis, degrees as in a slot. If the display of the axis is modulo 360 degrees, it is the
-  * nearest of the equivalent positions.
+ * The position 0 of a rotary axis, degrees as in a slot. If the display of the axis is modulo 360 degrees, it is the
+ * nearest of the equivalent positions.
  */
 double klartext_free_axis_zero(const struct interp *interp, int slot);
 
 /*
-  * The new position of the free axis of this slot, degrees as in a slot, for the plane `tilt`. With COORD ROT (`asked`)
-   * the axis stays, or moves to 0 (swivel_pole); with TABLE ROT it turns until the plane's coordinates are parallel to
-    * the machine's. Without these words the machine's plane_rotation decides. False: reported, also if it is not known.
+ * The new position of the free axis of this slot, degrees as in a slot, for the plane `tilt`. With COORD ROT (`asked`)
+ * the axis stays, or moves to 0 (swivel_pole); with TABLE ROT it turns until the plane's coordinates are parallel to
+ * the machine's. Without these words the machine's plane_rotation decides. False: reported, also if it is not known.
  */
 bool klartext_free_axis_turn(struct interp *interp, int column, enum plane_rotation asked,
 			     const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *angle);

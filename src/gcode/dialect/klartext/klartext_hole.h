@@ -21,8 +21,8 @@ struct klartext_hole {
 };
 
 /*
-  * Makes the hole from the present position to the second set-up clearance. False: the sink wants no more, or reported
-  * at the column.
+ * Makes the hole from the present position to the second set-up clearance. False: the sink wants no more, or reported
+ * at the column.
  */
 bool klartext_hole_make(struct interp *interp, const struct klartext_hole *hole, int column);
 

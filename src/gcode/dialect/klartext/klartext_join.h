@@ -5,10 +5,10 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
-  * Joins the lines of a formula or a block that '~' continues; the further lines have no block numbers. Definitions of
-  * cycles, patterns and touch probes, and comments, are read line by line and are not joined. False: reported; also '~'
-  * in the middle of a line, a continuation line that starts another block, and a block without an end. begins_block: is
-  * this the word of a block?
+ * Joins the lines of a formula or a block that '~' continues; the further lines have no block numbers. Definitions of
+ * cycles, patterns and touch probes, and comments, are read line by line and are not joined. False: reported; also '~'
+ * in the middle of a line, a continuation line that starts another block, and a block without an end. begins_block: is
+ * this the word of a block?
  */
 bool klartext_join(struct interp *interp, bool (*begins_block)(const char *word));
 

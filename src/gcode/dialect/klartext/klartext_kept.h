@@ -6,13 +6,13 @@
 #include "gcode/text/lexer.h"
 
 /*
-  * Sets Q, QR and QS parameters to the values of the machine file. False: a value does not fit, which was reported.
+ * Sets Q, QR and QS parameters to the values of the machine file. False: a value does not fit, which was reported.
  */
 bool klartext_kept_load(struct lexer *lexer);
 
 /*
-   * Reads data of the control's tables for FN 18 that no program changes: tools, pockets, limits, touch probes. False:
-   * the machine file does not have this value, or the query is for other data.
+ * Reads data of the control's tables for FN 18 that no program changes: tools, pockets, limits, touch probes. False:
+ * the machine file does not have this value, or the query is for other data.
  */
 bool klartext_kept_data(const struct interp *interp, const struct klartext_query *query, double *value);
 

@@ -13,8 +13,8 @@ bool klartext_m_start(struct interp *interp, const struct klartext_words *words)
 bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
 
 /*
-   * Checks that no M-function of the block acts at its end or moves an axis. With `ends`, M-functions at the end that
-   * move no axis are allowed. False: reported; `where` describes the place of the block.
+ * Checks that no M-function of the block acts at its end or moves an axis. With `ends`, M-functions at the end that
+ * move no axis are allowed. False: reported; `where` describes the place of the block.
  */
 bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words, const char *where, bool ends);
 

@@ -37,8 +37,8 @@ bool klartext_move_check(struct interp *interp, const struct klartext_target *ta
 bool klartext_move_in_plane(const struct interp *interp, const slot_values *others);
 
 /*
-  * Switches M128 off. In a tilted plane the coordinates are those of the plane again; if the rotary axes have left the
-  * positions of the plane, linear axes must wait until they return. False: reported at the column.
+ * Switches M128 off. In a tilted plane the coordinates are those of the plane again; if the rotary axes have left the
+ * positions of the plane, linear axes must wait until they return. False: reported at the column.
  */
 bool klartext_move_end_tcp(struct interp *interp, int column);
 

@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_move.h"
 
 /*
-   * Carries out a path block: reads its words, carries out the functions at its start, lets `shape` compute the path
-   * from words and target, makes the move, and carries out the functions at its end.
+ * Carries out a path block: reads its words, carries out the functions at its start, lets `shape` compute the path
+ * from words and target, makes the move, and carries out the functions at its end.
  */
 typedef bool (*klartext_path_shape)(struct interp *interp, const struct klartext_words *words,
 				    struct klartext_target *target, struct klartext_path *path);

@@ -16,8 +16,8 @@ bool klartext_pattern_define(struct lexer *lexer);
 bool klartext_pattern_go_on(struct lexer *lexer);
 
 /*
-  * CYCL CALL PAT: carries out the last defined cycle at every point; `feed` is that between the points, NULL a rapid.
-  * False: reported, or the sink wants no more.
+ * CYCL CALL PAT: carries out the last defined cycle at every point; `feed` is that between the points, NULL a rapid.
+ * False: reported, or the sink wants no more.
  */
 bool klartext_pattern_call(struct interp *interp, int column, const struct canon_feed *feed);
 

@@ -13,8 +13,8 @@ bool klartext_pocket_is(int number);
 bool klartext_pocket_make(const struct klartext_call_of *call);
 
 /*
-  * Carries out the older cycles 3, 4 and 5, whose definition has several lines. The tool starts at the set-up clearance
-  * and returns there.
+ * Carries out the older cycles 3, 4 and 5, whose definition has several lines. The tool starts at the set-up clearance
+ * and returns there.
  */
 bool klartext_pocket_make_old(const struct klartext_call_of *call);
 

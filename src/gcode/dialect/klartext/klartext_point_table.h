@@ -7,8 +7,8 @@
 #include "gcode/text/lexer.h"
 
 /*
-  * After SEL PATTERN: reads the name. The file is searched like that of a subprogram, by its name without folders.
-  * False: reported.
+ * After SEL PATTERN: reads the name. The file is searched like that of a subprogram, by its name without folders.
+ * False: reported.
  */
 bool klartext_point_table_select(struct lexer *lexer);
 

@@ -10,8 +10,8 @@
 bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *cycle);
 
 /*
-  * Is the active preset known? At the start of a program it is known only if the setup has a single preset. Called for
-  * each axis word. False: reported.
+ * Is the active preset known? At the start of a program it is known only if the setup has a single preset. Called for
+ * each axis word. False: reported.
  */
 bool klartext_preset_check(struct interp *interp, int column);
 

@@ -18,8 +18,8 @@ struct klartext_region {
 };
 
 /*
-   * The tool moves to the set-up clearance, and then may be anywhere in the region, down to the depth, until it is at
-   * the second clearance; its position above the region is then not known. False: reported, or the sink wants no more.
+ * The tool moves to the set-up clearance, and then may be anywhere in the region, down to the depth, until it is at
+ * the second clearance; its position above the region is then not known. False: reported, or the sink wants no more.
  */
 bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *region);
 

@@ -7,8 +7,8 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 
 /*
-  * Reads the rest of the file, which the control ignores. Text there is a caution; another program there would not be
-  * checked. False: there is another program, which was reported.
+ * Reads the rest of the file, which the control ignores. Text there is a caution; another program there would not be
+ * checked. False: there is another program, which was reported.
  */
 bool klartext_rest_check(struct interp *interp);
 

@@ -7,7 +7,7 @@
 #include "gcode/dialect/klartext/klartext_region.h"
 
 /*
-  * The size in Q<q>, mm. A negative size is refused, because its region would shrink to its centre. False: reported.
+ * The size in Q<q>, mm. A negative size is refused, because its region would shrink to its centre. False: reported.
  */
 bool klartext_shape_size(const struct klartext_call_of *call, int q, double *value);
 

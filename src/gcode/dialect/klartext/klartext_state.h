@@ -93,8 +93,8 @@ struct klartext_cycle {
 };
 
 /*
-  * The position of a point of the program is offset + origin + turn (scale point), for X, Y and Z. The parts, from the
-  * inside: mirror, rotation, scaling and a shift of the tilted coordinates; the tilted plane; a datum shift.
+ * The position of a point of the program is offset + origin + turn (scale point), for X, Y and Z. The parts, from the
+ * inside: mirror, rotation, scaling and a shift of the tilted coordinates; the tilted plane; a datum shift.
  */
 struct klartext_frame {
 	vec3 shift; /* CYCL DEF 7, in coordinates that are not tilted, mm */

@@ -28,8 +28,8 @@ struct klartext_swivel {
 bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt);
 
 /*
-  * The same for given positions of the rotary axes, degrees, of the slots whose bits are in `axes` (PLANE AXIAL, cycle
-  * 19): the coordinates turn with the head, but not with the table.
+ * The same for given positions of the rotary axes, degrees, of the slots whose bits are in `axes` (PLANE AXIAL, cycle
+ * 19): the coordinates turn with the head, but not with the table.
  */
 bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
 			   const double angle[SLOT_COUNT]);
@@ -38,8 +38,8 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request);
 
 /*
-   * Cycle 19 with angles of 0: like klartext_swivel_reset; Q120 to Q122 become the angles of the plane that is not
-   * tilted: 0, except for an axis whose angle is arbitrary and which stays at its position (swivel_pole).
+ * Cycle 19 with angles of 0: like klartext_swivel_reset; Q120 to Q122 become the angles of the plane that is not
+ * tilted: 0, except for an axis whose angle is arbitrary and which stays at its position (swivel_pole).
  */
 bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *request);
 

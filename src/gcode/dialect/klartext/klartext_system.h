@@ -8,8 +8,8 @@
 #include "gcode/text/lexer.h"
 
 /*
-   * Carry out the text after "FN 18:" and "FN 28:". A parameter gets the value that follows from the setup or the
-   * program; without such a value it is marked, so that its first use is an error. False: reported.
+ * Carry out the text after "FN 18:" and "FN 28:". A parameter gets the value that follows from the setup or the
+ * program; without such a value it is marked, so that its first use is an error. False: reported.
  */
 bool klartext_system_read(struct lexer *lexer);
 bool klartext_system_read_table(struct lexer *lexer);

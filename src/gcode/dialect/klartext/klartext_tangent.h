@@ -27,7 +27,7 @@ struct klartext_tangent_circle {
 };
 
 /*
-  * The circle tangent to the contour at this point, for the tool and the side of interp->comp. R < 0: it is on the
+ * The circle tangent to the contour at this point, for the tool and the side of interp->comp. R < 0: it is on the
  * side of the workpiece. R is the radius of the path of the tool's centre: in the examples CIRCULAR, LINEARPO and HELIX
  * of the TNC 426 and TNC 640 user's manuals ("Programming contours") R is less than the tool's radius.
  * False: reported.
@@ -41,8 +41,8 @@ struct klartext_tangent_helper {
 };
 
 /*
-   * The point where the line from the tool's centre `from` is tangent to the path of the centre around the circle.
-   * `turn` is 1 if the path after it is counter-clockwise. False: `from` is inside the circle, which was reported.
+ * The point where the line from the tool's centre `from` is tangent to the path of the centre around the circle.
+ * `turn` is 1 if the path after it is counter-clockwise. False: `from` is inside the circle, which was reported.
  */
 bool klartext_tangent_touch(struct interp *interp, vec3 from, const struct klartext_tangent_circle *circle,
 			    const struct klartext_way_words *words, int turn, struct klartext_tangent_helper *helper);

@@ -1,5 +1,5 @@
 /*
-  * klartext_tilt.h - the rotation of a plane of PLANE: by spatial, projected and Euler angles, vectors, points.
+ * klartext_tilt.h - the rotation of a plane of PLANE: by spatial, projected and Euler angles, vectors, points.
  */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TILT_H
@@ -18,7 +18,7 @@ struct klartext_tilt {
 };
 
 /*
-  * Reads the kind of plane and its values. RELATIVE is relative to the active tilting `before`. False: reported.
+ * Reads the kind of plane and its values. RELATIVE is relative to the active tilting `before`. False: reported.
  */
 bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext_tilt *tilt);
 

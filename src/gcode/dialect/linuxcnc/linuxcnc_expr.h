@@ -7,9 +7,9 @@
 #include "gcode/text/lexer.h"
 
 /*
-  * LinuxCNC's manual, "Expressions", "Binary Operators", "Functions", "Parameters"; what the manual does not define is
-  * as in rs274. All functions read at the lexer's position and move it past the text that they have read. False: the
-  * fault was reported. The context of the lexer is the struct interp.
+ * LinuxCNC's manual, "Expressions", "Binary Operators", "Functions", "Parameters"; what the manual does not define is
+ * as in rs274. All functions read at the lexer's position and move it past the text that they have read. False: the
+ * fault was reported. The context of the lexer is the struct interp.
  */
 
 /* The rules for blocks and for control flow. */

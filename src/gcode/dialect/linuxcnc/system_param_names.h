@@ -7,8 +7,8 @@
 struct interp;
 
 /*
-  * LinuxCNC's manual, "Predefined Named Parameters". Parameters that depend on the machine's state in real time, or on
-  * its INI and HAL files, are a fault that says so. Positions are in the program's unit, angles in degrees.
+ * LinuxCNC's manual, "Predefined Named Parameters". Parameters that depend on the machine's state in real time, or on
+ * its INI and HAL files, are a fault that says so. Positions are in the program's unit, angles in degrees.
  */
 
 /* Is this one of LinuxCNC's own names? */

@@ -7,9 +7,9 @@
 struct interp;
 
 /*
-   * LinuxCNC's manual, "Numbered Parameters". Parameters that depend on the machine's state in real time are a fault
-   * that says so. Lengths of offsets, references and tools are in the control's own unit (its LINEAR_UNITS:
-   * gcode_config.controller.unit), positions in the program's unit, angles in degrees.
+ * LinuxCNC's manual, "Numbered Parameters". Parameters that depend on the machine's state in real time are a fault
+ * that says so. Lengths of offsets, references and tools are in the control's own unit (its LINEAR_UNITS:
+ * gcode_config.controller.unit), positions in the program's unit, angles in degrees.
  */
 
 /* The value of #number. False: reported at the column. */

@@ -62,8 +62,8 @@ static inline int sinumerik_block_axis_column(const struct sinumerik_block *bloc
 }
 
 /*
-  * Reads the words up to the end of the line, or up to the arguments of a call, and carries out assignments to
-  * variables. sinumerik_block_clear must be called before. False: reported.
+ * Reads the words up to the end of the line, or up to the arguments of a call, and carries out assignments to
+ * variables. sinumerik_block_clear must be called before. False: reported.
  */
 bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sinumerik_block *block);
 

@@ -23,8 +23,8 @@ bool sinumerik_call_is_inside(const struct interp *interp);
 bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, long last_line, int rounds, int column);
 
 /*
-   * Is the current line after the end of a repeated part? Then the next repetition starts, or the program continues
-   * after the REPEAT: *left is true. False: reported.
+ * Is the current line after the end of a repeated part? Then the next repetition starts, or the program continues
+ * after the REPEAT: *left is true. False: reported.
  */
 bool sinumerik_call_round(struct interp *interp, bool *left);
 

@@ -21,8 +21,8 @@ bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *
 			   struct sinumerik_circle *found);
 
 /*
-   * Keeps, for CT, the direction at the end of a motion between two places in program coordinates. With a null circle
-   * the motion is straight.
+ * Keeps, for CT, the direction at the end of a motion between two places in program coordinates. With a null circle
+ * the motion is straight.
  */
 void sinumerik_circle_keep_tangent(struct interp *interp, const slot_values *from, const slot_values *to,
 				   const struct sinumerik_circle *circle);

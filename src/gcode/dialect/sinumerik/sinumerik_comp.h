@@ -5,11 +5,11 @@
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 /*
-  * 840D sl, "Tool radius compensation". The engine is execute/cutter_comp, in program coordinates, which frames turn.
-  * With NORM the tool moves straight to the point beside the start of the contour; with KONT, or without either word,
-  * all possible paths to that point are proved. G450 rounds outside corners, G451 extends the paths to their
-  * intersection; with DISC, or without either code, everything in between is proved. Functions that can fail report the
-  * reason before they return false.
+ * 840D sl, "Tool radius compensation". The engine is execute/cutter_comp, in program coordinates, which frames turn.
+ * With NORM the tool moves straight to the point beside the start of the contour; with KONT, or without either word,
+ * all possible paths to that point are proved. G450 rounds outside corners, G451 extends the paths to their
+ * intersection; with DISC, or without either code, everything in between is proved. Functions that can fail report the
+ * reason before they return false.
  */
 
 /* Call first for each block: refuses what is not allowed under compensation. */

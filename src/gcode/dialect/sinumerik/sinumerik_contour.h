@@ -8,8 +8,8 @@
 bool sinumerik_contour_select(struct interp *interp, int column);
 
 /*
-  * CYCLE72: starts to follow the contour. The exact path of the tool is not known: it may be off by its radius plus the
-  * allowance to either side, and at every height down to the depth; all of this is covered. False: reported.
+ * CYCLE72: starts to follow the contour. The exact path of the tool is not known: it may be off by its radius plus the
+ * allowance to either side, and at every height down to the depth; all of this is covered. False: reported.
  */
 bool sinumerik_contour_mill(struct interp *interp, int column);
 

@@ -5,8 +5,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
-  * Carries out a statement such as IF or GOTOF if one comes next: then *done is true. The rest of its line is checked,
-  * too. False: reported.
+ * Carries out a statement such as IF or GOTOF if one comes next: then *done is true. The rest of its line is checked,
+ * too. False: reported.
  */
 bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done);
 

@@ -5,7 +5,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
-  * From now on the tool is somewhere in a box about its place; `half`: half its size along the program's axes, mm.
+ * From now on the tool is somewhere in a box about its place; `half`: half its size along the program's axes, mm.
  */
 void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 1]);
 
@@ -19,8 +19,8 @@ void sinumerik_open_place_settle(struct interp *interp, uint32_t letters);
 void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters);
 
 /*
-   * Is the place of the tool known? False: it is not, which was reported; `what` names in the message the thing that
-   * needs the place.
+ * Is the place of the tool known? False: it is not, which was reported; `what` names in the message the thing that
+ * needs the place.
  */
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what);
 

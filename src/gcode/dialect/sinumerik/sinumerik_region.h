@@ -8,9 +8,9 @@
 bool sinumerik_region_is(const char *name);
 
 /*
-   * Carries out such a cycle: the tool moves to the retraction plane above the region, may be anywhere in the region
-    * down to its depth, and returns to the retraction plane; its position above the region is then not known.
-    * `arguments` as for sinumerik_cycle_drill. False: reported.
+ * Carries out such a cycle: the tool moves to the retraction plane above the region, may be anywhere in the region
+ * down to its depth, and returns to the retraction plane; its position above the region is then not known.
+ * `arguments` as for sinumerik_cycle_drill. False: reported.
  */
 bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 

@@ -5,8 +5,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
-   * Reads the rest of "$SC_CONTPREC=0.01" after its name. A setting that changes no path has no effect; data of tools
-   * must equal those of the setup. False: reported.
+ * Reads the rest of "$SC_CONTPREC=0.01" after its name. A setting that changes no path has no effect; data of tools
+ * must equal those of the setup. False: reported.
  */
 bool sinumerik_setting_write(struct interp *interp, struct lexer *lexer, const char *name, int column);
 

@@ -1,4 +1,4 @@
-/* sinumerik_state.h - what the sinumerik dialect remembers of a program: variables, modes, loops and calls. */
+/* sinumerik_state.h - the state of the sinumerik dialect for a program: variables, modes, loops and calls. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_STATE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_STATE_H
 
@@ -12,7 +12,7 @@
 #define SINUMERIK_DIMENSIONS 3
 #define SINUMERIK_LEVELS_MAX 16
 #define SINUMERIK_R_COUNT 1000
-/* Loops inside each other in one program: eight by the manual; a jump out of one may leave it behind. */
+/* Nested loops in one program: eight by the manual; a loop that a jump has left may remain here. */
 #define SINUMERIK_LOOPS_MAX 64
 /* Parameters of a subprogram or of a cycle. */
 #define SINUMERIK_ARGUMENTS_MAX 40
@@ -23,7 +23,7 @@ struct sinumerik_text {
 
 enum sinumerik_type { SINUMERIK_INT, SINUMERIK_REAL, SINUMERIK_BOOL, SINUMERIK_CHAR, SINUMERIK_STRING, SINUMERIK_AXIS };
 
-/* Variables of the maker and of users (GUD) are those of no program. */
+/* Variables of the machine's maker and of users (GUD) belong to no program. */
 #define SINUMERIK_LEVEL_OF_CONTROL (-1)
 
 /* Made by DEF, as a parameter of PROC, or by the machine file. */
@@ -36,7 +36,7 @@ struct sinumerik_variable {
 	size_t count;
 	double *numbers;	/* owned; NULL: texts; AXIS: slots */
 	struct sinumerik_text *texts;	/* owned */
-	bool *given;	/* owned: which values are known, of a variable of the control; NULL: all */
+	bool *given;	/* owned: the known values of a variable of the control; NULL: all are known */
 	int refers_to;	/* a VAR parameter: the variable of the caller; or -1 */
 	int level;	/* of the call whose program has made it */
 };
@@ -46,10 +46,10 @@ enum sinumerik_loop_kind { SINUMERIK_WHILE, SINUMERIK_FOR, SINUMERIK_LOOP, SINUM
 struct sinumerik_loop {
 	enum sinumerik_loop_kind kind;
 	struct position start;	/* of the line that begins it */
-	long end;	/* line of its end; 0: not looked for yet */
+	long end;	/* line of its end; 0: not searched yet */
 	int level;
-	double last;	/* FOR: the value behind TO */
-	bool again;	/* its end has been reached, and the next round begins */
+	double last;	/* FOR: the value after TO */
+	bool again;	/* its end was reached, and the next pass starts */
 };
 
 /*
@@ -58,8 +58,8 @@ struct sinumerik_loop {
  */
 struct sinumerik_frame {
 	mat3 matrix;
-	slot_values shift;	/* X Y Z: translation behind the matrix */
-	slot_values fine;	/* of the shift: what ATRANS and G59 have put there, which G58 leaves */
+	slot_values shift;	/* X Y Z: translation after the matrix */
+	slot_values fine;	/* the part of the shift from ATRANS and G59, which G58 does not change */
 };
 
 /* Polar coordinates: sinumerik_polar.h. */
@@ -70,18 +70,18 @@ struct sinumerik_polar {
 	double radius, angle;	/* mm, degrees: given last */
 };
 
-/* The direction in which the last motion has ended, in its plane; program coordinates. */
+/* The direction at the end of the last motion, in its plane; program coordinates. */
 struct sinumerik_tangent {
-	bool known;	/* unless it is too short to have one */
+	bool known;	/* false if the motion is too short */
 	int plane;
-	struct plane_point way;	/* mm: along it */
-	struct plane_point end;	/* where it has ended, mm */
+	struct plane_point way;	/* mm: a vector in this direction */
+	struct plane_point end;	/* the end of the motion, mm */
 };
 
 /* How TRAORI turns the tool between two orientations. */
 enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERIK_ORI_VECTOR };
 
-/* What SAVE of PROC keeps for the return. */
+/* The modes that SAVE of PROC keeps for the return. */
 struct sinumerik_saved {
 	int motion, plane, system, path_code;
 	int approach, corner, comp_side, orientation_angles;
@@ -101,38 +101,38 @@ struct sinumerik_call {
 	struct position entry;	/* the first line of the subprogram, or of the repeated part */
 	long last_line;	/* of a repeated part: behind it, the next round starts or the call ends; 0: a subprogram */
 	bool called;	/* the part, by CALL BLOCK, as a subprogram */
-	int left;	/* rounds to come */
-	const char *file;	/* where the call stands */
+	int left;	/* remaining repetitions */
+	const char *file;	/* of the call */
 	long line;
 	int column;
 	char title[SINUMERIK_NAME + 1];
-	bool saves;	/* PROC ... SAVE: G-codes and frames come back with the return */
+	bool saves;	/* PROC ... SAVE: the return restores G-codes and frames */
 	struct sinumerik_saved saved;
-	size_t loops;	/* that were open at the call */
-	size_t argument_count;	/* of a subprogram that is repeated: each round begins with them */
+	size_t loops;	/* open at the call */
+	size_t argument_count;	/* of a repeated subprogram: each repetition starts with them */
 	double arguments[SINUMERIK_ARGUMENTS_MAX];
-	double begun[SINUMERIK_ARGUMENTS_MAX];	/* what its parameters have begun with */
+	double begun[SINUMERIK_ARGUMENTS_MAX];	/* the initial values of its parameters */
 	size_t begun_count;
 };
 
-/* A jump, or the way to the end of a structure, that has been looked for once: jumps of loops are quick. */
+/* The result of a search for a jump target or the end of a structure: this makes jumps in loops fast. */
 struct sinumerik_jump {
 	const struct source *source;
 	long long from;
-	char target[SINUMERIK_NAME + 2];	/* a byte that says how it was looked for, and the name */
+	char target[SINUMERIK_NAME + 2];	/* a byte for the kind of the search, and the name */
 	struct position to;
 };
 
 #define SINUMERIK_JUMPS 256
 
 /*
- * A modal call: MCALL CYCLE81(...) or MCALL NAME. There is one at a time, which acts in subprograms and repeated parts,
- * too.
+ * A modal call: MCALL CYCLE81(...) or MCALL NAME. There is one at a time; it also acts in subprograms and repeated
+ * parts.
  */
 struct sinumerik_modal {
 	bool on;
 	bool cycle;	/* that drills or mills; else a subprogram */
-	bool running;	/* the subprogram: it does not call itself */
+	bool running;	/* the subprogram is being carried out: it does not call itself */
 	int depth;	/* of calls where the subprogram runs */
 	int level;	/* of the program that has given it */
 	char name[SINUMERIK_NAME + 1];
@@ -141,7 +141,7 @@ struct sinumerik_modal {
 	long line;
 };
 
-/* A pattern of holes at which MCALL calls a subprogram: each return leads to its line again, to the next hole. */
+/* A pattern of holes at which MCALL calls a subprogram: each return continues at its line, with the next hole. */
 struct sinumerik_pattern {
 	bool on;
 	char name[SINUMERIK_NAME + 1];
@@ -151,7 +151,7 @@ struct sinumerik_pattern {
 	double scale;	/* mm per unit of length */
 	slot_values from;	/* program coordinates of the tool: a row begins at the nearer end */
 	long done;	/* holes */
-	struct sinumerik_saved before;	/* modes that hold again behind it */
+	struct sinumerik_saved before;	/* modes that are restored after the pattern */
 	size_t argument_count;
 	double arguments[SINUMERIK_ARGUMENTS_MAX];
 };
@@ -165,15 +165,15 @@ struct sinumerik_contour {
 	int depth;	/* of calls at this line */
 	int column, plane;
 	bool begun;	/* its first point is known: */
-	bool names_point;	/* the block in hand gives a whole point of the plane */
+	bool names_point;	/* the current block gives both coordinates of the plane */
 	slot_values from, start;	/* before the cycle, and the first point: program coordinates, mm */
 	double clear, safe, bottom;	/* heights */
-	double beside, ends;	/* mm: how far the tool may be beside the contour, and about its ends */
-	double drawn_out;	/* mm: how far it may be beside a corner */
+	double beside, ends;	/* mm: how far the tool may be from the contour, and from its ends */
+	double drawn_out;	/* mm: how far the tool may be from a corner */
 	vec3 heading;	/* unit, in the plane: of the end of the last move; 0: none yet */
-	double rounded;	/* mm: by what a rounding or chamfer leaves the end of the last block */
-	bool stays_low;	/* between two passes it may go back within the material */
-	bool backward;	/* the tool comes to the last point first */
+	double rounded;	/* mm: the distance of a rounding or chamfer from the end of the last block */
+	bool stays_low;	/* between two passes the tool may return inside the material */
+	bool backward;	/* the tool starts at the last point */
 	double feed;	/* mm/s */
 	struct sinumerik_saved before;	/* modes and the feed (mm/min) that hold again behind the cycle */
 	double feed_before;
@@ -202,7 +202,7 @@ struct sinumerik {
 	struct sinumerik_text argument_texts[SINUMERIK_ARGUMENTS_MAX];
 	bool argument_is_text[SINUMERIK_ARGUMENTS_MAX];
 	int argument_variable[SINUMERIK_ARGUMENTS_MAX];	/* the caller's variable that stands alone as argument, or -1 */
-	bool compares, joins;	/* the expression in hand has a comparison; AND, OR or XOR */
+	bool compares, joins;	/* the current expression has a comparison; AND, OR or XOR */
 	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
 	struct sinumerik_modal modal;
 	struct sinumerik_pattern pattern;
@@ -211,8 +211,8 @@ struct sinumerik {
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;
 	bool tool_frame;	/* TOROT: `swivel` has the tool as its Z; its X and Y are not known */
-	bool tool_upright;	/* while CYCLE800 has swivelled: the tool lies along the machine's Z */
-	bool frame_is_even;	/* the frames scale all directions alike */
+	bool tool_upright;	/* while CYCLE800 has swivelled: the tool is parallel to the machine's Z */
+	bool frame_is_even;	/* the frames scale all directions equally */
 	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */
 	slot_values place;
 	bool placed;
@@ -226,12 +226,12 @@ struct sinumerik {
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */
 	bool plane_unsure;	/* another work offset was selected while CYCLE800 has swivelled */
-	bool cautioned_rotary_way;	/* a modulo axis turned the shorter way, and no answer says that it does */
-	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
-	bool t_waits;	/* T has been given, and no M6 so far: a parameter says whether T changes the tool by itself */
+	bool cautioned_rotary_way;	/* the warning about the assumed shorter way of a modulo axis was given */
+	bool edge_unsure;	/* since M6: a parameter decides whether D1 is active */
+	bool t_waits;	/* T was read without an M6 since: a parameter decides whether T changes the tool */
 	bool tool_changed;	/* by M6 */
-	bool changes_ahead;	/* the program has an M6 behind its first T */
-	const struct source *no_change_ahead;	/* the last file without an M6 behind T; NULL: none */
+	bool changes_ahead;	/* the program has an M6 after its first T */
+	const struct source *no_change_ahead;	/* the last file without an M6 after T; NULL: none */
 	int edge;	/* D */
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */
 	size_t name_count, name_capacity;
@@ -253,11 +253,11 @@ struct sinumerik {
 	double disc;	/* DISC: 0 is a circle */
 	double allowance;	/* mm: OFFN */
 	bool turns_plane;	/* CUT2DF */
-	bool left_open;	/* a milling cycle has left the tool somewhere over its region */
-	struct parallel_box open;	/* then: where, about the position; cutter_comp.loose is what it reaches */
+	bool left_open;	/* after a milling cycle the tool is somewhere above its region */
+	struct parallel_box open;	/* then: this box about the position; cutter_comp.loose is its extent */
 	bool begun;	/* the first line has been read */
 	bool headed;	/* its head or its first block has been read */
-	struct strbuf line;	/* the text of the line in hand while the file is searched */
+	struct strbuf line;	/* the text of the current line while the file is searched */
 };
 
 static inline struct sinumerik *sinumerik_of(const struct interp *interp)
@@ -265,13 +265,13 @@ static inline struct sinumerik *sinumerik_of(const struct interp *interp)
 	return interp->dialect_state;
 }
 
-/* The innermost call under way, or NULL. */
+/* The innermost active call, or NULL. */
 static inline struct sinumerik_call *sinumerik_top_call(struct sinumerik *sinumerik)
 {
 	return sinumerik->depth ? &sinumerik->calls[sinumerik->depth - 1] : NULL;
 }
 
-/* Is the modal call carried out behind motions now? */
+/* Is the modal call carried out after motions now? */
 static inline bool sinumerik_modal_acts(const struct sinumerik *sinumerik)
 {
 	return sinumerik->modal.on && !(sinumerik->modal.running && sinumerik->depth > sinumerik->modal.depth);
