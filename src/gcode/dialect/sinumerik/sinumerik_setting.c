@@ -55,12 +55,11 @@ static bool step_over_index(struct lexer *lexer)
 {
 	const char *text = lexer->at->text;
 	const int column = expr_column(lexer);
-	size_t at = lexer->position;
 	int depth = 0;
 
 	if (lexer_peek(lexer) != '[')
 		return true;
-	for (at = lexer->position; text[at] && text[at] != ';'; at++) {
+	for (size_t at = lexer->position; text[at] && text[at] != ';'; at++) {
 		depth += text[at] == '[' ? 1 : text[at] == ']' ? -1 : 0;
 		if (depth == 0 && text[at] == ']') {
 			lexer->position = at + 1;
