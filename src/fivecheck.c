@@ -229,42 +229,42 @@ static bool is_limit(const struct finding *finding)
 
 const char *fivecheck_finding_body_a(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? NULL : finding->a;
+	return is_limit(finding) ? NULL : finding->of.pair.a;
 }
 
 const char *fivecheck_finding_body_b(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? NULL : finding->b;
+	return is_limit(finding) ? NULL : finding->of.pair.b;
 }
 
 bool fivecheck_finding_point(const fivecheck_finding *finding, double point[3])
 {
 	if (is_limit(finding))
 		return false;
-	point[0] = finding->point.x;
-	point[1] = finding->point.y;
-	point[2] = finding->point.z;
+	point[0] = finding->of.pair.point.x;
+	point[1] = finding->of.pair.point.y;
+	point[2] = finding->of.pair.point.z;
 	return true;
 }
 
 double fivecheck_finding_distance(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? 0 : finding->clearance;
+	return is_limit(finding) ? 0 : finding->of.pair.clearance;
 }
 
 double fivecheck_finding_required(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? 0 : finding->required;
+	return is_limit(finding) ? 0 : finding->of.pair.required;
 }
 
 char fivecheck_finding_limit_axis(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? AXIS_LETTERS[finding->slot] : 0;
+	return is_limit(finding) ? AXIS_LETTERS[finding->of.limit.slot] : 0;
 }
 
 double fivecheck_finding_limit(const fivecheck_finding *finding)
 {
-	return is_limit(finding) ? finding->bound : 0;
+	return is_limit(finding) ? finding->of.limit.bound : 0;
 }
 
 /* The check itself stops if the options say so. */

@@ -67,7 +67,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 		static_query_report_undecided(c->scene, pair, c->options->tolerance, &c->log.diags.diag);
 		return;
 	}
-	at.finding.certain = stock_certainty_at(check, &c->position, (double)c->number);
+	at.finding.of.pair.certain = stock_certainty_at(check, &c->position, (double)c->number);
 	checker_add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
 			    &contact, NULL);
 	if (c->options->block_clearances && check->steps == STEP_ANY && !(contact.distance > 0))

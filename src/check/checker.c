@@ -115,11 +115,11 @@ void checker_add_finding(struct checker *c, const struct block_finding *at, enum
 	struct block_finding finding = *at;
 
 	finding.finding = finding_of_pair(c->scene, pair, kind_of(pair, kind), &contact, c->tool);
-	finding.finding.step_class = step_class;
+	finding.finding.of.pair.step_class = step_class;
 	finding.finding.move = move;
 	finding.finding.time = at->finding.time;
 	finding.finding.stock_time = at->finding.stock_time;
-	finding.finding.certain = at->finding.certain;
+	finding.finding.of.pair.certain = at->finding.of.pair.certain;
 	block_log_add_finding(&c->log, &finding);
 	c->found = true;
 }
@@ -130,7 +130,8 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	const struct batch_step *step = &c->settling->batch.steps[result->step];
 	const struct motion_step *motion = &step->motion;
 	const double since = result->contact.s * motion->seconds;
-	const struct block_finding at = {.finding.time = motion->time + since, .finding.certain = result->certain,
+	const struct block_finding at = {.finding.time = motion->time + since,
+					 .finding.of.pair.certain = result->certain,
 					 .finding.stock_time = (double)step->number + result->contact.s,
 					 .block = step->block, .block_time = motion->block_time + since,
 					 .order = 2 * step->number + 1, .rank = (int)result->pair};

@@ -21,18 +21,20 @@ struct finding finding_of_pair(const struct scene *scene, const struct scene_pai
 		.kind = kind,
 		.axes = contact->q,
 		.tool = tool,
-		.a = a->name,
-		.b = b->name,
-		.link_a = link_of(scene, pair->a),
-		.link_b = link_of(scene, pair->b),
-		.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
-		.clearance = contact->distance,
-		.path_tolerance = contact->path_displacement,
-		.required = pair->clearance,
-		.with_stock = pair->stock,
-		.b_is_cutter = b->role == ROLE_CUTTER,
-		/* Exactly one of the two is a core; in a pair with the stock none is. */
-		.depth = scene->bodies[pair->a].depth + scene->bodies[pair->b].depth + pair->inset,
+		.of.pair = {
+			.a = a->name,
+			.b = b->name,
+			.link_a = link_of(scene, pair->a),
+			.link_b = link_of(scene, pair->b),
+			.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
+			.clearance = contact->distance,
+			.path_displacement = contact->path_displacement,
+			.required = pair->clearance,
+			.with_stock = pair->stock,
+			.b_is_cutter = b->role == ROLE_CUTTER,
+			/* Exactly one of the two is a core; in a pair with the stock none is. */
+			.depth = scene->bodies[pair->a].depth + scene->bodies[pair->b].depth + pair->inset,
+		},
 	};
 }
 

@@ -7,6 +7,7 @@
 #include "base/axes.h"
 #include "base/diag.h"
 #include "geom/vec3.h"
+#include "motion/events.h"
 #include "scene/scene.h"
 #include "scene/tri_pair.h"
 
@@ -22,6 +23,22 @@ enum { FINDING_KINDS = FINDING_GOUGE + 1 };
 
 /* "collision", "clearance", "limit", "start-overlap", "rapid-contact", "gouge"; ends in NULL. */
 extern const char *const finding_kind_names[FINDING_KINDS + 1];
+
+/* Two bodies are, or may be, too close to each other. */
+struct pair_finding {
+	const char *a, *b;	/* names of the bodies */
+	const char *link_a, *link_b;	/* and of their links */
+	vec3 point;	/* machine coordinates, mm */
+	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
+	double path_displacement;	/* mm: the path tolerance can take so much of it; 0: nothing, or not known */
+	double required;	/* c */
+	bool with_stock;	/* one of the bodies is the stock: */
+	bool certain;	/* material that no cutter can have touched is met in this block; else it may be gone */
+	/* FINDING_RAPID_CONTACT, FINDING_GOUGE: */
+	bool b_is_cutter;	/* else a is */
+	double depth;	/* mm: how deep the cutter may enter the part */
+	int step_class;	/* enum step_class; 0: the axes stand */
+};
 
 /* Valid only during the call that hands it over. */
 struct finding {
@@ -41,32 +58,10 @@ struct finding {
 	double stock_time;	/* the same in steps of the program, as the log of cuts counts (stock/cut_log.h) */
 	axis_values axes;	/* machine axis positions, mm and radians */
 	int tool;	/* in the spindle; 0: none */
-	/* Of all kinds but LIMIT, which has a path tolerance only: */
-	const char *a, *b;	/* names of the bodies */
-	const char *link_a, *link_b;	/* and of their links */
-	vec3 point;	/* machine coordinates, mm */
-	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
-	/*
-	 * mm: the path tolerance can take so much of it; 0: nothing, or not known. Of LIMIT, mm or radians: the axis
-	 * may be so far beside its path, which stays inside the limit; 0: the path passes it.
-	 */
-	double path_tolerance;
-	double required;	/* c */
-	bool with_stock;	/* one of the bodies is the stock: */
-	bool certain;	/* material that no cutter can have touched is met in this block; else it may be gone */
-	/* RAPID_CONTACT, GOUGE: */
-	bool b_is_cutter;	/* else a is */
-	double depth;	/* mm: how deep the cutter may enter the part */
-	int step_class;	/* enum step_class; 0: the axes stand */
-	/* LIMIT: */
-	int slot;
-	double bound;	/* mm or radians */
-	double target;	/* where the block leads the axis */
-	double excess;	/* how far past the limit the axis goes or may go, at the farthest */
-	const char *work_offset;	/* in force: "G54"; NULL: machine coordinates were commanded */
-	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
-	bool length_acts;	/* the tool's length moves this axis */
-	double length;	/* mm: of the tool, in force */
+	union {
+		struct travel_excess limit;	/* FINDING_LIMIT */
+		struct pair_finding pair;	/* all other kinds */
+	} of;
 };
 
 /* Makes a finding of a contact, whose point is in a's mesh coordinates. The caller fills in block, move and time. */

@@ -230,7 +230,7 @@ void program_reports_release(struct program_reports *reports)
 static struct report_file *files_of(const struct program_reports *reports, const struct recorder *recorder,
 				    const char *program, size_t *count)
 {
-	struct report_file *files = mem_alloc((reports->file_count + recorder->file_count + 1) * sizeof(*files));
+	struct report_file *files = mem_alloc((reports->file_count + recorder->files.count + 1) * sizeof(*files));
 
 	*count = 0;
 	for (size_t i = 0; i < reports->file_count; i++) {
@@ -239,10 +239,10 @@ static struct report_file *files_of(const struct program_reports *reports, const
 		if (strcmp(file->kind, "program") != 0 || !strcmp(file->path, program))
 			files[(*count)++] = *file;
 	}
-	for (size_t i = 1; i < recorder->file_count; i++) {
+	for (size_t i = 1; i < recorder->files.count; i++) {
 		struct report_file *file = &files[(*count)++];
 
-		*file = (struct report_file){.kind = "subprogram", .path = recorder->files[i].name};
+		*file = (struct report_file){.kind = "subprogram", .path = recorder->files.items[i].name};
 		if (!digest_file(file->digest, file->path, NULL))
 			file->digest[0] = '\0';
 	}
@@ -265,7 +265,7 @@ static void keep_for_index(struct reported_program *it, const struct report_prog
 static struct stage stage_of(const struct program_reports *reports, struct recorder *recorder)
 {
 	const struct scene *scene = reports->scene;
-	const struct recorded_finding *first = recorder_first(recorder);
+	const struct recorded_finding *first = recorded_findings_first(&recorder->findings);
 	struct stage stage = {
 	    .scene = scene,
 	    .axes = machine_home(scene->machine),
@@ -285,11 +285,11 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 		stage.alarming = true;
 		stage.point = first->point;
 		stage.triangles = first->has_triangles ? first->triangles : NULL;
-	} else if (recorder->least < recorder->cap) {
-		stage.axes = recorder->least_at.axes;
-		stage.tool = recorder->least_at.tool;
-		stage.a = shown_body(scene, scene->pairs[recorder->least_pair].a);
-		stage.b = shown_body(scene, scene->pairs[recorder->least_pair].b);
+	} else if (recorder_is_near(recorder)) {
+		stage.axes = recorder->nearest.end.axes;
+		stage.tool = recorder->nearest.end.tool;
+		stage.a = shown_body(scene, scene->pairs[recorder->nearest.pair].a);
+		stage.b = shown_body(scene, scene->pairs[recorder->nearest.pair].b);
 		stage.has_point = recorder_nearest_point(recorder, &stage.point);
 	}
 	return stage;
@@ -299,26 +299,26 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 static void add_title(struct strbuf *out, const struct program_reports *reports, const struct recorder *recorder,
 		      const struct report_program *program)
 {
-	const struct recorded_finding *first = recorder_first(recorder);
+	const struct recorded_finding *first = recorded_findings_first(&recorder->findings);
 
 	if (first) {
 		strbuf_addf(out, "%s:%ld: %s", first->file, first->line, first->message);
 		return;
 	}
 	strbuf_addf(out, "%s: %s", program->name, verdict_word(program->verdict));
-	if (recorder->least < recorder->cap) {
-		const struct scene_pair *pair = &reports->scene->pairs[recorder->least_pair];
-		const char *file = recorder->files[recorder->least_file].name;
+	if (recorder_is_near(recorder)) {
+		const struct scene_pair *pair = &reports->scene->pairs[recorder->nearest.pair];
+		const char *file = recorder->files.items[recorder->nearest.file].name;
 
 		strbuf_addf(out, "; smallest clearance %s, in line %ld", recorder->sampled ? "measured" : "proved",
-			    recorder->least_at.line);
+			    recorder->nearest.end.line);
 		if (strcmp(file, program->name) != 0)
 			strbuf_addf(out, " of %s", file);
 		strbuf_addf(out, ": %s and %s, at least %.3f mm apart", reports->scene->bodies[pair->a].body->name,
-			    reports->scene->bodies[pair->b].body->name, recorder_shown(recorder->least));
+			    reports->scene->bodies[pair->b].body->name, recorder_shown(recorder->nearest.clearance));
 		if (recorder->sampled)
 			strbuf_addf(out, "; all blocks: at least %.3f mm",
-				    recorder_shown(fmin(recorder->bound, recorder->least)));
+				    recorder_shown(recorder_bound(recorder)));
 	}
 }
 

@@ -222,12 +222,18 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	struct motion_event event = {.kind = MOTION_LIMIT, .summary = converter->event.summary};
 
 	event.of.limit = (struct motion_limit){
-	    .slot = slot, .bound = crossing->bound, .target = run->legs[run->count - 1].span.q1.v[slot],
-	    .excess = crossing->excess, .path_tolerance = crossing->room,
-	    .work_offset = move->machine_coordinates ? NULL : move->origin->work_offset,
-	    .work = move->origin->work.v[slot], .shift = move->origin->shift.v[slot],
-	    .length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
-	    .length = move->origin->length,
+	    .travel = {
+		.slot = slot,
+		.bound = crossing->bound,
+		.target = run->legs[run->count - 1].span.q1.v[slot],
+		.excess = crossing->excess,
+		.path_tolerance = crossing->room,
+		.work_offset = move->machine_coordinates ? NULL : move->origin->work_offset,
+		.work = move->origin->work.v[slot],
+		.shift = move->origin->shift.v[slot],
+		.length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
+		.length = move->origin->length,
+	    },
 	    .position = path_position(path, crossing->u), .time = converter->time + since,
 	    .block_time = converter->block_time + since, .file = move->file,
 	    .line = move->line, .move = move->number, .tool = converter->tool};

@@ -26,18 +26,22 @@ struct motion_step {
 	enum step_class step_class;
 };
 
-/* An axis leaves, or may leave, its travel: the first such instant in a move. Sent before the steps of the move. */
-struct motion_limit {
+/* An axis leaves, or may leave, its travel. Values of the axis are in mm or radians. */
+struct travel_excess {
 	int slot;
-	double bound;	/* the limit, mm or radians */
+	double bound;	/* the limit */
 	double target;	/* the position to which the move takes the axis */
 	double excess;	/* the largest distance past the limit that the axis has, or may have */
-	/* mm, radians: how far the axis may be from its path, which is inside; 0: the path itself is outside */
-	double path_tolerance;
+	double path_tolerance;	/* how far the axis may be from its path, which is inside; 0: the path is outside */
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: the block commands machine coordinates */
 	double work, shift;	/* its value for the axis, and the sum of G52 and G92 */
 	bool length_acts;	/* the tool's length moves this axis: Z, and all linear ones under TCP */
 	double length;	/* mm: of the tool, in force */
+};
+
+/* The first instant in a move at which an axis leaves, or may leave, its travel. Sent before the steps of the move. */
+struct motion_limit {
+	struct travel_excess travel;
 	axis_values position;	/* the axis positions at that instant */
 	double time;
 	double block_time;

@@ -32,10 +32,12 @@ static bool is_same_text(const char *a, const char *b)
 
 static bool has_subject(const struct waiver *waiver, const struct finding *f)
 {
+	const struct pair_finding *pair = &f->of.pair;
+
 	if (f->kind == FINDING_LIMIT)
-		return waiver->slot == f->slot;
-	return (is_same_text(waiver->a, f->a) && is_same_text(waiver->b, f->b)) ||
-	       (is_same_text(waiver->a, f->b) && is_same_text(waiver->b, f->a));
+		return waiver->slot == f->of.limit.slot;
+	return (is_same_text(waiver->a, pair->a) && is_same_text(waiver->b, pair->b)) ||
+	       (is_same_text(waiver->a, pair->b) && is_same_text(waiver->b, pair->a));
 }
 
 static bool is_there(const struct waiver *waiver, const struct machine *machine, const axis_values *axes)

@@ -243,7 +243,7 @@ static inline bool stress_keep(void *context, const struct finding *finding)
 {
 	struct stress_found *found = context;
 
-	*found = (struct stress_found){found->count + 1, finding->fraction, finding->clearance};
+	*found = (struct stress_found){found->count + 1, finding->fraction, finding->of.pair.clearance};
 	return true;
 }
 

@@ -20,11 +20,11 @@ START_TEST(straight_moves_past_a_limit)
 	go(&record, move_to(CANON_FEED, (axis_values){{300, 0, -200}}));
 	ck_assert_int_eq(record.limit_count, 2);
 	ck_assert_int_eq(record.steps_before_limit, 2);
-	ck_assert_int_eq(record.limits[0].slot, SLOT_Z);
-	ck_assert_double_eq(record.limits[0].bound, -100);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Z);
+	ck_assert_double_eq(record.limits[0].travel.bound, -100);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Z], -100, 1e-6);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 150, 1e-6);
-	ck_assert_int_eq(record.limits[1].slot, SLOT_X);
+	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_X);
 	ck_assert_double_eq_tol(record.limits[1].position.v[SLOT_X], 250, 1e-6);
 	ck_assert_double_eq_tol(record.limits[1].time, 100 + 5 / 6.0 * record.steps[2].seconds, 1e-6);
 	ck_assert_int_eq((int)record.limits[1].line, 12);
@@ -32,8 +32,8 @@ START_TEST(straight_moves_past_a_limit)
 	/* On the way back it starts outside. */
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	ck_assert_int_eq(record.limit_count, 4);
-	ck_assert_int_eq(record.limits[2].slot, SLOT_X);
-	ck_assert_int_eq(record.limits[3].slot, SLOT_Z);
+	ck_assert_int_eq(record.limits[2].travel.slot, SLOT_X);
+	ck_assert_int_eq(record.limits[3].travel.slot, SLOT_Z);
 	ck_assert_double_eq_tol(record.limits[3].time, record.steps[3].time, 1e-12);
 	/* And then all is well again. */
 	go(&record, move_to(CANON_FEED, (axis_values){{1, 0, 0}}));
@@ -84,8 +84,8 @@ START_TEST(a_guided_move_bulges_past_a_limit)
 	record.travelled = 0;
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 1);
-	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
-	ck_assert_double_eq(record.limits[0].bound, 50);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Y);
+	ck_assert_double_eq(record.limits[0].travel.bound, 50);
 	/* 100 sin(angle) = 50 at 30 of 180 degrees. */
 	ck_assert_double_eq_tol(record.limits[0].block_time - 0.2, record.travelled / 6, 1e-6);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Y], 50, 3e-6);
@@ -104,9 +104,9 @@ START_TEST(a_dogleg_reports_an_axis_once)
 	start(&record, &machine);
 	go(&record, move_to(CANON_RAPID, (axis_values){{300, 200, 50}}));
 	ck_assert_int_eq(record.limit_count, 2);
-	ck_assert_int_eq(record.limits[0].slot, SLOT_X);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_X);
 	ck_assert_double_eq_tol(record.limits[0].time, 10 / 500.0, 1e-9);
-	ck_assert_int_eq(record.limits[1].slot, SLOT_Y);
+	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_Y);
 	ck_assert_double_eq_tol(record.limits[1].time, 150 / 500.0, 1e-9);
 	ck_assert_int_eq(record.step_count, 3);
 	ck_assert(record.steps[0].outside && record.steps[2].outside);
@@ -177,14 +177,14 @@ START_TEST(the_whole_set_is_held_to_the_limits)
 	move.spread[1] = 3;
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 2);
-	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
-	ck_assert_double_eq_tol(record.limits[0].excess, 1, 1e-9);
-	ck_assert_double_eq(record.limits[0].bound, -2);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Y);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 1, 1e-9);
+	ck_assert_double_eq(record.limits[0].travel.bound, -2);
 	ck_assert_double_eq(record.limits[0].time, 0);
-	ck_assert_int_eq(record.limits[1].slot, SLOT_X);
-	ck_assert_double_eq(record.limits[1].bound, 200);
-	ck_assert_double_eq_tol(record.limits[1].excess, 0.5, 1e-9);
-	ck_assert_double_eq(record.limits[1].path_tolerance, 1.5);
+	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_X);
+	ck_assert_double_eq(record.limits[1].travel.bound, 200);
+	ck_assert_double_eq_tol(record.limits[1].travel.excess, 0.5, 1e-9);
+	ck_assert_double_eq(record.limits[1].travel.path_tolerance, 1.5);
 	ck_assert_double_eq_tol(record.limits[1].position.v[SLOT_X], 198.5, 1e-6);
 	ck_assert_double_eq_tol(record.limits[1].time, 198.5 / 199 * record.travelled, 1e-6);
 	ck_assert(record.steps[0].outside);
@@ -194,8 +194,8 @@ START_TEST(the_whole_set_is_held_to_the_limits)
 	move.spread[1] = 0;
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 1);
-	ck_assert_double_eq(record.limits[0].path_tolerance, 0);
-	ck_assert_double_eq_tol(record.limits[0].excess, 10, 1e-9);
+	ck_assert_double_eq(record.limits[0].travel.path_tolerance, 0);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 10, 1e-9);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 200, 1e-6);
 }
 END_TEST
@@ -220,7 +220,7 @@ START_TEST(spread_between_covered_places)
 	move.between[0] = true;
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 1);
-	ck_assert_double_eq_tol(record.limits[0].excess, 4, 1e-9);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 4, 1e-9);
 }
 END_TEST
 
@@ -242,8 +242,8 @@ START_TEST(a_spread_at_one_place)
 	ck_assert_double_eq(record.steps[0].seconds, 0);
 	ck_assert_double_eq(record.steps[0].tolerance.v[SLOT_Z], 2);
 	ck_assert_int_eq(record.limit_count, 1);
-	ck_assert_double_eq_tol(record.limits[0].excess, 1.5, 1e-9);
-	ck_assert_double_eq(record.limits[0].target, 0);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 1.5, 1e-9);
+	ck_assert_double_eq(record.limits[0].travel.target, 0);
 }
 END_TEST
 
@@ -267,9 +267,9 @@ START_TEST(a_rapid_under_tcp_may_swing_past_a_limit)
 	move.tcp = true;
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 1);
-	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
-	ck_assert_double_eq_tol(record.limits[0].excess, 30, 1e-3);
-	ck_assert_double_eq_tol(record.limits[0].path_tolerance, 100, 0.1);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Y);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 30, 1e-3);
+	ck_assert_double_eq_tol(record.limits[0].travel.path_tolerance, 100, 0.1);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Y], 70, 1e-5);
 	ck_assert(record.steps[record.step_count - 1].outside);
 }

@@ -144,7 +144,7 @@ START_TEST(steps_that_are_counted)
 	for (int i = 0; i < all.limit_count; i++) {
 		ck_assert_int_eq((int)few.limits[i].line, (int)all.limits[i].line);
 		ck_assert_double_eq(few.limits[i].time, all.limits[i].time);
-		ck_assert_double_eq(few.limits[i].excess, all.limits[i].excess);
+		ck_assert_double_eq(few.limits[i].travel.excess, all.limits[i].travel.excess);
 	}
 }
 END_TEST

@@ -79,7 +79,7 @@ static struct machine two_axes(void)
 START_TEST(test_names)
 {
 	struct machine machine = two_axes();
-	struct finding finding = {.kind = FINDING_COLLISION, .a = "a", .b = "b", .line = 1, .column = 1};
+	struct finding finding = {.kind = FINDING_COLLISION, .of.pair = {.a = "a", .b = "b"}, .line = 1, .column = 1};
 	struct strbuf out = {0};
 	int kept = 0;
 
@@ -124,8 +124,9 @@ START_TEST(test_finding)
 	struct machine machine = two_axes();
 	struct finding finding = {
 		.kind = FINDING_CLEARANCE, .file = "p.nc", .line = 118, .column = 1, .move = 2, .moves = 3,
-		.fraction = 1.0 / 3, .time = 12345.678912, .a = "head", .b = "table",
-		.point = {1e-7, -0.0, 98765.4321012}, .clearance = 0.123456789012, .required = 1,
+		.fraction = 1.0 / 3, .time = 12345.678912,
+		.of.pair = {.a = "head", .b = "table", .point = {1e-7, -0.0, 98765.4321012},
+			    .clearance = 0.123456789012, .required = 1},
 	};
 	struct strbuf out = {0};
 	json_t *object, *point;

@@ -75,9 +75,10 @@ static void on_diag(void *context, const struct diag_entry *entry)
 static bool on_finding(void *context, const struct finding *finding)
 {
 	struct heard *heard = context;
+	const bool pair = finding->kind != FINDING_LIMIT;
 
 	strbuf_addf(&heard->text, "%s %s:%ld %s - %s %a, %d events\n", finding_kind_name(finding->kind), finding->file,
-		    finding->line, finding->a ? finding->a : "", finding->b ? finding->b : "", finding->time,
+		    finding->line, pair ? finding->of.pair.a : "", pair ? finding->of.pair.b : "", finding->time,
 		    heard->events);
 	return true;
 }

@@ -49,7 +49,8 @@ static void load(const char *content, const char *today)
 
 static struct finding finding_at(double x, double degrees_c)
 {
-	struct finding f = {.kind = FINDING_COLLISION, .file = "p.nc", .text = "\tG1 X10\r\n", .a = "bed", .b = "head"};
+	struct finding f = {.kind = FINDING_COLLISION, .file = "p.nc", .text = "\tG1 X10\r\n",
+			    .of.pair = {.a = "bed", .b = "head"}};
 
 	f.axes.v[SLOT_X] = x;
 	f.axes.v[SLOT_C] = radians(degrees_c);
@@ -89,14 +90,13 @@ START_TEST(accepts_nothing_else)
 	f.text = "G1 X10.";
 	assert_not_found(f);
 	f = finding_at(10, -90);
-	f.a = "table";
+	f.of.pair.a = "table";
 	assert_not_found(f);
-	f.a = "head";
+	f.of.pair.a = "head";
 	assert_not_found(f);
 	f = finding_at(10, -90);
 	f.kind = FINDING_LIMIT;
-	f.slot = SLOT_X;
-	f.a = f.b = NULL;
+	f.of.limit = (struct travel_excess){.slot = SLOT_X};
 	assert_not_found(f);
 	f = finding_at(10, -90);
 	ck_assert_ptr_null(waiver_match_find(&waiving, matched, machine, "dir/p.nc", &f));

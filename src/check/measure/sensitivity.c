@@ -58,14 +58,17 @@ static bool on_finding(void *context, const struct finding *finding)
 		return false;
 	answer->kind = (int)finding->kind;
 	answer->line = finding->line;
-	answer->slot = finding->slot;
 	answer->a = answer->b = NULL;
+	if (finding->kind == FINDING_LIMIT) {
+		answer->slot = finding->of.limit.slot;
+		return false;
+	}
 	/* The finding is valid only during this call; names owned by the scene stay valid. */
-	for (size_t i = 0; i < scene->body_count && finding->kind != FINDING_LIMIT; i++) {
+	for (size_t i = 0; i < scene->body_count; i++) {
 		const char *body = scene->bodies[i].body->name;
 
-		answer->a = strcmp(body, finding->a) ? answer->a : body;
-		answer->b = strcmp(body, finding->b) ? answer->b : body;
+		answer->a = strcmp(body, finding->of.pair.a) ? answer->a : body;
+		answer->b = strcmp(body, finding->of.pair.b) ? answer->b : body;
 	}
 	return false;
 }

@@ -108,15 +108,15 @@ static void add_findings(struct strbuf *out, const struct html_contents *report)
 {
 	const struct recorder *recorder = report->recorder;
 
-	if (!recorder->finding_count)
+	if (!recorder->findings.count)
 		return;
 	strbuf_addf(out, "<h2>Findings</h2>\n<table>\n<tr><th>Place</th><th>Kind</th><th>What happens</th>"
 			 "<th>Block</th><th>Axes</th><th>Time</th></tr>\n");
-	for (size_t i = 0; i < recorder->finding_count; i++)
-		add_finding(out, report->run->scene->machine, &recorder->findings[i]);
+	for (size_t i = 0; i < recorder->findings.count; i++)
+		add_finding(out, report->run->scene->machine, &recorder->findings.items[i]);
 	strbuf_addf(out, "</table>\n");
-	if (recorder->findings_left_out)
-		strbuf_addf(out, "<p>%ld more findings are not listed here.</p>\n", recorder->findings_left_out);
+	if (recorder->findings.left_out)
+		strbuf_addf(out, "<p>%ld more findings are not listed here.</p>\n", recorder->findings.left_out);
 }
 
 static void add_errors(struct strbuf *out, const struct report_program *program)
@@ -303,7 +303,7 @@ static void add_heading(struct strbuf *out, const struct html_contents *report, 
 
 void plain_html_add_main(struct strbuf *out, const struct html_contents *report)
 {
-	const struct recorded_finding *first = recorder_first(report->recorder);
+	const struct recorded_finding *first = recorded_findings_first(&report->recorder->findings);
 
 	strbuf_addf(out, "<main id=\"plain\">\n");
 	add_heading(out, report, first);

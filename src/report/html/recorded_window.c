@@ -4,6 +4,7 @@
 
 #include "base/mem.h"
 #include "report/html/pack_table.h"
+#include "report/html/record_scales.h"
 #include "report/html/recorder.h"
 
 /* Degrees to radians. */
@@ -16,7 +17,7 @@ static struct recorded_row row_of(const struct recorder *recorder, const int64_t
 
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
-		const double value = (double)values[PATH_AXES + i] * recorder_axis_scale(axis);
+		const double value = (double)values[PATH_AXES + i] * record_axis_scale(axis);
 
 		row.axes.v[axis->slot] = axis->rotary ? value * DEGREE : value;
 	}
@@ -71,7 +72,7 @@ static bool push_chunk(struct recorder *recorder, size_t chunk, double from, dou
 
 struct recorded_window recorder_window(struct recorder *recorder)
 {
-	const struct recorded_finding *first = recorder_first(recorder);
+	const struct recorded_finding *first = recorded_findings_first(&recorder->findings);
 	const struct recorded_table *path = &recorder->path;
 	struct recorded_window window = {0};
 	struct recorded_row last;

@@ -5,12 +5,14 @@
 #ifndef FIVECHECK_REPORT_HTML_RECORDER_H
 #define FIVECHECK_REPORT_HTML_RECORDER_H
 
-#include <jansson.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "check/sink.h"
 #include "motion/events.h"
+#include "report/html/recorded_files.h"
+#include "report/html/recorded_findings.h"
+#include "report/html/recorded_planes.h"
 #include "report/html/recorded_table.h"
 #include "report/report.h"
 #include "scene/sweep.h"
@@ -19,44 +21,6 @@
 /* Columns of the path before the axes. */
 enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_MODES, PATH_FEED, PATH_AXES };
 enum { CLEARANCE_TIME, CLEARANCE_LEAST, CLEARANCE_MOST, CLEARANCE_PAIR, CLEARANCE_COLUMNS };
-enum {
-	PLANE_TIME,
-	PLANE_PAIR,
-	PLANE_POINT,
-	PLANE_NORMAL = PLANE_POINT + 3,
-	PLANE_DISTANCE = PLANE_NORMAL + 3,
-	PLANE_COLUMNS
-};
-
-/* The scales of the columns. */
-#define RECORD_TIME 1e-5	/* s */
-#define RECORD_LENGTH 0.01	/* mm */
-#define RECORD_ANGLE 0.001	/* degrees */
-#define RECORD_CLEARANCE 0.001	/* mm */
-#define RECORD_FEED 0.1	/* mm/min */
-#define RECORD_NORMAL 1e-6
-
-/* At most this number of planes is kept, and as many again beside findings. */
-enum { PLANES_MAX = 64 };
-
-/* A finding, with the data for its drawing. */
-struct recorded_finding {
-	json_t *object;	/* as in NDJSON; owned */
-	char *message;	/* owned */
-	char *file, *text;	/* owned; the text of the block */
-	enum finding_kind kind;
-	enum finding_status status;
-	long line, block;	/* number of the block, from 1; 0: not known */
-	double time, fraction;
-	double stock_time;	/* as in the finding */
-	axis_values axes;
-	int tool;
-	int a, b;	/* bodies; -1 for a limit */
-	int link;	/* of the axis that leaves its travel; 0: no limit */
-	vec3 point;	/* machine coordinates */
-	bool has_triangles;	/* false: a limit, or one of the bodies is the stock */
-	vec3 triangles[2][3];	/* of a and of b, machine coordinates at the finding's pose */
-};
 
 /* The end of a block. */
 struct block_end {
@@ -76,55 +40,51 @@ enum { BLOCK_ENDS = 4096 };
 /* At most this number of different modes is kept, apart from the feed; in a program with more, some rows have none. */
 enum { MODES_MAX = 512 };
 
-/* A request to show the plane between the bodies of this pair at the end of this block. */
-struct plane_wish {
-	struct block_end at;
+/* Where the smallest clearance was measured. */
+struct recorded_nearest {
+	double clearance;	/* mm; the cap of the recorder if none is smaller */
 	size_t pair;
-	bool forced;	/* the block is beside a finding */
+	size_t file;	/* the index of its file */
+	struct block_end end;	/* of its block */
 };
 
-/* The name of a file as used by the check, and a copy that outlives the check. */
-struct recorded_file {
-	const char *interned;
-	char *name;
+/* The modes that were in force, each once, whatever the feed. */
+struct recorded_modes {
+	struct motion_modes *items;
+	size_t count, capacity;
+	int64_t current;	/* index of those in force; -1: not known */
+	double feed;	/* in force, mm/s: as in motion_modes */
+};
+
+/* How far the program was read. */
+struct recorded_progress {
+	long blocks;	/* number of them */
+	double start;	/* s: of the first step */
+	double block_from, now;	/* s: where the block before, and the last step, ended */
+	axis_values position;	/* at the end of the last step */
+	int tool;
 };
 
 /* Do not move the struct after recorder_init. */
 struct recorder {
 	struct motion_sink watch;	/* pass it to the check: check_options.watch */
+	struct stock_view stock;	/* pass it to the check: the stock at the first finding, else at the end */
 	struct scene *scene;
 	double cap;	/* mm: of the clearances */
-	struct recorded_table path, clearance;
-	struct motion_modes *modes;	/* different but for the feed */
-	size_t mode_count, mode_capacity;
-	int64_t mode;	/* in force: its index, from 0; -1: not known */
-	double feed;	/* mm/s: as in motion_modes */
-	struct recorded_file *files;
-	size_t file_count, file_capacity;
-	struct recorded_finding *findings;	/* the first FINDINGS_MAX */
-	size_t finding_count, finding_capacity;
-	long findings_left_out;
-	struct stock_view stock;	/* pass it to the check: the stock at the first finding, else at the end */
+	struct recorded_progress read;
 	struct block_end *ends;	/* ring: block n at n % BLOCK_ENDS */
-	long blocks;	/* that were read */
-	double now, block_from;	/* s: where the last step, and the block before, ended */
-	axis_values position;
-	int tool;
-	double start;	/* s: of the first step */
 	double checked;	/* s: the end of the last block that was handed to recorder_block */
-	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
-	size_t least_pair;
-	struct block_end least_at;	/* the end of its block */
-	size_t least_file;	/* the index of its file in `files` */
-	/* mm: the smallest clearance that was proved, also of blocks that were not measured; or the cap */
-	double bound;
+
+	/* What the report shows. */
+	struct recorded_files files;
+	struct recorded_modes modes;
+	struct recorded_findings findings;
+	struct recorded_table path, clearance;
+	struct recorded_nearest nearest;
+	double bound;	/* mm: the smallest proved clearance, also of blocks that were not measured; or the cap */
 	bool sampled;	/* some blocks were not measured */
-	struct plane_wish *wishes;	/* for planes, in the order of time */
-	size_t wish_count, wish_capacity, wishes_forced;
-	long plane_stride;	/* a plane is requested at intervals of this many blocks */
-	int64_t (*planes)[PLANE_COLUMNS];	/* made when the recorder is closed */
-	size_t plane_count;
-	struct sweep sweep;
+	struct recorded_planes planes;
+	struct sweep sweep;	/* finds nearest triangles */
 };
 
 /* `program`: the name of its file, which the report uses. The scene must have been built. */
@@ -140,9 +100,6 @@ double recorder_shown(double clearance);
 
 /* Completes the tables. False: a temporary file failed; *error is its errno. */
 bool recorder_close(struct recorder *recorder, int *error);
-
-/* The first finding that fails the run, else the first one; NULL: there is none. */
-const struct recorded_finding *recorder_first(const struct recorder *recorder);
 
 struct recorded_row {
 	double time;	/* s */
@@ -164,10 +121,13 @@ struct recorded_window {
 enum { WINDOW_ROWS = 8192 };
 struct recorded_window recorder_window(struct recorder *recorder);
 
+/* Was a clearance below the cap measured? */
+bool recorder_is_near(const struct recorder *recorder);
+
+/* mm: what was proved for all blocks; at most the cap. */
+double recorder_bound(const struct recorder *recorder);
+
 /* The point between the nearest bodies, in machine coordinates. False: there are none below the cap. */
 bool recorder_nearest_point(struct recorder *recorder, vec3 *point);
-
-/* The scale of the column of this axis of the machine. */
-double recorder_axis_scale(const struct axis *axis);
 
 #endif

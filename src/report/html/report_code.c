@@ -24,8 +24,8 @@ static struct marks marks_of(const struct recorder *recorder, const char *name)
 {
 	struct marks marks = {0};
 
-	for (size_t i = 0; i < recorder->finding_count; i++) {
-		const struct recorded_finding *finding = &recorder->findings[i];
+	for (size_t i = 0; i < recorder->findings.count; i++) {
+		const struct recorded_finding *finding = &recorder->findings.items[i];
 		const json_t *calls = json_object_get(finding->object, "callers");
 
 		if (!strcmp(finding->file, name))
@@ -55,8 +55,8 @@ json_t *report_code_json(struct page *page, const struct html_contents *report, 
 	json_t *object = json_object(), *files = json_array();
 	bool all = true;
 
-	for (size_t i = 0; i < recorder->file_count; i++) {
-		const char *name = recorder->files[i].name, *digest = digest_of(report, name);
+	for (size_t i = 0; i < recorder->files.count; i++) {
+		const char *name = recorder->files.items[i].name, *digest = digest_of(report, name);
 		json_t *file = json_object(), *windows = json_array();
 		struct marks marks = marks_of(recorder, name);
 		bool complete = false;

@@ -70,8 +70,8 @@ static json_t *findings_json(const struct recorder *recorder)
 {
 	json_t *array = json_array();
 
-	for (size_t i = 0; i < recorder->finding_count; i++)
-		json_push(array, finding_json(&recorder->findings[i]));
+	for (size_t i = 0; i < recorder->findings.count; i++)
+		json_push(array, finding_json(&recorder->findings.items[i]));
 	return array;
 }
 
@@ -118,7 +118,7 @@ json_t *report_head_json(const struct html_contents *report)
 	json_put(object, "offsets", json_deep_copy(scene->offsets));
 	json_put(object, "pairs", json_deep_copy(scene->pairs));
 	json_put(object, "findings", findings_json(report->recorder));
-	json_put(object, "findings_left_out", json_integer(report->recorder->findings_left_out));
+	json_put(object, "findings_left_out", json_integer(report->recorder->findings.left_out));
 	json_put(object, "statistics", plain_html_statistics(report));
 	json_put(object, "sensitivity",
 		 sensitivity_report_json(report->program->sensitivity, report->program->sensitivity_count));

@@ -5,8 +5,9 @@
 
 #include "base/mem.h"
 #include "report/format/json.h"
-#include "report/html/report_code.h"
 #include "report/html/pack_table.h"
+#include "report/html/record_scales.h"
+#include "report/html/report_code.h"
 #include "report/html/report_data.h"
 #include "report/html/selection.h"
 
@@ -70,12 +71,12 @@ static bool choose_chunks(struct recorded_table *table, const struct recorder *r
 			  struct strbuf *packed)
 {
 	size_t *order = mem_alloc((table->chunk_count + 1) * sizeof(*order));
-	size_t *marks = mem_alloc((recorder->finding_count + 1) * sizeof(*marks));
+	size_t *marks = mem_alloc((recorder->findings.count + 1) * sizeof(*marks));
 	size_t used = 0;
 
-	for (size_t i = 0; i < recorder->finding_count && table->chunk_count; i++)
-		marks[i] = chunk_at(table, (int64_t)(recorder->findings[i].time / RECORD_TIME));
-	selection_order(order, table->chunk_count, marks, table->chunk_count ? recorder->finding_count : 0);
+	for (size_t i = 0; i < recorder->findings.count && table->chunk_count; i++)
+		marks[i] = chunk_at(table, (int64_t)(recorder->findings.items[i].time / RECORD_TIME));
+	selection_order(order, table->chunk_count, marks, table->chunk_count ? recorder->findings.count : 0);
 	for (size_t i = 0; i < table->chunk_count; i++) {
 		struct strbuf bytes = {0}, *it = &packed[order[i]];
 
@@ -149,15 +150,15 @@ static double checked_until(const struct html_contents *report)
 	const bool all =
 	    verdict && (verdict->result == CHECK_CLEAR || (verdict->result == CHECK_FOUND && verdict->options->all));
 
-	return all ? recorder->now : recorder->checked;
+	return all ? recorder->read.now : recorder->checked;
 }
 
 static json_t *modes_json(const struct recorder *recorder, const struct machine *machine)
 {
 	json_t *array = json_array();
 
-	for (size_t i = 0; i < recorder->mode_count; i++) {
-		const struct motion_modes *modes = &recorder->modes[i];
+	for (size_t i = 0; i < recorder->modes.count; i++) {
+		const struct motion_modes *modes = &recorder->modes.items[i];
 		json_t *object = json_object();
 
 		json_put(object, "work_offset", json_text(modes->work_offset));
@@ -186,13 +187,13 @@ static json_t *path_json(const struct html_contents *report)
 	for (int i = 0; i < PATH_AXES; i++)
 		push_column(object, names[i], i == PATH_TIME ? RECORD_TIME : i == PATH_FEED ? RECORD_FEED : 1);
 	for (size_t i = 0; i < machine->axis_count; i++)
-		push_column(object, machine->axes[i].name, recorder_axis_scale(&machine->axes[i]));
-	for (size_t i = 0; i < recorder->file_count; i++)
-		json_push(files, json_text(recorder->files[i].name));
+		push_column(object, machine->axes[i].name, record_axis_scale(&machine->axes[i]));
+	for (size_t i = 0; i < recorder->files.count; i++)
+		json_push(files, json_text(recorder->files.items[i].name));
 	json_put(object, "rows", json_integer(recorder->path.rows));
 	json_put(object, "files", files);
 	json_put(object, "modes", modes_json(recorder, machine));
-	json_put(object, "end", json_real(recorder->now));
+	json_put(object, "end", json_real(recorder->read.now));
 	json_put(object, "checked", json_real(checked_until(report)));
 	return object;
 }
@@ -202,14 +203,14 @@ static json_t *smallest_json(const struct recorder *recorder)
 {
 	json_t *object;
 
-	if (!(recorder->least < recorder->cap))
+	if (!recorder_is_near(recorder))
 		return json_null();
 	object = json_object();
-	json_put(object, "least", json_real(recorder_shown(recorder->least)));
-	json_put(object, "pair", json_integer((json_int_t)recorder->least_pair));
-	json_put(object, "file", json_text(recorder->files[recorder->least_file].name));
-	json_put(object, "line", json_integer(recorder->least_at.line));
-	json_put(object, "time", json_real(recorder->least_at.to));
+	json_put(object, "least", json_real(recorder_shown(recorder->nearest.clearance)));
+	json_put(object, "pair", json_integer((json_int_t)recorder->nearest.pair));
+	json_put(object, "file", json_text(recorder->files.items[recorder->nearest.file].name));
+	json_put(object, "line", json_integer(recorder->nearest.end.line));
+	json_put(object, "time", json_real(recorder->nearest.end.to));
 	return object;
 }
 
@@ -223,8 +224,8 @@ static json_t *clearance_json(const struct recorder *recorder)
 	push_column(object, "pair", 1);
 	json_put(object, "rows", json_integer(recorder->clearance.rows));
 	json_put(object, "cap", json_real(recorder->cap));
-	json_put(object, "start", json_real(recorder->start));
-	json_put(object, "bound", json_real(recorder_shown(fmin(recorder->bound, recorder->least))));
+	json_put(object, "start", json_real(recorder->read.start));
+	json_put(object, "bound", json_real(recorder_shown(recorder_bound(recorder))));
 	json_put(object, "smallest", smallest_json(recorder));
 	return object;
 }
@@ -238,9 +239,9 @@ static json_t *planes_json(struct page *page, const struct recorder *recorder)
 		push_column(object, names[i],
 			    i == PLANE_TIME ? RECORD_TIME : i == PLANE_PAIR ? 1 : i < PLANE_NORMAL ? RECORD_LENGTH
 			    : i < PLANE_DISTANCE ? RECORD_NORMAL : RECORD_CLEARANCE);
-	json_put(object, "rows", json_integer((json_int_t)recorder->plane_count));
+	json_put(object, "rows", json_integer((json_int_t)recorder->planes.count));
 	json_put(object, "blob",
-		 json_integer(write_table(page, recorder->planes[0], recorder->plane_count, PLANE_COLUMNS,
+		 json_integer(write_table(page, recorder->planes.rows[0], recorder->planes.count, PLANE_COLUMNS,
 					  DEFLATE_SMALL)));
 	return object;
 }
@@ -280,7 +281,7 @@ bool report_levels_write(struct page *page, const struct html_contents *report, 
 	bool good = true;
 	size_t rest;
 
-	json_put(head, "planes", recorder->plane_count ? planes_json(page, recorder) : json_null());
+	json_put(head, "planes", recorder->planes.count ? planes_json(page, recorder) : json_null());
 	write_long_coarse(page, recorder, path, clearance);
 	rest = rest_of(report, page, reserved);
 	if (path) {

@@ -20,6 +20,14 @@ int shown_body_named(const struct scene *scene, const char *name)
 	return -1;
 }
 
+xform shown_body_pose(const struct scene *scene, int body, const axis_values *q)
+{
+	const struct body *it = scene->bodies[body].body;
+	const xform link = machine_pose(scene->machine, it->link, q);
+
+	return xform_mul(&link, &it->placement);
+}
+
 const struct scene_pair *shown_pair(const struct scene *scene, int a, int b)
 {
 	for (size_t i = 0; i < scene->pair_count; i++) {

@@ -10,6 +10,9 @@ int shown_body(const struct scene *scene, int body);
 /* The index of the body with that name; -1: there is none, or the name is NULL. */
 int shown_body_named(const struct scene *scene, const char *name);
 
+/* The pose of its mesh in machine coordinates, with the axes at q. */
+xform shown_body_pose(const struct scene *scene, int body, const axis_values *q);
+
 /* The pair of these bodies, as in a finding; for a cutter and the part any of their pairs. NULL: there is none. */
 const struct scene_pair *shown_pair(const struct scene *scene, int a, int b);
 

@@ -28,7 +28,7 @@ void stock_pack_init(struct stock_pack *out, const struct recorder *recorder, si
 	if (out->body < 0)
 		return;
 	if (view->cut) {
-		out->when = recorder_first(recorder) ? STOCK_AT_FINDING : STOCK_AT_END;
+		out->when = recorded_findings_first(&recorder->findings) ? STOCK_AT_FINDING : STOCK_AT_END;
 		out->excess = view->excess;
 	}
 	/* An empty mesh cannot be packed. */

@@ -51,12 +51,14 @@ static bool dump_step(struct dump *dump, const struct motion_step *step)
 
 static void dump_limit(struct dump *dump, const struct motion_limit *limit)
 {
+	const struct travel_excess *travel = &limit->travel;
+
 	if (!dump->past_limit)
 		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
 			     "axis %c %s its travel at the limit of %.10g %s; "
 			     "--parse-only --all lists every such place",
-			     AXIS_LETTERS[limit->slot], limit->path_tolerance > 0 ? "may leave" : "leaves",
-			     format_units_value(limit->slot, limit->bound), format_units_unit(limit->slot));
+			     AXIS_LETTERS[travel->slot], travel->path_tolerance > 0 ? "may leave" : "leaves",
+			     format_units_value(travel->slot, travel->bound), format_units_unit(travel->slot));
 	dump->past_limit = true;
 }
 

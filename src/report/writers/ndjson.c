@@ -86,20 +86,21 @@ static const char *const accepted[] = {
 		[FINDING_LEFT_OUT] = "fail-on",
 };
 
-void ndjson_put_limit(json_t *object, const struct finding *f)
+void ndjson_put_limit(json_t *object, const struct travel_excess *limit)
 {
-	const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
+	const char axis[2] = {AXIS_LETTERS[limit->slot], '\0'};
+	const bool offset = limit->work_offset != NULL;
 
 	json_put(object, "axis", json_string(axis));
-	json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
-	json_put(object, "target", json_real(format_units_value(f->slot, f->target)));
-	json_put(object, "excess", json_real(format_units_value(f->slot, f->excess)));
-	if (f->path_tolerance > 0)
-		json_put(object, "path_tolerance", json_real(format_units_value(f->slot, f->path_tolerance)));
-	json_put(object, "work_offset", json_text(f->work_offset));
-	json_put(object, "work", f->work_offset ? json_real(format_units_value(f->slot, f->work)) : json_null());
-	json_put(object, "shift", f->work_offset ? json_real(format_units_value(f->slot, f->shift)) : json_null());
-	json_put(object, "tool_length", f->work_offset && f->length_acts ? json_real(f->length) : json_null());
+	json_put(object, "bound", json_real(format_units_value(limit->slot, limit->bound)));
+	json_put(object, "target", json_real(format_units_value(limit->slot, limit->target)));
+	json_put(object, "excess", json_real(format_units_value(limit->slot, limit->excess)));
+	if (limit->path_tolerance > 0)
+		json_put(object, "path_tolerance", json_real(format_units_value(limit->slot, limit->path_tolerance)));
+	json_put(object, "work_offset", json_text(limit->work_offset));
+	json_put(object, "work", offset ? json_real(format_units_value(limit->slot, limit->work)) : json_null());
+	json_put(object, "shift", offset ? json_real(format_units_value(limit->slot, limit->shift)) : json_null());
+	json_put(object, "tool_length", offset && limit->length_acts ? json_real(limit->length) : json_null());
 }
 
 static json_t *callers_of(const struct finding *f)
@@ -119,7 +120,7 @@ static json_t *callers_of(const struct finding *f)
 
 json_t *ndjson_finding_object(const struct machine *machine, const struct finding *f, struct finding_style style)
 {
-	bool bodies = f->kind != FINDING_LIMIT;
+	const struct pair_finding *pair = f->kind == FINDING_LIMIT ? NULL : &f->of.pair;
 	json_t *object = json_object();
 
 	json_put(object, "kind", json_string(finding_kind_name(f->kind)));
@@ -128,20 +129,20 @@ json_t *ndjson_finding_object(const struct machine *machine, const struct findin
 	json_put(object, "column", json_integer(f->column));
 	json_put(object, "move", json_integer(f->move));
 	json_put(object, "fraction", json_real(f->fraction));
-	json_put(object, "a", json_text(bodies ? f->a : NULL));
-	json_put(object, "b", json_text(bodies ? f->b : NULL));
+	json_put(object, "a", json_text(pair ? pair->a : NULL));
+	json_put(object, "b", json_text(pair ? pair->b : NULL));
 	json_put(object, "axes", json_axes(machine, &f->axes));
 	json_put(object, "time", json_real(f->time));
-	json_put(object, "point", bodies ? json_point(f->point) : json_null());
-	json_put(object, "clearance", bodies ? json_real(f->clearance) : json_null());
-	if (f->kind == FINDING_RAPID_CONTACT || f->kind == FINDING_GOUGE)
-		json_put(object, "allowed_depth", json_real(f->depth));
-	if (bodies && f->path_tolerance > 0)
-		json_put(object, "path_tolerance", json_real(f->path_tolerance));
-	if (f->with_stock)
-		json_put(object, "certain", json_boolean(f->certain));
-	if (!bodies)
-		ndjson_put_limit(object, f);
+	json_put(object, "point", pair ? json_point(pair->point) : json_null());
+	json_put(object, "clearance", pair ? json_real(pair->clearance) : json_null());
+	if (pair && (f->kind == FINDING_RAPID_CONTACT || f->kind == FINDING_GOUGE))
+		json_put(object, "allowed_depth", json_real(pair->depth));
+	if (pair && pair->path_displacement > 0)
+		json_put(object, "path_tolerance", json_real(pair->path_displacement));
+	if (pair && pair->with_stock)
+		json_put(object, "certain", json_boolean(pair->certain));
+	if (!pair)
+		ndjson_put_limit(object, &f->of.limit);
 	json_put(object, "block", json_text(f->text));
 	if (f->caller_count)
 		json_put(object, "callers", callers_of(f));

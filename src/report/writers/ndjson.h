@@ -16,7 +16,7 @@ void ndjson_put_options(json_t *object, const struct report_run *run);
 json_t *ndjson_files(const struct report_file *files, size_t count);
 
 /* The keys of a limit: which one it is, the commanded position, and the offsets; added to the object. */
-void ndjson_put_limit(json_t *object, const struct finding *finding);
+void ndjson_put_limit(json_t *object, const struct travel_excess *limit);
 
 /* The cautions of a verdict (NULL: none) as an array of strings, which the caller releases. */
 json_t *ndjson_cautions(const struct verdict *verdict);

@@ -157,16 +157,18 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 	json_put(object, "time", json_real(f->time));
 	json_put(object, "axes", json_axes(machine, &f->axes));
 	if (f->kind != FINDING_LIMIT) {
-		json_put(object, "a", json_text(f->a));
-		json_put(object, "b", json_text(f->b));
-		json_put(object, "point", json_point(f->point));
-		json_put(object, "clearance", json_real(f->clearance));
-		if (f->path_tolerance > 0)
-			json_put(object, "path_tolerance", json_real(f->path_tolerance));
-		if (f->with_stock)
-			json_put(object, "certain", json_boolean(f->certain));
+		const struct pair_finding *pair = &f->of.pair;
+
+		json_put(object, "a", json_text(pair->a));
+		json_put(object, "b", json_text(pair->b));
+		json_put(object, "point", json_point(pair->point));
+		json_put(object, "clearance", json_real(pair->clearance));
+		if (pair->path_displacement > 0)
+			json_put(object, "path_tolerance", json_real(pair->path_displacement));
+		if (pair->with_stock)
+			json_put(object, "certain", json_boolean(pair->certain));
 	} else {
-		ndjson_put_limit(object, f);
+		ndjson_put_limit(object, &f->of.limit);
 	}
 	return object;
 }

@@ -13,17 +13,17 @@ static void add_body(struct strbuf *out, const char *body, const char *link)
 	strbuf_addf(out, " (%s)", link);
 }
 
-static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
+static void add_bodies(struct strbuf *out, const struct pair_finding *pair, const char *verb)
 {
-	add_body(out, f->a, f->link_a);
+	add_body(out, pair->a, pair->link_a);
 	strbuf_addf(out, " %s ", verb);
-	add_body(out, f->b, f->link_b);
+	add_body(out, pair->b, pair->link_b);
 }
 
 /* The motion of the cutter while it is too deep in the part. */
 static const char *how_it_moves(const struct finding *f)
 {
-	switch (f->step_class) {
+	switch (f->of.pair.step_class) {
 	case STEP_RAPID:
 		return "at rapid";
 	case STEP_FEED_TURNING:
@@ -41,23 +41,32 @@ static const char *how_it_moves(const struct finding *f)
 
 static void add_entry(struct strbuf *out, const struct finding *f)
 {
-	add_body(out, f->b_is_cutter ? f->b : f->a, f->b_is_cutter ? f->link_b : f->link_a);
+	const struct pair_finding *pair = &f->of.pair;
+
+	add_body(out, pair->b_is_cutter ? pair->b : pair->a, pair->b_is_cutter ? pair->link_b : pair->link_a);
 	strbuf_addf(out, " enters ");
-	add_body(out, f->b_is_cutter ? f->a : f->b, f->b_is_cutter ? f->link_a : f->link_b);
-	strbuf_addf(out, " more than %.10g mm deep %s", f->depth, how_it_moves(f));
+	add_body(out, pair->b_is_cutter ? pair->a : pair->b, pair->b_is_cutter ? pair->link_a : pair->link_b);
+	strbuf_addf(out, " more than %.10g mm deep %s", pair->depth, how_it_moves(f));
+}
+
+static void add_travel(struct strbuf *out, const struct travel_excess *limit)
+{
+	strbuf_addf(out, "axis %c %s its travel at the limit of %.10g %s", AXIS_LETTERS[limit->slot],
+		    limit->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(limit->slot, limit->bound),
+		    format_units_unit(limit->slot));
 }
 
 void text_message(struct strbuf *out, const struct finding *f)
 {
 	switch (f->kind) {
 	case FINDING_COLLISION:
-		add_bodies(out, f, "meets");
+		add_bodies(out, &f->of.pair, "meets");
 		break;
 	case FINDING_CLEARANCE:
-		add_bodies(out, f, "comes too close to");
+		add_bodies(out, &f->of.pair, "comes too close to");
 		break;
 	case FINDING_START_OVERLAP:
-		add_bodies(out, f, "overlaps");
+		add_bodies(out, &f->of.pair, "overlaps");
 		strbuf_addf(out, " before the block moves");
 		break;
 	case FINDING_RAPID_CONTACT:
@@ -65,9 +74,7 @@ void text_message(struct strbuf *out, const struct finding *f)
 		add_entry(out, f);
 		break;
 	case FINDING_LIMIT:
-		strbuf_addf(out, "axis %c %s its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
-			    f->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(f->slot, f->bound),
-			    format_units_unit(f->slot));
+		add_travel(out, &f->of.limit);
 		break;
 	}
 }
@@ -78,76 +85,79 @@ static void add_value(struct strbuf *out, int slot, double value)
 }
 
 /* "X 200 mm; the axis goes up to 150 mm past the limit" */
-static void add_target(struct strbuf *out, const struct finding *f)
+static void add_target(struct strbuf *out, const struct travel_excess *limit)
 {
-	strbuf_addf(out, "%c ", AXIS_LETTERS[f->slot]);
-	add_value(out, f->slot, f->target);
-	strbuf_addf(out, "; the axis %s up to ", f->path_tolerance > 0 ? "may go" : "goes");
-	add_value(out, f->slot, f->excess);
+	strbuf_addf(out, "%c ", AXIS_LETTERS[limit->slot]);
+	add_value(out, limit->slot, limit->target);
+	strbuf_addf(out, "; the axis %s up to ", limit->path_tolerance > 0 ? "may go" : "goes");
+	add_value(out, limit->slot, limit->excess);
 	strbuf_addf(out, " past the limit");
 }
 
 /* "inside the limit as programmed; the axis may be up to 1.5 mm beside that path" */
-static void add_way(struct strbuf *out, const struct finding *f)
+static void add_way(struct strbuf *out, const struct travel_excess *limit)
 {
 	strbuf_addf(out, "inside the limit as programmed; the axis may be up to ");
-	add_value(out, f->slot, f->path_tolerance);
+	add_value(out, limit->slot, limit->path_tolerance);
 	strbuf_addf(out, " beside that path");
 }
 
 /* "G54 X 50 mm, G52 or G92 adds 10 mm, tool length 60 mm" */
-static void add_origin(struct strbuf *out, const struct finding *f)
+static void add_origin(struct strbuf *out, const struct travel_excess *limit)
 {
-	if (!f->work_offset) {
+	if (!limit->work_offset) {
 		strbuf_addf(out, "none: machine coordinates");
 		return;
 	}
-	strbuf_addf(out, "%s %c ", f->work_offset, AXIS_LETTERS[f->slot]);
-	add_value(out, f->slot, f->work);
-	if (fabs(f->shift) > 0) {
+	strbuf_addf(out, "%s %c ", limit->work_offset, AXIS_LETTERS[limit->slot]);
+	add_value(out, limit->slot, limit->work);
+	if (fabs(limit->shift) > 0) {
 		strbuf_addf(out, ", G52 or G92 adds ");
-		add_value(out, f->slot, f->shift);
+		add_value(out, limit->slot, limit->shift);
 	}
-	if (f->length_acts && fabs(f->length) > 0)
-		strbuf_addf(out, ", tool length %.6g mm", f->length);
-	else if (f->length_acts)
+	if (limit->length_acts && fabs(limit->length) > 0)
+		strbuf_addf(out, ", tool length %.6g mm", limit->length);
+	else if (limit->length_acts)
 		strbuf_addf(out, ", no tool length");
 }
 
 /* For a finding with the stock: is it certain for every stock that may remain? */
-static const char *certainty(const struct finding *f)
+static const char *certainty(const struct pair_finding *pair)
 {
-	return f->certain ? "certain: they meet in this block where no cutter has been"
+	return pair->certain ? "certain: they meet in this block where no cutter has been"
 			  : "possible: all that they meet may have been cut, within the tolerances";
 }
 
 void text_sentence(struct strbuf *out, const struct finding *f)
 {
+	const struct travel_excess *limit = &f->of.limit;
+
 	text_message(out, f);
-	if (f->with_stock)
-		strbuf_addf(out, "; %s", certainty(f));
-	if (f->kind != FINDING_LIMIT)
+	if (f->kind != FINDING_LIMIT) {
+		if (f->of.pair.with_stock)
+			strbuf_addf(out, "; %s", certainty(&f->of.pair));
 		return;
+	}
 	strbuf_addf(out, "; commanded: ");
-	add_target(out, f);
-	if (f->path_tolerance > 0) {
+	add_target(out, limit);
+	if (limit->path_tolerance > 0) {
 		strbuf_addf(out, "; ");
-		add_way(out, f);
+		add_way(out, limit);
 	}
 	strbuf_addf(out, "; offset in force: ");
-	add_origin(out, f);
+	add_origin(out, limit);
 }
 
-static void add_limit(struct strbuf *out, const struct finding *f)
+static void add_limit(struct strbuf *out, const struct travel_excess *limit)
 {
 	strbuf_addf(out, "    target   ");
-	add_target(out, f);
-	if (f->path_tolerance > 0) {
+	add_target(out, limit);
+	if (limit->path_tolerance > 0) {
 		strbuf_addf(out, "\n    path     ");
-		add_way(out, f);
+		add_way(out, limit);
 	}
 	strbuf_addf(out, "\n    offset   ");
-	add_origin(out, f);
+	add_origin(out, limit);
 	strbuf_addf(out, "\n");
 }
 
@@ -165,7 +175,8 @@ static void add_place(struct strbuf *out, const struct finding *f)
 
 static void add_contact(struct strbuf *out, const struct finding *f)
 {
-	const double point[3] = {f->point.x, f->point.y, f->point.z};
+	const struct pair_finding *pair = &f->of.pair;
+	const double point[3] = {pair->point.x, pair->point.y, pair->point.z};
 
 	strbuf_addf(out, f->kind == FINDING_CLEARANCE ? "    near    " : "    contact ");
 	for (int i = 0; i < 3; i++) {
@@ -173,18 +184,18 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 		format_units_add(out, point[i]);
 	}
 	strbuf_addf(out, " mm in machine coordinates\n");
-	if (f->required > 0) {
+	if (pair->required > 0) {
 		strbuf_addf(out, "    distance ");
-		format_units_add(out, f->clearance);
-		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
+		format_units_add(out, pair->clearance);
+		strbuf_addf(out, " mm, required: more than %.10g mm\n", pair->required);
 	}
-	if (f->with_stock)
-		strbuf_addf(out, "    stock    %s\n", certainty(f));
-	if (f->path_tolerance > 0) {
+	if (pair->with_stock)
+		strbuf_addf(out, "    stock    %s\n", certainty(pair));
+	if (pair->path_displacement > 0) {
 		strbuf_addf(out, "    path     ");
-		format_units_add(out, f->clearance);
+		format_units_add(out, pair->clearance);
 		strbuf_addf(out, " mm apart as programmed; the path tolerance can take ");
-		format_units_add(out, f->path_tolerance);
+		format_units_add(out, pair->path_displacement);
 		strbuf_addf(out, " mm of that\n");
 	}
 }
@@ -238,7 +249,7 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 	format_units_add_axes(out, machine, &f->axes);
 	strbuf_addf(out, "\n");
 	if (f->kind == FINDING_LIMIT)
-		add_limit(out, f);
+		add_limit(out, &f->of.limit);
 	else
 		add_contact(out, f);
 	if (style.waiver) {
@@ -247,8 +258,8 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 		strbuf_addf(out, "\n");
 	} else if (f->kind == FINDING_START_OVERLAP) {
 		strbuf_addf(out, "    to waive <pair");
-		xml_text_attribute(out, "a", f->a);
-		xml_text_attribute(out, "b", f->b);
+		xml_text_attribute(out, "a", f->of.pair.a);
+		xml_text_attribute(out, "b", f->of.pair.b);
 		strbuf_addf(out, " check=\"never\" reason=\"\"/>\n");
 	}
 }
