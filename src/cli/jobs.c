@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "base/strbuf.h"
-#include "cli/program_reports.h"
+#include "cli/report_paths.h"
 #include "cli/run.h"
 #include "machine/job_list.h"
 
@@ -75,7 +75,7 @@ static void add_file_name(struct strbuf *out, const struct job_item *job, size_t
 	if (job->program_count < 2)
 		return;
 	strbuf_addf(out, "-");
-	program_reports_add_stem(out, job->programs[program]);
+	report_paths_add_stem(out, job->programs[program]);
 }
 
 /* Does a file of this job have the same name as one of another job, or as its index? */

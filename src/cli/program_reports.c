@@ -1,17 +1,16 @@
 #include "cli/program_reports.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "base/mem.h"
 #include "cli/path_checks.h"
+#include "cli/report_paths.h"
 #include "report/format/format_units.h"
-#include "report/glb/glb.h"
 #include "report/format/uri.h"
+#include "report/glb/glb.h"
 #include "report/html/html_report.h"
 #include "report/html/index_page.h"
 #include "report/html/report_data.h"
@@ -26,22 +25,6 @@
 /* The stock, if there is one, gets this share of them; a triangle of cubes needs at most this number of bytes. */
 #define STOCK_SHARE 0.25
 #define STOCK_TRIANGLE_BYTES 3
-
-/* ------------------------------------------------------------------- names */
-
-static bool may_stand_in_name(char c)
-{
-	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-}
-
-void program_reports_add_stem(struct strbuf *out, const char *program)
-{
-	const char *slash = strrchr(program, '/'), *base = slash ? slash + 1 : program, *dot = strrchr(base, '.');
-	const size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
-
-	for (size_t i = 0; i < length; i++)
-		strbuf_addf(out, "%c", may_stand_in_name(base[i]) ? base[i] : '_');
-}
 
 static bool is_taken(const struct program_reports *reports, size_t before, const char *name)
 {
@@ -60,75 +43,12 @@ static void choose_name(struct program_reports *reports, size_t index)
 
 	do {
 		strbuf_clear(&name);
-		program_reports_add_stem(&name, reports->options->programs[index]);
+		report_paths_add_stem(&name, reports->options->programs[index]);
 		if (turn++)
 			strbuf_addf(&name, "-%d", turn);
 	} while (is_taken(reports, index, strbuf_text(&name)));
 	reports->programs[index].name = mem_strndup(strbuf_text(&name), name.length);
 	strbuf_release(&name);
-}
-
-/* The file of a program: of several programs "out.html" becomes "out-NAME.html". */
-static void add_path(struct strbuf *out, const char *path, const char *name)
-{
-	const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
-
-	if (!*name) {
-		strbuf_addf(out, "%s", path);
-		return;
-	}
-	strbuf_add(out, path, dot ? (size_t)(dot - path) : strlen(path));
-	strbuf_addf(out, "-%s%s", name, dot ? dot : "");
-}
-
-/* --------------------------------------------------------------------- run */
-
-/* Can the file be written? It is not changed. False: reported. */
-static bool try_output(const char *path, struct diag *diag)
-{
-	struct output out;
-
-	if (!path)
-		return true;
-	if (!output_open(&out, path, diag))
-		return false;
-	output_discard(&out);
-	return true;
-}
-
-/* Is there a file that is not a report, picture or scene? It might be a subprogram that is not known yet. */
-static bool holds_other(const char *path)
-{
-	static const char *const marks[] = {"<!doctype html>", "<svg ", "\x89PNG", "glTF"};
-	struct stat status;
-	char begin[16] = "";
-	size_t count;
-	FILE *file;
-
-	if (stat(path, &status) || !S_ISREG(status.st_mode) || !status.st_size)
-		return false;
-	file = fopen(path, "rb");
-	if (!file && errno == ENOMEM)
-		mem_exhausted();
-	if (!file)
-		return false;
-	count = fread(begin, 1, sizeof(begin) - 1, file);
-	fclose(file);
-	for (size_t i = 0; i < sizeof(marks) / sizeof(*marks); i++) {
-		if (count >= strlen(marks[i]) && !memcmp(begin, marks[i], strlen(marks[i])))
-			return false;
-	}
-	return true;
-}
-
-bool program_reports_may_replace(const char *option, const char *path, struct diag *diag)
-{
-	if (!holds_other(path))
-		return true;
-	diag_error(diag, (struct srcloc){0},
-		   "--%s would overwrite %s, which is no report or picture; remove it, or choose another name", option,
-		   path);
-	return false;
 }
 
 /* No file of a program may be an input or another output. False: reported. */
@@ -141,11 +61,11 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 	for (size_t i = 0; path && i < options->program_count && good; i++) {
 		struct strbuf name = {0};
 
-		add_path(&name, path, reports->programs[i].name);
+		report_paths_add(&name, path, reports->programs[i].name);
 		if (options->program_count > 1)
 			good = path_checks_derived(options, option, strbuf_text(&name), reports->files,
 						   reports->file_count, diag);
-		good = good && program_reports_may_replace(option, strbuf_text(&name), diag);
+		good = good && report_paths_may_replace(option, strbuf_text(&name), diag);
 		strbuf_release(&name);
 	}
 	return good;
@@ -185,8 +105,8 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
-	if (!try_output(options->report, diag) || !try_output(options->glb, diag) ||
-	    !try_output(options->picture, diag))
+	if (!report_paths_can_write(options->report, diag) || !report_paths_can_write(options->glb, diag) ||
+	    !report_paths_can_write(options->picture, diag))
 		return false;
 	build_all(scene);
 	reports->stock_bytes = scene_stock(scene) < 0 ? 0 : (size_t)(STOCK_SHARE * (double)mesh_bytes(options));
@@ -419,18 +339,18 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 	if (options->report) {
 		if (packs_late(options))
 			pack_meshes(reports, diag);
-		add_path(&path, options->report, it->name);
+		report_paths_add(&path, options->report, it->name);
 		good = write_html(reports, &report, &stage, strbuf_text(&title), strbuf_text(&path), diag);
 		keep_for_index(it, program, good);
 	}
 	strbuf_clear(&path);
 	if (options->picture) {
-		add_path(&path, options->picture, it->name);
+		report_paths_add(&path, options->picture, it->name);
 		good = write_picture(&stage, strbuf_text(&title), strbuf_text(&path), diag) && good;
 	}
 	strbuf_clear(&path);
 	if (options->glb) {
-		add_path(&path, options->glb, it->name);
+		report_paths_add(&path, options->glb, it->name);
 		good = write_glb(recorder, &stage, strbuf_text(&path), diag) && good;
 	}
 	strbuf_release(&title);
@@ -455,7 +375,7 @@ bool program_reports_finish(struct program_reports *reports, struct diag *diag)
 
 		struct strbuf file = {0};
 
-		add_path(&file, slash ? slash + 1 : options->report, it->name);
+		report_paths_add(&file, slash ? slash + 1 : options->report, it->name);
 		uri_add(&links[i], strbuf_text(&file));
 		strbuf_release(&file);
 		rows[i] = (struct index_page_row){

@@ -42,12 +42,6 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
 
-/* The part of a program's name that is allowed in the names of its files: "parts/a b.nc" becomes "a_b". */
-void program_reports_add_stem(struct strbuf *out, const char *program);
-
-/* False, reported: the file exists and is not a report, picture or scene; only these may be replaced. */
-bool program_reports_may_replace(const char *option, const char *path, struct diag *diag);
-
 /* The largest number of triangles for the remaining stock; 0: there is no stock. */
 size_t program_reports_stock_triangles(const struct program_reports *reports);
 

@@ -15,6 +15,7 @@
 #include "cli/program_reports.h"
 #include "cli/programs.h"
 #include "cli/report_date.h"
+#include "cli/report_paths.h"
 #include "fivecheck.h"
 #include "report/depfile.h"
 #include "report/format/digest.h"
@@ -288,7 +289,7 @@ static enum run_status run_machine(const struct job *job, const struct options *
 	struct scene *scene = job->model->scene;
 	struct oddities oddities = {0};
 	struct strbuf text = {0};
-	bool good = !options->report || program_reports_may_replace("report", options->report, diag);
+	bool good = !options->report || report_paths_may_replace("report", options->report, diag);
 
 	model_check(scene, options->check.threads);
 	good = good && oddities_find(&oddities, scene, diag) &&
