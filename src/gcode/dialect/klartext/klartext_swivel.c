@@ -60,8 +60,9 @@ static bool check_symmetry(const struct interp *interp, const struct klartext_sw
 }
 
 /*
- * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
- * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one. `from` is where
+ * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the control takes the shorter way
+ * within the limits. Which of two ways is shorter is certain only if no axis has a longer one. If both are equally long,
+ * the table of the manual has the position of SEQ+ (from A+0 C+0 to A+45 C+90, and not to A-45 C-90). `from` is where
  * the ways begin.
  */
 static bool choose(struct interp *interp, const struct klartext_swivel *request, const axis_values *from,
@@ -96,10 +97,23 @@ static bool choose(struct interp *interp, const struct klartext_swivel *request,
 	}
 	write_axes(interp, &solutions->items[0], texts[0], sizeof(texts[0]));
 	write_axes(interp, &solutions->items[1], texts[1], sizeof(texts[1]));
+	if (request->from_zero)
+		return fault(&interp->at, request->column,
+			     "CYCL DEF 19 could turn to %s or to %s: which one the control takes is not known here; "
+			     "write PLANE SPATIAL with SEQ+ or SEQ-",
+			     texts[0], texts[1]);
+	if (first) {
+		const size_t positive = has_sign(interp, solutions, fitting[0], 1) ? 0 : 1;
+
+		*chosen = &solutions->items[fitting[positive]];
+		caution(&interp->at, request->column,
+			"PLANE could turn to %s or to %s, which is as near: %s is taken, as SEQ+ does", texts[0],
+			texts[1], texts[fitting[positive]]);
+		return true;
+	}
 	return fault(&interp->at, request->column,
 		     "PLANE could turn to %s or to %s: which one the control takes is not known here; write SEQ+ or "
-		     "SEQ-, or turn "
-		     "the rotary axes towards the one that is meant before",
+		     "SEQ-, or turn the rotary axes towards the one that is meant before",
 		     texts[0], texts[1]);
 }
 
