@@ -29,6 +29,7 @@ static const struct klartext_program lexis[] = {
 	{"L X+1 FMAX M118\nM118 X0 Y0\n", "rapid 1 0 0 0 0\n"},
 	{"MONITORING HEATMAP START FOR \"SPINDLE\"\nL X+1 FMAX\nMONITORING HEATMAP STOP\n", "rapid 1 0 0 0 0\n"},
 	{"SECTION MONITORING START AS \"roughing\"\nL X+1 FMAX\nSECTION MONITORING STOP\n", "rapid 1 0 0 0 0\n"},
+	{"FUNCTION FEED DWELL D-TIME0.5 F-TIME5\nFUNCTION RESET FEED DWELL\nL X+1 FMAX\n", "rapid 1 0 0 0 0\n"},
 	{"FUNCTION COUNT RESET\nFUNCTION COUNT TARGET10\nL X+1 FMAX\nFUNCTION COUNT INC\n", "rapid 1 0 0 0 0\n"},
 	{"7 /L X+1 FMAX\n8 / L X+2 FMAX\n/ 9 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
@@ -259,6 +260,40 @@ START_TEST(cycle_in_full)
 }
 END_TEST
 
+/* Files may change, which is said; the moves do not depend on it. */
+START_TEST(files)
+{
+	static const char *const blocks[] = {"FUNCTION FILECOPY \"TNC:\\A.H\" TO \"TNC:\\B.H\"\n",
+					     "FUNCTION FILEMOVE \"TNC:\\A.H\" TO \"TNC:\\B.H\"\n",
+					     "FUNCTION FILEDELETE \"TNC:\\A.H\"\n",
+					     "FUNCTION FILE COPY \"TNC:\\A.H\" TO \"TNC:\\B.H\"\n"};
+
+	for (size_t i = 0; i < sizeof(blocks) / sizeof(blocks[0]); i++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		ck_assert(klartext_run(&c, blocks[i]));
+		ck_assert_uint_eq(c.diag.warnings, 1);
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "is not carried out: called programs are read as "
+								       "they are now"));
+		case_release(&c);
+	}
+}
+END_TEST
+
+/* The setup names the tool that is in the spindle before the first TOOL CALL. */
+START_TEST(first_tool)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.initial_tool = 2;
+	ck_assert_msg(klartext_run(&c, "FN 18: SYSREAD Q1 = ID20 NR1\nL X+Q1 FMAX\n"), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 2 0 0 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 /* M118 left out takes its axes with it. */
 START_TEST(handwheel)
 {
@@ -426,6 +461,8 @@ int main(void)
 	tcase_add_test(tcase, builder_point);
 	tcase_add_test(tcase, feed_per_tooth);
 	tcase_add_test(tcase, cycle_in_full);
+	tcase_add_test(tcase, files);
+	tcase_add_test(tcase, first_tool);
 	tcase_add_test(tcase, handwheel);
 	tcase_add_test(tcase, cycle_19);
 	tcase_add_test(tcase, cycle_11);

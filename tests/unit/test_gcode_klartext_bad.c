@@ -258,7 +258,13 @@ static const struct klartext_fault faults[] = {
 	 "<variable name=\"ID50 NR2 IDX3\" value=\"\"/> in the machine's <controller> says it"},
 	{"FN 18: SYSREAD Q1 = ID20 NR1\nL X+Q1 FMAX\n",
 	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID20 NR1), and that value is not known here: to check the "
-	 "program, assign the value by FN 0 behind it"},
+	 "program, assign the value by FN 0 behind it, or name the tool by initial_tool of the <setup>"},
+	{"TOOL CALL 1 Z DR+1\nFN 18: SYSREAD Q1 = ID200 NR1 IDX1\nL X+Q1 FMAX\n",
+	 "p.nc:4:5: error: Q1 was read from the control (FN 18, ID200 NR1 IDX1), and that value is not known here: to "
+	 "check the program, assign the value by FN 0 behind it"},
+	{"FN 18: SYSREAD Q1 = ID530 NR1\nL X+Q1 FMAX\n",
+	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID530 NR1), and that value is not known here: to "
+	 "check the program, assign the value by FN 0 behind it, or select the preset by CYCL DEF 247 before it"},
 	{"FN 18: SYSREAD Q1 ID20 NR1\n",
 	 "p.nc:2:19: error: '=' is needed here"},
 	{"FN 18: SYSREAD X = ID20 NR1\n",

@@ -50,6 +50,10 @@ static const struct klartext_program parameters[] = {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFN 18: SYSREAD Q1 = ID210 NR2\nFN 18: SYSREAD Q2 = ID280 NR1\n"
 	 "FN 18: SYSREAD Q3 = ID210 NR3\nFN 18: SYSREAD Q4 = ID210 NR4 IDX2\nL X+Q4 Y+Q2 Z+Q1 FMAX\n",
 	 "rapid 0 1 90 0 0\n"},
+	/* The active tool compensation with the oversizes of TOOL CALL, and the preset that the program has selected. */
+	{"TOOL CALL 1 Z DL+2 DR-0.5\nFN 18: SYSREAD Q1 = ID200 NR1 IDX3\nFN 18: SYSREAD Q2 = ID200 NR2\n"
+	 "CYCL DEF 247 Q339=+1\nFN 18: SYSREAD Q3 = ID530 NR1\nL X+Q1 Y+Q2 FMAX\nL X+Q3 FMAX\n",
+	 "tool 1\nrapid 4.5 102 0 0 0\nrapid 1 102 0 0 0\n"},
 	/* Positions, once the axes have come to them: of the program (ID 270) and of the machine (ID 240). */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+3 Y-4 C+20 FMAX\n"
 	 "FN 20: WAIT FOR SYNC\nFN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 18: SYSREAD Q2 = ID270 NR1 IDX2\n"

@@ -21,6 +21,9 @@ static const struct {
 	 "M99\nM30\nLBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+20 Y+20 RL\nL X+30 Y+30\nLBL 0\n"},
 	{START DRILL "PATTERN DEF ~\n POS1 (X+1 Y+2 Z+0) ~\n POS2 (X+3 Y+4)\nCYCL CALL PAT FMAX M8\n",
 	 START DRILL "L Z+100 FMAX\n" AT("+1", "+2") "L Z+100 FMAX\n" AT("+3", "+4")},
+	/* IX and IY count from the point before. */
+	{START DRILL "PATTERN DEF POS1 (X+1 Y+2 Z+0) POS2 (IX+3 Y+4)\nPOS3 (X+5 IY-1)\nPOS4 (IX+1 IY+1)\nCYCL CALL PAT\n",
+	 START DRILL "PATTERN DEF POS1 (X+1 Y+2) POS2 (X+4 Y+4) POS3 (X+5 Y+3) POS4 (X+6 Y+4)\nCYCL CALL PAT\n"},
 	{START "L Z+5 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM3 ROT+90)\nCYCL CALL PAT\n",
 	 START "L Z+5 FMAX\n" DRILL "L Z+20 FMAX\n" AT("+1", "+2") "L Z+20 FMAX\n" AT("+1", "+10")
 	 "L Z+20 FMAX\n" AT("+1", "+18")},

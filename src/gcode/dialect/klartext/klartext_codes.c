@@ -103,6 +103,7 @@ static const struct code_word words[] = {
     {"FUNCTION MODE MILL", CODE_READ, "milling, without another kinematics"},
     {"FUNCTION FEED, S-PULSE, DCM, AFC, COUNT, LIFTOFF", CODE_IGNORED,
      "feed rates, speeds, monitoring, a counter but for COUNT REPEAT, retract at an NC stop"},
+    {"FUNCTION FILECOPY, FILEMOVE, FILEDELETE", CODE_IGNORED, "files, with a caution"},
     {"FUNCTION PARAXCOMP OFF, PARAXMODE OFF, CORRDATA RESET, PROG PATH OFF, POLARKIN OFF", CODE_IGNORED,
      "end of what is refused"},
     {"LBL", CODE_READ, "label"},

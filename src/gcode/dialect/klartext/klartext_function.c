@@ -152,6 +152,21 @@ static bool is_harmless(const char *word)
 	return false;
 }
 
+/* The files that a program copies, moves or deletes may be programs that it calls later. */
+static bool change_files(struct lexer *lexer, int column)
+{
+	static const char *const words[] = {"FILE", "FILECOPY", "FILEMOVE", "FILEDELETE"};
+
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+		if (!klartext_take(lexer, words[i]))
+			continue;
+		caution(lexer->at, column, "FUNCTION %s is not carried out: called programs are read as they are now",
+			words[i]);
+		return true;
+	}
+	return false;
+}
+
 /* What begins with them is not supported, so that they end nothing. DISPLAY needs a parallel axis to matter. */
 static bool ends_nothing(struct lexer *lexer)
 {
@@ -183,14 +198,14 @@ bool klartext_function_mode(struct lexer *lexer)
 	if (klartext_take(lexer, "TCPM"))
 		return read_tcpm(lexer);
 	if (klartext_take(lexer, "RESET")) {
-		if (klartext_take(lexer, "S-PULSE"))
+		if (klartext_take(lexer, "S-PULSE") || klartext_take(lexer, "FEED"))
 			return true;
 		if (klartext_take(lexer, "TCPM")) {
 			klartext_of(lexer->context)->spatial = false;
 			return switch_tcpm(lexer->context, false, column);
 		}
 	}
-	if (ends_nothing(lexer))
+	if (ends_nothing(lexer) || change_files(lexer, column))
 		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return klartext_ends(lexer) ||

@@ -31,7 +31,7 @@ void klartext_pattern_begin(struct interp *interp)
 	struct klartext_points *points = &klartext_of(interp)->points;
 
 	points->count = 0;
-	points->any_order = points->surface = false;
+	points->any_order = points->surface = points->single = false;
 }
 
 static vec3 polar(vec3 from, double radius, double angle)
@@ -332,6 +332,7 @@ enum point_word {
 
 struct item {
 	bool given[WORD_COUNT];
+	bool increment[2]; /* IX, IY */
 	double value[WORD_COUNT];
 	int column;
 };
@@ -355,9 +356,11 @@ static bool read_item(struct lexer *lexer, struct item *item)
 		int word = 0;
 
 		klartext_word(lexer, name);
-		while (word < WORD_COUNT && strcmp(names[word], name) != 0)
+		if (!strcmp(name, "IX") || !strcmp(name, "IY"))
+			item->increment[name[1] - 'X'] = true;
+		while (word < WORD_COUNT && strcmp(names[word], name + (name[0] == 'I')) != 0)
 			word++;
-		if (word == WORD_COUNT)
+		if (word == WORD_COUNT || (name[0] == 'I' && word > WORD_Y))
 			return fault(lexer->at, column, "this is no word of a pattern");
 		if (!klartext_value(lexer, &item->value[word]))
 			return false;
@@ -409,6 +412,21 @@ static bool add_rows(struct lexer *lexer, const struct item *item, bool frame)
 	       find_count(lexer, item, WORD_NUMY, &grid.count[1]) && add_grid(interp, item->column, &grid);
 }
 
+/* "POS2 (X+15 IY+6.5 Z+0)": IX and IY count from the POS before. */
+static bool add_single(struct lexer *lexer, const struct item *item)
+{
+	struct interp *interp = lexer->context;
+	struct klartext_points *points = &klartext_of(interp)->points;
+	vec3 point = {item->value[WORD_X], item->value[WORD_Y], item->value[WORD_Z]};
+
+	if ((item->increment[0] || item->increment[1]) && !points->single)
+		return fault(lexer->at, item->column, "IX and IY need another POS right before them");
+	point.x += item->increment[0] ? points->items[points->count - 1].x : 0;
+	point.y += item->increment[1] ? points->items[points->count - 1].y : 0;
+	points->single = true;
+	return klartext_pattern_add(interp, item->column, point);
+}
+
 /* TNC 640 user's manual, "PATTERN DEF": single points, a row, a pattern of rows, a circle, a part of a circle. */
 static bool add_item(struct lexer *lexer, const char *kind, const struct item *item)
 {
@@ -419,7 +437,10 @@ static bool add_item(struct lexer *lexer, const char *kind, const struct item *i
 	int count[2] = {1, 1};
 
 	if (!strcmp(kind, "POS"))
-		return has(lexer, item, base, 2) && klartext_pattern_add(interp, item->column, start);
+		return has(lexer, item, base, 2) && add_single(lexer, item);
+	klartext_of(interp)->points.single = false;
+	if (item->increment[0] || item->increment[1])
+		return fault(lexer->at, item->column, "IX and IY belong to POS alone");
 	if (!strcmp(kind, "ROW")) {
 		struct grid row = {
 		    .start = start, .spacing = {v[WORD_D], 0}, .angle = {v[WORD_ROT], 0}, .count = {1, 1}};

@@ -74,6 +74,7 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	cancel_shift(interp);
 	state->system = word->value > 0 ? SYSTEM_COUNT - 1 + (int)word->value : 0;
 	klartext->preset_settled = true;
+	klartext->preset_row = (int)word->value;
 	klartext->preset_in_plane = klartext->frame.tilted;
 	/* The line in hand may be the one behind the definition. */
 	interp->at = at;

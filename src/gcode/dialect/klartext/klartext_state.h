@@ -139,6 +139,7 @@ struct klartext_points {
 	long line; /* the last line of their definition; 0: none */
 	bool any_order; /* the control's order of the points is not known */
 	bool surface; /* z is the surface itself, in a point table */
+	bool single; /* POS of PATTERN DEF has given the last one */
 };
 
 enum klartext_way { KLARTEXT_WAY_LT, KLARTEXT_WAY_LN, KLARTEXT_WAY_CT, KLARTEXT_WAY_LCT };
@@ -265,6 +266,7 @@ struct klartext {
 	bool spatial_given[3];
 	double spatial_angle[3]; /* degrees */
 	bool cautioned_wrap, cautioned_teeth, preset_settled;
+	int preset_row; /* that the program has selected; 0: none, or the datum that was set by hand */
 	struct klartext_frame frame;
 	/*
 	 * Bits of X, Y and Z: a shift in the tilted plane names an axis that an earlier shift moves, too; after the end

@@ -43,10 +43,13 @@ static double frame_value(const struct klartext_frame *frame, const struct klart
 
 static bool is_length(const struct klartext_query *query)
 {
-	return query->id == 50 || query->id == 60 || query->id == 220 || query->id == 240 || query->id == 270;
+	return query->id == 50 || query->id == 60 || query->id == 200 || query->id == 220 || query->id == 240 || query->id == 270;
 }
 
-/* Machine status. Before the first TOOL CALL, M3 or S the control has values of its own. */
+/*
+ * Machine status. Before the first M3 or S the control has values of its own; before the first TOOL CALL the spindle
+ * holds initial_tool of the setup.
+ */
 static double status_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct state *state = &interp->state;
@@ -54,7 +57,7 @@ static double status_value(const struct interp *interp, const struct klartext_qu
 
 	switch (query->number) {
 	case 1:
-		*known = called;
+		*known = called || state->tool > 0;
 		return state->tool;
 	case 3:
 		*known = called;
@@ -90,6 +93,20 @@ static double called_value(const struct interp *interp, const struct klartext_qu
 		*known = false;
 		return 0;
 	}
+}
+
+/* Tool compensation in force: the oversizes of the tool table and of TOOL CALL are part of both values. */
+static double compensation_value(const struct interp *interp, const struct klartext_query *query, bool *known)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	const bool radius = query->number == 1;
+
+	*known = klartext->called && (radius || query->number == 2) && (!query->has_index || query->index == 3) &&
+		 (!radius || (tool && tool->diameter > 0 && klartext->defined_tool != interp->state.tool));
+	if (!*known)
+		return 0;
+	return radius ? tool->diameter / 2 + klartext->delta_radius : interp->state.length;
 }
 
 void klartext_system_synchronise(struct interp *interp)
@@ -158,6 +175,8 @@ static double find_value(const struct interp *interp, const struct klartext_quer
 		return query->number == 1 || query->number == 2 ? tool_value(interp, query, known) : 0;
 	case 60:
 		return called_value(interp, query, known);
+	case 200:
+		return compensation_value(interp, query, known);
 	case 210:
 	case 220:
 		return frame_value(&klartext->frame, query, known);
@@ -167,6 +186,9 @@ static double find_value(const struct interp *interp, const struct klartext_quer
 	case 280:
 		*known = query->number == 1;
 		return m128 ? -1 : 0;
+	case 530:
+		*known = query->number == 1 && klartext->preset_row > 0;
+		return klartext->preset_row;
 	default:
 		return 0;
 	}

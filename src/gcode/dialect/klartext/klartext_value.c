@@ -124,7 +124,23 @@ bool klartext_query_is_table(const struct klartext_query *query)
 	return false;
 }
 
-/* Tables can be told by the machine file; where axes stand, and what the program itself changes, cannot. */
+/* What else tells the value of a query. */
+static const char *other_answer(const struct klartext_query *query)
+{
+	switch (query->id) {
+	case 20:
+		return query->number == 1 ? ", or name the tool by initial_tool of the <setup>" : "";
+	case 240:
+	case 270:
+		return ", or write FN 20: WAIT FOR SYNC before it";
+	case 530:
+		return ", or select the preset by CYCL DEF 247 before it";
+	default:
+		return "";
+	}
+}
+
+/* The machine file can give data of tables, but neither positions nor what the program itself changes. */
 static bool ask_data(const struct lexer *lexer, int column, const char *name, int length,
 		     const struct klartext_query *query)
 {
@@ -140,7 +156,7 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 		     "%.*s was read from the control (FN 18, %s), and that value is not known here: to check the "
 		     "program, assign the value by FN 0 behind it%s",
 		     length, name, data,
-		     query->id == 240 || query->id == 270 ? ", or write FN 20: WAIT FOR SYNC before it" : "");
+		     other_answer(query));
 }
 
 /* What a parameter holds before the program assigns it. */
