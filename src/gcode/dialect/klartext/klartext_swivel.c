@@ -60,10 +60,10 @@ static bool check_symmetry(const struct interp *interp, const struct klartext_sw
 }
 
 /*
- * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the control takes the shorter way
- * within the limits. Which of two ways is shorter is certain only if no axis has a longer one. If both are equally long,
- * the table of the manual has the position of SEQ+ (from A+0 C+0 to A+45 C+90, and not to A-45 C-90). `from` is where
- * the ways begin.
+ * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the control takes the shorter
+ * way within the limits. Which of two ways is shorter is certain only if no axis has a longer one. If both are equally
+ * long, the table of the manual has the position of SEQ+: from A+0 C+0 to A+45 C+90, and not to A-45 C-90. The ways
+ * begin at `from`.
  */
 static bool choose(struct interp *interp, const struct klartext_swivel *request, const axis_values *from,
 		   const struct kinematics_solutions *solutions, const struct kinematics_solution **chosen)

@@ -43,7 +43,13 @@ static double frame_value(const struct klartext_frame *frame, const struct klart
 
 static bool is_length(const struct klartext_query *query)
 {
-	return query->id == 50 || query->id == 60 || query->id == 200 || query->id == 220 || query->id == 240 || query->id == 270;
+	static const int lengths[] = {50, 60, 200, 220, 240, 270};
+
+	for (size_t i = 0; i < sizeof(lengths) / sizeof(lengths[0]); i++) {
+		if (query->id == lengths[i])
+			return true;
+	}
+	return false;
 }
 
 /*
