@@ -38,12 +38,12 @@ static void begin(struct interp *interp)
 	interp->state.system = SYSTEM_NONE;
 	if (interp->config->controller.power_on_work_offset > 1)
 		interp->state.system = interp->config->controller.power_on_work_offset - 2;
-	sinumerik->work_selected = interp->config->controller.power_on_work_offset > 0;
+	sinumerik->frames.work_selected = interp->config->controller.power_on_work_offset > 0;
 	state_update_offset(&interp->state);
 	sinumerik->feed_scale = basic > 0 ? basic : 1;
-	sinumerik->path_code = SINUMERIK_G(64);
-	sinumerik->approach = sinumerik->corner = CODE_NONE;
-	sinumerik->edge_unsure = interp->state.tool != 0;
+	sinumerik->path.code = SINUMERIK_G(64);
+	sinumerik->comp.approach = sinumerik->comp.corner = CODE_NONE;
+	sinumerik->tool.edge_unsure = interp->state.tool != 0;
 	for (int group = 0; group < G_GROUPS; group++)
 		interp->block.g[group] = CODE_NONE;
 	for (int group = 0; group < M_GROUPS; group++)
@@ -79,7 +79,7 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 			     "one is, and so is a call of the whole other one");
 	if (!ends_block(lexer))
 		return false;
-	sinumerik_of(interp)->argument_count = 0;
+	sinumerik_of(interp)->passed.count = 0;
 	return sinumerik_call_run(interp, name, 1, column);
 }
 
@@ -170,7 +170,7 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 static bool take_percent(struct interp *interp)
 {
 	const char *rest = line_start(&interp->at) + 1;
-	const bool first = !sinumerik_of(interp)->headed, head = first || sinumerik_of(interp)->entering;
+	const bool first = !sinumerik_of(interp)->headed, head = first || sinumerik_of(interp)->calls.entering;
 
 	sinumerik_of(interp)->headed = true;
 	if (head)
@@ -226,9 +226,9 @@ static bool read_line(struct interp *interp, bool *done)
 	sinumerik_of(interp)->headed = true;
 	if (head.skipped && interp->config->read.block_delete)
 		return true;
-	if (sinumerik_of(interp)->entering && !is_proc(at.text + head.rest) && !sinumerik_proc_none(interp))
+	if (sinumerik_of(interp)->calls.entering && !is_proc(at.text + head.rest) && !sinumerik_proc_none(interp))
 		return false;
-	if (sinumerik_of(interp)->depth &&
+	if (sinumerik_of(interp)->calls.depth &&
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
 	sinumerik_macro_expand(interp, head.rest);
@@ -252,10 +252,10 @@ static void *new_state(void)
 {
 	struct sinumerik *sinumerik = mem_zalloc(1, sizeof(*sinumerik));
 
-	sinumerik->frame.matrix = sinumerik->swivel.matrix = mat3_identity();
-	sinumerik->frame_is_even = true;
+	sinumerik->frames.programmed.matrix = sinumerik->frames.swivel.matrix = mat3_identity();
+	sinumerik->frames.even = true;
 	for (size_t i = 0; i < SINUMERIK_R_COUNT; i++)
-		sinumerik->r[i] = NAN;
+		sinumerik->variables.r[i] = NAN;
 	return sinumerik;
 }
 
@@ -264,9 +264,9 @@ static void free_state(void *state)
 	struct sinumerik *sinumerik = state;
 
 	sinumerik_variables_leave(sinumerik, SINUMERIK_LEVEL_OF_CONTROL - 1);
-	free(sinumerik->variables);
-	free(sinumerik->names);
-	strbuf_release(&sinumerik->line);
+	free(sinumerik->variables.items);
+	free(sinumerik->tool.names);
+	strbuf_release(&sinumerik->search.line);
 	sinumerik_macro_release(sinumerik);
 	free(sinumerik);
 }

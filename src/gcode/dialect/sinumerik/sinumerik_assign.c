@@ -128,7 +128,7 @@ static bool set_r(struct interp *interp, struct lexer *lexer, const char *name)
 	if (!sinumerik_expr_r_number(interp, lexer, name, &number) ||
 	    !sinumerik_name_need(lexer, '=', "an R parameter"))
 		return false;
-	r = &sinumerik_of(interp)->r[number];
+	r = &sinumerik_of(interp)->variables.r[number];
 	if (sinumerik_expr_number(interp, lexer, r))
 		return true;
 	/* The fault is told here, and not again where the parameter is read. */
@@ -151,7 +151,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 	found = sinumerik_variables_find(sinumerik, name);
 	if (found < 0)
 		return sinumerik_gud_ask(lexer, name, false, column);
-	variable = &sinumerik->variables[found];
+	variable = &sinumerik->variables.items[found];
 	return sinumerik_expr_element(interp, lexer, variable, &element) &&
 	       sinumerik_name_need(lexer, '=', name) && set_values(interp, lexer, variable, element);
 }
@@ -218,10 +218,10 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	if (!read_sizes(interp, lexer, &made))
 		return false;
 	found = sinumerik_variables_find_own(sinumerik, made.name);
-	if (found >= 0 && (sinumerik->variables[found].type != type ||
-			   sinumerik->variables[found].dimensions != made.dimensions))
+	if (found >= 0 && (sinumerik->variables.items[found].type != type ||
+			   sinumerik->variables.items[found].dimensions != made.dimensions))
 		return fault(lexer->at, column, "%s has been made before, as something else", made.name);
-	variable = found >= 0 ? &sinumerik->variables[found] : sinumerik_variables_add(interp, &made, column);
+	variable = found >= 0 ? &sinumerik->variables.items[found] : sinumerik_variables_add(interp, &made, column);
 	if (!variable)
 		return false;
 	if (lexer_peek(lexer) != '=')

@@ -126,7 +126,7 @@ bool sinumerik_builder_run(struct interp *interp, const char *name, int column)
 			     "%s: <macro action=\"move\"/> is not supported in this dialect, only \"none\" and "
 			     "\"around\"",
 			     name);
-	if (interp->state.tcp != TCP_OFF || interp->comp.side != 0 || !sinumerik_of(interp)->frame_is_even ||
+	if (interp->state.tcp != TCP_OFF || interp->comp.side != 0 || !sinumerik_of(interp)->frames.even ||
 	    (interp->state.frame.on && interp->state.frame.distorts))
 		return fault(&interp->at, column,
 			     "%s moves around its place while TRAORI or CYCLE800 is in force, coordinates are scaled "

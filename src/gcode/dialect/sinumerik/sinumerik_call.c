@@ -31,37 +31,37 @@ static int variable_alone(struct interp *interp, struct lexer *lexer)
 static bool read_argument(struct interp *interp, struct lexer *lexer)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const size_t i = sinumerik->argument_count;
+	const size_t i = sinumerik->passed.count;
 	const char byte = lexer_peek(lexer);
 
 	if (i == SINUMERIK_ARGUMENTS_MAX)
 		return fault(lexer->at, expr_column(lexer), "more than %d arguments", SINUMERIK_ARGUMENTS_MAX);
-	sinumerik->argument_count++;
-	sinumerik->arguments[i] = NAN;
-	sinumerik->argument_texts[i].bytes[0] = '\0';
-	sinumerik->argument_is_text[i] = false;
-	sinumerik->argument_variable[i] = -1;
+	sinumerik->passed.count++;
+	sinumerik->passed.numbers[i] = NAN;
+	sinumerik->passed.texts[i].bytes[0] = '\0';
+	sinumerik->passed.is_text[i] = false;
+	sinumerik->passed.variable[i] = -1;
 	if (byte == ',' || byte == ')')
 		return true;
-	sinumerik->argument_variable[i] = variable_alone(interp, lexer);
-	if (sinumerik->argument_variable[i] >= 0 &&
-	    sinumerik->variables[sinumerik->argument_variable[i]].dimensions > 0) {
+	sinumerik->passed.variable[i] = variable_alone(interp, lexer);
+	if (sinumerik->passed.variable[i] >= 0 &&
+	    sinumerik->variables.items[sinumerik->passed.variable[i]].dimensions > 0) {
 		char name[SINUMERIK_NAME + 1];
 
 		sinumerik_name_read(lexer, name);
 		return true;
 	}
-	sinumerik->argument_is_text[i] = sinumerik_expr_is_text(interp, lexer);
-	return sinumerik->argument_is_text[i]
-		   ? sinumerik_expr_text(interp, lexer, &sinumerik->argument_texts[i])
-		   : sinumerik_expr_number(interp, lexer, &sinumerik->arguments[i]);
+	sinumerik->passed.is_text[i] = sinumerik_expr_is_text(interp, lexer);
+	return sinumerik->passed.is_text[i]
+		   ? sinumerik_expr_text(interp, lexer, &sinumerik->passed.texts[i])
+		   : sinumerik_expr_number(interp, lexer, &sinumerik->passed.numbers[i]);
 }
 
 bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	sinumerik->argument_count = 0;
+	sinumerik->passed.count = 0;
 	if (!sinumerik_name_take_byte(lexer, '(') || sinumerik_name_take_byte(lexer, ')'))
 		return true;
 	do {
@@ -79,12 +79,12 @@ static bool enter(struct interp *interp, const struct position *entry, long last
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_call *call;
 
-	if (sinumerik->depth == SINUMERIK_LEVELS_MAX)
+	if (sinumerik->calls.depth == SINUMERIK_LEVELS_MAX)
 		return fault(&interp->at, column, "more than %d calls inside each other", SINUMERIK_LEVELS_MAX);
-	call = &sinumerik->calls[sinumerik->depth++];
+	call = &sinumerik->calls.items[sinumerik->calls.depth++];
 	*call = (struct sinumerik_call){.back = source_next(interp->program.source), .entry = *entry,
 					.last_line = last_line, .left = rounds - 1, .file = interp->at.file,
-					.line = interp->at.line, .column = column, .loops = sinumerik->loop_count};
+					.line = interp->at.line, .column = column, .loops = sinumerik->loops.count};
 	snprintf(call->title, sizeof(call->title), "%s", title);
 	return program_jump(&interp->program, entry, &interp->at, column);
 }
@@ -96,18 +96,18 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 
 	if (sinumerik_builder_is_known(interp, name))
 		return sinumerik_builder_run(interp, name, column);
-	for (size_t i = 0; i < sinumerik->argument_count && repeats > 1; i++) {
-		if (sinumerik->argument_is_text[i])
+	for (size_t i = 0; i < sinumerik->passed.count && repeats > 1; i++) {
+		if (sinumerik->passed.is_text[i])
 			return fault(&interp->at, column, "%s with P and a text among its arguments is not supported",
 				     name);
 	}
 	if (!sinumerik_program_find(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
-	sinumerik_top_call(sinumerik)->argument_count = sinumerik->argument_count;
-	memcpy(sinumerik_top_call(sinumerik)->arguments, sinumerik->arguments, sizeof(sinumerik->arguments));
+	sinumerik_top_call(sinumerik)->argument_count = sinumerik->passed.count;
+	memcpy(sinumerik_top_call(sinumerik)->arguments, sinumerik->passed.numbers, sizeof(sinumerik->passed.numbers));
 	sinumerik_top_call(sinumerik)->begun_count = 0;
-	sinumerik->level++;
-	sinumerik->entering = true;
+	sinumerik->calls.level++;
+	sinumerik->calls.entering = true;
 	return true;
 }
 
@@ -116,37 +116,37 @@ bool sinumerik_call_modal(struct interp *interp)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_modal *modal = &sinumerik->modal;
 
-	sinumerik->argument_count = modal->argument_count;
-	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
+	sinumerik->passed.count = modal->argument_count;
+	memcpy(sinumerik->passed.numbers, modal->arguments, sizeof(sinumerik->passed.numbers));
 	for (size_t i = 0; i < modal->argument_count; i++) {
-		sinumerik->argument_is_text[i] = false;
-		sinumerik->argument_variable[i] = -1;
+		sinumerik->passed.is_text[i] = false;
+		sinumerik->passed.variable[i] = -1;
 	}
 	modal->running = true;
-	modal->depth = sinumerik->depth;
+	modal->depth = sinumerik->calls.depth;
 	return sinumerik_call_run(interp, modal->name, 1, 1);
 }
 
 bool sinumerik_call_is_inside(const struct interp *interp)
 {
-	return sinumerik_of(interp)->level > 0;
+	return sinumerik_of(interp)->calls.level > 0;
 }
 
 /* Ends the repeated parts that are under way in the program in hand. */
 static void leave_repeats(struct sinumerik *sinumerik)
 {
-	while (sinumerik->depth && sinumerik_top_call(sinumerik)->last_line)
-		sinumerik->depth--;
+	while (sinumerik->calls.depth && sinumerik_top_call(sinumerik)->last_line)
+		sinumerik->calls.depth--;
 }
 
 /* Calls in the round before have had arguments of their own. */
 static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_call *call)
 {
-	sinumerik->argument_count = call->argument_count;
-	memcpy(sinumerik->arguments, call->arguments, sizeof(call->arguments));
+	sinumerik->passed.count = call->argument_count;
+	memcpy(sinumerik->passed.numbers, call->arguments, sizeof(call->arguments));
 	for (size_t i = 0; i < call->argument_count; i++) {
-		sinumerik->argument_is_text[i] = false;
-		sinumerik->argument_variable[i] = -1;
+		sinumerik->passed.is_text[i] = false;
+		sinumerik->passed.variable[i] = -1;
 	}
 }
 
@@ -160,8 +160,8 @@ bool sinumerik_call_return(struct interp *interp, int column)
 	if (!sinumerik_call_is_inside(interp))
 		return fault(&interp->at, column, "this returns, but no subprogram is being carried out");
 	call = sinumerik_top_call(sinumerik);
-	sinumerik->loop_count = call->loops;
-	if (sinumerik->modal.on && sinumerik->modal.level == sinumerik->level)
+	sinumerik->loops.count = call->loops;
+	if (sinumerik->modal.on && sinumerik->modal.level == sinumerik->calls.level)
 		return fault(&interp->at, column,
 			     "the subprogram ends while its MCALL %s is in force: what then becomes of it is not "
 			     "certain; MCALL before the end",
@@ -170,17 +170,17 @@ bool sinumerik_call_return(struct interp *interp, int column)
 		return false;
 	if (call->left > 0 && !sinumerik_proc_check_begun(interp, call, column))
 		return false;
-	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
+	sinumerik_variables_leave(sinumerik, sinumerik->calls.level - 1);
 	to = call->left > 0 ? call->entry : call->back;
 	if (call->left > 0) {
 		call->left--;
 		call->saves = false;
 		take_arguments(sinumerik, call);
-		sinumerik->entering = true;
+		sinumerik->calls.entering = true;
 	} else {
-		sinumerik->depth--;
-		sinumerik->level--;
-		sinumerik->modal.running = sinumerik->modal.running && sinumerik->depth > sinumerik->modal.depth;
+		sinumerik->calls.depth--;
+		sinumerik->calls.level--;
+		sinumerik->modal.running = sinumerik->modal.running && sinumerik->calls.depth > sinumerik->modal.depth;
 	}
 	return program_jump(&interp->program, &to, &interp->at, column);
 }
@@ -208,7 +208,7 @@ static bool next_round(struct interp *interp)
 
 	if (call->left-- > 0)
 		return program_jump(&interp->program, &call->entry, &interp->at, 1);
-	sinumerik->depth--;
+	sinumerik->calls.depth--;
 	return program_jump(&interp->program, &call->back, &interp->at, 1);
 }
 
@@ -230,7 +230,7 @@ bool sinumerik_call_jumped(struct interp *interp, long line, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	while (sinumerik->depth) {
+	while (sinumerik->calls.depth) {
 		const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 
 		if (!call->last_line || (line >= call->entry.line && line <= call->last_line))
@@ -240,7 +240,7 @@ bool sinumerik_call_jumped(struct interp *interp, long line, int column)
 				     "this leaves the part that CALL BLOCK of line %ld calls: where it then goes back "
 				     "from is not certain",
 				     call->line);
-		sinumerik->depth--;
+		sinumerik->calls.depth--;
 	}
 	return true;
 }
@@ -260,12 +260,12 @@ bool sinumerik_call_check_end(struct interp *interp, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	for (int i = sinumerik->depth; i-- > 0 && sinumerik->calls[i].last_line;) {
-		if (sinumerik->calls[i].called)
+	for (int i = sinumerik->calls.depth; i-- > 0 && sinumerik->calls.items[i].last_line;) {
+		if (sinumerik->calls.items[i].called)
 			return fault(&interp->at, column,
 				     "the program ends in the part that CALL BLOCK of line %ld calls: whether it goes "
 				     "back from here is not certain",
-				     sinumerik->calls[i].line);
+				     sinumerik->calls.items[i].line);
 	}
 	return true;
 }
@@ -279,9 +279,10 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 	const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 	const size_t outside = call && call->last_line ? call->loops : 0;
 
-	if (sinumerik->loop_count > outside && sinumerik->loops[sinumerik->loop_count - 1].level == sinumerik->level) {
+	if (sinumerik->loops.count > outside &&
+	    sinumerik->loops.items[sinumerik->loops.count - 1].level == sinumerik->calls.level) {
 		diag_error(interp->diag, loc, "the loop of line %ld is not closed at the end of the file",
-			   sinumerik->loops[sinumerik->loop_count - 1].start.line);
+			   sinumerik->loops.items[sinumerik->loops.count - 1].start.line);
 		return false;
 	}
 	/* Its last line is that of the file. */
@@ -300,9 +301,9 @@ bool sinumerik_call_caller(const struct interp *interp, size_t level, struct src
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct sinumerik_call *call;
 
-	if ((size_t)sinumerik->depth <= level)
+	if ((size_t)sinumerik->calls.depth <= level)
 		return false;
-	call = &sinumerik->calls[(size_t)sinumerik->depth - 1 - level];
+	call = &sinumerik->calls.items[(size_t)sinumerik->calls.depth - 1 - level];
 	*at = (struct srcloc){call->file, call->line, call->column};
 	if (title)
 		strbuf_addf(title, "%s", call->title);

@@ -43,7 +43,7 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 		return refuse(interp, block->code_column[SINUMERIK_PLANE], "a change of the plane");
 	if (once == SINUMERIK_G(74) || once == SINUMERIK_G(75))
 		return refuse(interp, block->code_column[SINUMERIK_ONCE], "a move in the machine's coordinates");
-	if (sinumerik_block_has(block, 'D') && fabs(block->value['D' - 'A'] - sinumerik_of(interp)->edge) > 0)
+	if (sinumerik_block_has(block, 'D') && fabs(block->value['D' - 'A'] - sinumerik_of(interp)->tool.edge) > 0)
 		return refuse(interp, block->column['D' - 'A'], "another D");
 	for (int i = 0; i < block->m_count; i++) {
 		if (block->m[i] == 6)
@@ -69,19 +69,19 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	*radius = 0;
 	if (!sinumerik_place_check_edge(interp, column))
 		return false;
-	if (sinumerik->edge == 0 || number == 0)
+	if (sinumerik->tool.edge == 0 || number == 0)
 		return true;
 	for (size_t i = 0; i < interp->config->edge_count; i++) {
 		const struct tool_edge *edge = &interp->config->edges[i];
 
-		if (edge->tool == number && edge->number == sinumerik->edge && edge->diameter > 0)
+		if (edge->tool == number && edge->number == sinumerik->tool.edge && edge->diameter > 0)
 			diameter = edge->diameter;
 	}
 	*radius = diameter / 2;
 	return diameter > 0 ||
 	       fault(&interp->at, column,
 		     "the radius of T%d D%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
-		     number, sinumerik->edge);
+		     number, sinumerik->tool.edge);
 }
 
 /*
@@ -99,11 +99,11 @@ static bool check_plane(struct interp *interp, int column)
 	if (sinumerik_frame_resizes(interp))
 		return fault(&interp->at, column,
 			     "tool radius compensation while SCALE is in force is not supported yet");
-	if (sinumerik_of(interp)->turns_plane)
+	if (sinumerik_of(interp)->comp.turns_plane)
 		return true;
 	if (state->tcp != TCP_BY_PLANE && state->frame.on)
 		seen = mat3_apply(&state->frame.turn, normal);
-	if (state->tcp == TCP_BY_PLANE && sinumerik_of(interp)->tool_upright && state->plane == G17)
+	if (state->tcp == TCP_BY_PLANE && sinumerik_of(interp)->frames.tool_upright && state->plane == G17)
 		return true;
 	return (state->tcp != TCP_BY_PLANE && vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen)) ||
 	       fault(&interp->at, column,
@@ -117,7 +117,7 @@ static bool check_plane(struct interp *interp, int column)
  */
 static enum comp_start start_type(const struct interp *interp)
 {
-	const int approach = sinumerik_of(interp)->approach;
+	const int approach = sinumerik_of(interp)->comp.approach;
 	const bool begun = interp->config->controller.comp_start == COMP_START_A;
 
 	return approach == SINUMERIK_NORM || (approach == CODE_NONE && begun) ? COMP_START_A : COMP_START_UNKNOWN;
@@ -129,9 +129,11 @@ static enum comp_corner_form corner_form(const struct interp *interp)
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const enum comp_corner_form begun = interp->config->controller.comp_corner;
 
-	if (sinumerik->corner == SINUMERIK_G(451) || (sinumerik->corner == CODE_NONE && begun == COMP_CORNER_LINEAR))
+	if (sinumerik->comp.corner == SINUMERIK_G(451) ||
+	    (sinumerik->comp.corner == CODE_NONE && begun == COMP_CORNER_LINEAR))
 		return COMP_CORNER_CROSSING_IF_BLUNT;
-	if ((sinumerik->corner == SINUMERIK_G(450) || begun == COMP_CORNER_CIRCULAR) && !(sinumerik->disc > 0))
+	if ((sinumerik->comp.corner == SINUMERIK_G(450) || begun == COMP_CORNER_CIRCULAR) &&
+	    !(sinumerik->comp.disc > 0))
 		return COMP_CORNER_CIRCULAR;
 	return COMP_CORNER_BETWEEN;
 }
@@ -153,11 +155,11 @@ static bool switch_on(struct interp *interp, int column, int side)
 		return refuse(interp, column, "the other side of the path");
 	if (!find_radius(interp, column, &radius) || !check_plane(interp, column))
 		return false;
-	if (!(radius > 0) && sinumerik->allowance > 0)
+	if (!(radius > 0) && sinumerik->comp.allowance > 0)
 		return fault(&interp->at, column,
 			     "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool "
 			     "away from the contour by OFFN alone is not known; write D1, or OFFN=0");
-	radius += sinumerik->allowance;
+	radius += sinumerik->comp.allowance;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
 		return true;
@@ -217,7 +219,7 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 	const int column = block->address_column[SINUMERIK_OFFN];
 	const double allowance = block->address_value[SINUMERIK_OFFN] * interp->state.scale;
 
-	if (!sinumerik_block_has_address(block, SINUMERIK_OFFN) || same_double(allowance, sinumerik->allowance))
+	if (!sinumerik_block_has_address(block, SINUMERIK_OFFN) || same_double(allowance, sinumerik->comp.allowance))
 		return true;
 	if (interp->comp.side != 0)
 		return refuse(interp, column, "another OFFN");
@@ -232,7 +234,7 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 		return fault(&interp->at, column,
 			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is "
 			     "not known here; write G700 or G710");
-	sinumerik->allowance = allowance;
+	sinumerik->comp.allowance = allowance;
 	return true;
 }
 
@@ -265,25 +267,25 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 	if (sinumerik_block_has_address(block, SINUMERIK_DISC) && !(disc >= 0 && disc <= 100))
 		return fault(&interp->at, block->address_column[SINUMERIK_DISC], "DISC lies between 0 and 100");
 	if (code[SINUMERIK_APPROACH] != CODE_NONE) {
-		sinumerik->approach = code[SINUMERIK_APPROACH];
+		sinumerik->comp.approach = code[SINUMERIK_APPROACH];
 		/* The way out is as this block says. */
 		interp->comp.start_type = start_type(interp);
 	}
 	if (code[SINUMERIK_CORNER] != CODE_NONE)
-		sinumerik->corner = code[SINUMERIK_CORNER];
+		sinumerik->comp.corner = code[SINUMERIK_CORNER];
 	if (sinumerik_block_has_address(block, SINUMERIK_DISC))
-		sinumerik->disc = disc;
+		sinumerik->comp.disc = disc;
 	if (!set_allowance(interp, block))
 		return false;
 	if (code[SINUMERIK_CUT] != CODE_NONE)
-		sinumerik->turns_plane = code[SINUMERIK_CUT] == SINUMERIK_CUT2DF;
+		sinumerik->comp.turns_plane = code[SINUMERIK_CUT] == SINUMERIK_CUT2DF;
 	if (code[SINUMERIK_CUTTER] == CODE_NONE)
 		return true;
 	if (code[SINUMERIK_CUTTER] == G40)
 		return switch_off(interp, block);
 	if (!sinumerik_open_place_check(interp, column, "tool radius compensation"))
 		return false;
-	sinumerik->left_open = interp->comp.keeps_loose = false;
+	sinumerik->open.on = interp->comp.keeps_loose = false;
 	return switch_on(interp, column, code[SINUMERIK_CUTTER] == G41 ? 1 : -1);
 }
 

@@ -48,15 +48,15 @@ static double middle(const struct sinumerik_contour *contour)
 bool sinumerik_contour_select(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct sinumerik_text *texts = sinumerik->argument_texts;
+	const struct sinumerik_text *texts = sinumerik->passed.texts;
 	struct sinumerik_contour *contour = &sinumerik->contour;
-	const double type = sinumerik->argument_count > 1 ? sinumerik->arguments[1] : 0;
+	const double type = sinumerik->passed.count > 1 ? sinumerik->passed.numbers[1] : 0;
 	char *name = contour->name.bytes;
 	const size_t size = sizeof(contour->name.bytes);
 	int length = 0;
 
-	for (size_t i = sinumerik->argument_count; i < 4; i++)
-		sinumerik->argument_texts[i].bytes[0] = '\0';
+	for (size_t i = sinumerik->passed.count; i < 4; i++)
+		sinumerik->passed.texts[i].bytes[0] = '\0';
 	if (!(type >= 0 && type <= 2) || !same_double(floor(type), type))
 		return fault(&interp->at, column, "CYCLE62 with a contour of type %.9g is not supported, only 0 (a "
 						  "subprogram), 1 (a contour's name) and 2 (two labels)", type);
@@ -94,7 +94,7 @@ static bool call_contour(struct interp *interp)
 	char program[SINUMERIK_NAME + 1];
 	struct position first, last;
 
-	sinumerik->argument_count = 0;
+	sinumerik->passed.count = 0;
 	if (colon) {
 		if (!find_label(interp, name, (size_t)(colon - name), column, &first) ||
 		    !find_label(interp, colon + 1, strlen(colon + 1), column, &last))
@@ -107,10 +107,10 @@ static bool call_contour(struct interp *interp)
 		   !sinumerik_call_run(interp, program, 1, column)) {
 		return false;
 	}
-	if (sinumerik->depth == contour->depth)
+	if (sinumerik->calls.depth == contour->depth)
 		return fault(&interp->at, column, "the contour %s is a program of the builder, which is not known",
 			     name);
-	sinumerik->calls[sinumerik->depth - 1].back = contour->line;
+	sinumerik->calls.items[sinumerik->calls.depth - 1].back = contour->line;
 	/* Its blocks need no F. */
 	sinumerik_save_modes(interp, &contour->before);
 	contour->feed_before = interp->state.feed_linear;
@@ -148,8 +148,9 @@ static bool find_margins(struct sinumerik_contour *contour, const struct sinumer
 static bool read_arguments(struct interp *interp, struct sinumerik_contour *contour)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const size_t count = sinumerik->argument_count > 0 ? sinumerik->argument_count - 1 : 0;
-	const struct sinumerik_arguments of = {interp, "CYCLE72", contour->column, sinumerik->arguments + 1, count};
+	const size_t count = sinumerik->passed.count > 0 ? sinumerik->passed.count - 1 : 0;
+	const struct sinumerik_arguments of = {interp, "CYCLE72", contour->column, sinumerik->passed.numbers + 1,
+					       count};
 	const struct sinumerik_modes modes = {.display = DISPLAY, .alternative = ALTERNATIVE};
 	struct sinumerik_heights height;
 
@@ -174,9 +175,9 @@ bool sinumerik_contour_mill(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_contour *contour = &sinumerik->contour;
-	const char *own = sinumerik->argument_count > 0 ? sinumerik->argument_texts[0].bytes : "";
+	const char *own = sinumerik->passed.count > 0 ? sinumerik->passed.texts[0].bytes : "";
 	const struct sinumerik_contour begun = {.line = source_here(interp->program.source),
-						.depth = sinumerik->depth,
+						.depth = sinumerik->calls.depth,
 						.column = column,
 						.plane = interp->state.plane,
 						.name = contour->name};
@@ -362,7 +363,7 @@ static bool check_inside(struct interp *interp, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	return !sinumerik->contour.on || sinumerik->depth > sinumerik->contour.depth ||
+	return !sinumerik->contour.on || sinumerik->calls.depth > sinumerik->contour.depth ||
 	       fault(&interp->at, column, "a jump or RET leaves the contour of the CYCLE72 in line %ld",
 		     sinumerik->contour.line.line);
 }
@@ -381,7 +382,7 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 	for (int i = 0; i < block->m_count; i++) {
 		/* Of a subprogram they are the end; a part between labels ends with its label. */
 		if ((block->m[i] == 2 || block->m[i] == 17 || block->m[i] == 30) &&
-		    sinumerik->calls[sinumerik->depth - 1].last_line)
+		    sinumerik->calls.items[sinumerik->calls.depth - 1].last_line)
 			return fault(&interp->at, block->m_column[i], "the program ends in the contour of CYCLE72");
 	}
 	return column == 0 || fault(&interp->at, column,
@@ -432,8 +433,8 @@ bool sinumerik_contour_waits(struct interp *interp)
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct sinumerik_contour *contour = &sinumerik->contour;
 
-	return contour->on && sinumerik->depth == contour->depth && interp->program.source == contour->line.source &&
-	       interp->at.line == contour->line.line;
+	return contour->on && sinumerik->calls.depth == contour->depth &&
+	       interp->program.source == contour->line.source && interp->at.line == contour->line.line;
 }
 
 /* Between passes the tool goes back to the start, or the next one goes the other way round: it may end at either. */

@@ -56,8 +56,8 @@ static bool go(struct drilling *d, enum canon_kind kind, double height)
 	straight = sinumerik_frame_straight(d->interp, &d->at);
 	if (!motion_commands_go(d->interp, &straight, &move))
 		return false;
-	sinumerik_of(d->interp)->place = d->at;
-	sinumerik_of(d->interp)->placed = true;
+	sinumerik_of(d->interp)->place.program = d->at;
+	sinumerik_of(d->interp)->place.known = true;
 	return true;
 }
 

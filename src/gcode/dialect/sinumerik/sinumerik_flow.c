@@ -50,9 +50,10 @@ static bool condition(const struct flow *flow, bool *holds)
 static struct sinumerik_loop *top_loop(const struct flow *flow)
 {
 	struct sinumerik *sinumerik = flow->sinumerik;
-	struct sinumerik_loop *loop = sinumerik->loop_count ? &sinumerik->loops[sinumerik->loop_count - 1] : NULL;
+	struct sinumerik_loop *loop =
+	    sinumerik->loops.count ? &sinumerik->loops.items[sinumerik->loops.count - 1] : NULL;
 
-	return loop && loop->level == sinumerik->level ? loop : NULL;
+	return loop && loop->level == sinumerik->calls.level ? loop : NULL;
 }
 
 /* The loop that begins in the line in hand: the one under way, or a new one. NULL: there are too many, reported. */
@@ -62,19 +63,20 @@ static struct sinumerik_loop *begin(const struct flow *flow, enum sinumerik_loop
 	const struct position start = source_here(flow->interp->program.source);
 	struct sinumerik_loop *loop;
 
-	for (size_t i = sinumerik->loop_count; i-- > 0 && sinumerik->loops[i].level == sinumerik->level;) {
-		if (sinumerik->loops[i].start.line == start.line && sinumerik->loops[i].start.source == start.source) {
-			sinumerik->loop_count = i + 1;
-			return &sinumerik->loops[i];
+	for (size_t i = sinumerik->loops.count; i-- > 0 && sinumerik->loops.items[i].level == sinumerik->calls.level;) {
+		if (sinumerik->loops.items[i].start.line == start.line &&
+		    sinumerik->loops.items[i].start.source == start.source) {
+			sinumerik->loops.count = i + 1;
+			return &sinumerik->loops.items[i];
 		}
 	}
-	if (sinumerik->loop_count == SINUMERIK_LOOPS_MAX) {
+	if (sinumerik->loops.count == SINUMERIK_LOOPS_MAX) {
 		fault_report(flow->lexer->at, flow->column, "more than %d loops inside each other",
 			     SINUMERIK_LOOPS_MAX);
 		return NULL;
 	}
-	loop = &sinumerik->loops[sinumerik->loop_count++];
-	*loop = (struct sinumerik_loop){.kind = kind, .start = start, .level = sinumerik->level};
+	loop = &sinumerik->loops.items[sinumerik->loops.count++];
+	*loop = (struct sinumerik_loop){.kind = kind, .start = start, .level = sinumerik->calls.level};
 	return loop;
 }
 
@@ -82,7 +84,7 @@ static bool leave(const struct flow *flow, enum sinumerik_close close)
 {
 	struct position behind;
 
-	flow->sinumerik->loop_count--;
+	flow->sinumerik->loops.count--;
 	return sinumerik_seek_close(flow->interp, close, flow->column, &behind) && go(flow, &behind);
 }
 
@@ -113,10 +115,11 @@ static double *counter(const struct flow *flow)
 		return NULL;
 	}
 	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0')
-		return sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number) ? &flow->sinumerik->r[number]
-											 : NULL;
+		return sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number)
+			   ? &flow->sinumerik->variables.r[number]
+			   : NULL;
 	found = sinumerik_variables_find(flow->sinumerik, name);
-	variable = found < 0 ? NULL : &flow->sinumerik->variables[found];
+	variable = found < 0 ? NULL : &flow->sinumerik->variables.items[found];
 	if (!variable && name[1]) {
 		sinumerik_gud_ask(flow->lexer, name, false, column);
 		return NULL;
@@ -180,7 +183,7 @@ static bool run_closing(struct flow *flow, const struct closing *closing)
 	/* Behind a fault every block is read once: what a condition would be is not known. */
 	if (!ends && !flow->interp->faulty)
 		return go(flow, &loop->start);
-	flow->sinumerik->loop_count--;
+	flow->sinumerik->loops.count--;
 	return true;
 }
 
@@ -213,7 +216,7 @@ static bool leave_loops(const struct flow *flow, long line)
 		}
 		if (line > loop->start.line && line <= loop->end)
 			return true;
-		flow->sinumerik->loop_count--;
+		flow->sinumerik->loops.count--;
 	}
 	return true;
 }
@@ -272,7 +275,7 @@ static bool start_again(const struct flow *flow, const struct jump *jump)
 		return fault(flow->lexer->at, jump->column, "GOTOS in a subprogram is not supported");
 	if (flow->interp->faulty)
 		return true;
-	flow->sinumerik->loop_count = 0;
+	flow->sinumerik->loops.count = 0;
 	return sinumerik_call_jumped(flow->interp, top.line, jump->column) && go(flow, &top);
 }
 

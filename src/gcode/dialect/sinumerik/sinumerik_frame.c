@@ -71,7 +71,7 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 
 struct sinumerik_frame sinumerik_frame_total(const struct sinumerik *sinumerik)
 {
-	return sinumerik_frame_chain(&sinumerik->swivel, &sinumerik->frame);
+	return sinumerik_frame_chain(&sinumerik->frames.swivel, &sinumerik->frames.programmed);
 }
 
 bool sinumerik_frame_scale(const mat3 *matrix, double *factor)
@@ -120,20 +120,21 @@ const slot_values *sinumerik_frame_place(struct interp *interp)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct state *state = &interp->state;
 
-	if (sinumerik->placed)
-		return &sinumerik->place;
+	if (sinumerik->place.known)
+		return &sinumerik->place.program;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		sinumerik->place.v[slot] = state->position.v[slot] - state->offset.v[slot];
+		sinumerik->place.program.v[slot] = state->position.v[slot] - state->offset.v[slot];
 	if (state->frame.on)
-		set_linear(&sinumerik->place, apply_inverse(&state->frame.turn, vec3_sub(linear(&sinumerik->place),
-											   state->frame.origin)));
-	sinumerik->placed = true;
-	return &sinumerik->place;
+		set_linear(&sinumerik->place.program,
+			   apply_inverse(&state->frame.turn,
+					 vec3_sub(linear(&sinumerik->place.program), state->frame.origin)));
+	sinumerik->place.known = true;
+	return &sinumerik->place.program;
 }
 
 void sinumerik_frame_moved(struct interp *interp)
 {
-	sinumerik_of(interp)->placed = false;
+	sinumerik_of(interp)->place.known = false;
 	/* CT does not go on from such a motion. */
 	sinumerik_of(interp)->tangent.known = false;
 }
@@ -169,16 +170,16 @@ bool sinumerik_frame_changed(struct interp *interp, int column)
 		set_linear(&state->shift, (vec3){0, 0, 0});
 	}
 	sinumerik->tangent.known = false;
-	sinumerik->frame_is_even = sinumerik_frame_scale(&total.matrix, &factor);
+	sinumerik->frames.even = sinumerik_frame_scale(&total.matrix, &factor);
 	if (!tool_length_offsets_changed(interp, column))
 		return false;
-	sinumerik->placed = false;
+	sinumerik->place.known = false;
 	sinumerik_frame_place(interp);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (sinumerik->shifted[slot] || same_double(before.v[slot], sinumerik->place.v[slot]))
+		if (sinumerik->place.shifted[slot] || same_double(before.v[slot], sinumerik->place.program.v[slot]))
 			continue;
-		sinumerik->shifted[slot] = true;
-		sinumerik->programmed.v[slot] = before.v[slot];
+		sinumerik->place.shifted[slot] = true;
+		sinumerik->place.programmed.v[slot] = before.v[slot];
 	}
 	return true;
 }
@@ -318,7 +319,7 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
  */
 static bool set_axial(struct interp *interp, const struct sinumerik_frame_words *words)
 {
-	struct sinumerik_frame *frame = &sinumerik_of(interp)->frame;
+	struct sinumerik_frame *frame = &sinumerik_of(interp)->frames.programmed;
 
 	if (!is_identity(&frame->matrix))
 		return fault(&interp->at, words->column,
@@ -344,7 +345,7 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_frame frame;
 
-	if (sinumerik->frame_unsure && (words->added || words->code == SINUMERIK_AXIAL))
+	if (sinumerik->frames.programmed_unsure && (words->added || words->code == SINUMERIK_AXIAL))
 		return fault(&interp->at, words->column,
 			     "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the "
 			     "values that are meant, or say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's "
@@ -355,7 +356,8 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 		return false;
 	if (words->code == SINUMERIK_TRANS && words->added)
 		frame.fine = frame.shift;
-	sinumerik->frame_unsure = false;
-	sinumerik->frame = words->added ? sinumerik_frame_chain(&sinumerik->frame, &frame) : frame;
+	sinumerik->frames.programmed_unsure = false;
+	sinumerik->frames.programmed =
+	    words->added ? sinumerik_frame_chain(&sinumerik->frames.programmed, &frame) : frame;
 	return sinumerik_frame_changed(interp, words->column);
 }

@@ -22,8 +22,8 @@ static bool go_to(struct interp *interp, const slot_values *start, const slot_va
 	straight = sinumerik_frame_straight(interp, &place);
 	if (!motion_commands_go(interp, &straight, move))
 		return false;
-	sinumerik_of(interp)->place = place;
-	sinumerik_of(interp)->placed = true;
+	sinumerik_of(interp)->place.program = place;
+	sinumerik_of(interp)->place.known = true;
 	return true;
 }
 

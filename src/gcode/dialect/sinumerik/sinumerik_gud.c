@@ -126,15 +126,15 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 		return fault(&interp->at, 0,
 			     "<variable name=\"%s\">: its type is missing, type=\"REAL\" and the like",
 			     from->name);
-	whole = !from->name[length] && sinumerik->variables[found].dimensions == 0;
+	whole = !from->name[length] && sinumerik->variables.items[found].dimensions == 0;
 	if (!whole && (!from->name[length] ||
-		       !find_element(&sinumerik->variables[found], from->name + length + 1, &element)))
+		       !find_element(&sinumerik->variables.items[found], from->name + length + 1, &element)))
 		return fault(&interp->at, 0, "<variable name=\"%s\"> is no element of that array",
 			     from->name);
 	/* Without a value the program has to assign one, whatever the name holds by its type elsewhere. */
 	if (!from->text)
-		sinumerik->variables[found].given[element] = false;
-	return !from->text || set_value(interp, &sinumerik->variables[found], element, from);
+		sinumerik->variables.items[found].given[element] = false;
+	return !from->text || set_value(interp, &sinumerik->variables.items[found], element, from);
 }
 
 static bool is_parameter(const char *name)

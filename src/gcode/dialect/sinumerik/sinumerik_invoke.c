@@ -21,15 +21,15 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_modal *modal = &sinumerik->modal;
 
-	if (modal->running && sinumerik->depth > modal->depth)
+	if (modal->running && sinumerik->calls.depth > modal->depth)
 		return fault(&interp->at, block->modal_column, "MCALL in the subprogram %s, which MCALL calls",
 			     modal->name);
-	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .level = sinumerik->level};
+	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .level = sinumerik->calls.level};
 	if (!modal->on)
 		return true;
 	modal->cycle = sinumerik_cycle_drills(block->call) || sinumerik_region_is(block->call);
 	if (sinumerik_region_is(block->call) &&
-	    !sinumerik_region_check_modal(interp, block->call, sinumerik->arguments, sinumerik->argument_count,
+	    !sinumerik_region_check_modal(interp, block->call, sinumerik->passed.numbers, sinumerik->passed.count,
 					  block->call_column)) {
 		modal->on = false;
 		return false;
@@ -39,10 +39,10 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 		return sinumerik_builder_refuse(interp, block->call, sinumerik_cycle_refused(block->call),
 						block->call_column);
 	strcpy(modal->name, block->call);
-	modal->argument_count = sinumerik->argument_count;
-	memcpy(modal->arguments, sinumerik->arguments, sizeof(modal->arguments));
-	for (size_t i = 0; i < sinumerik->argument_count; i++) {
-		if (!modal->cycle && (sinumerik->argument_is_text[i]))
+	modal->argument_count = sinumerik->passed.count;
+	memcpy(modal->arguments, sinumerik->passed.numbers, sizeof(modal->arguments));
+	for (size_t i = 0; i < sinumerik->passed.count; i++) {
+		if (!modal->cycle && (sinumerik->passed.is_text[i]))
 			return fault(&interp->at, block->call_column,
 				     "a modal call of a subprogram with text among its arguments is not supported yet");
 	}
@@ -81,7 +81,7 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	const int column = block->call_column, index = 'P' - 'A';
 	int repeats = 1;
 
-	sinumerik->argument_count = 0;
+	sinumerik->passed.count = 0;
 	if (block->call_has_arguments && (!sinumerik_call_arguments(interp, lexer) ||
 					  !read_repeats(interp, lexer, block, &repeats)))
 		return false;
@@ -104,11 +104,11 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	     is_other_cycle(name)))
 		return fault(&interp->at, block->column[index], "P belongs to the call of a subprogram");
 	if (sinumerik_cycle_drills(name))
-		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
+		return sinumerik_cycle_drill(interp, name, sinumerik->passed.numbers, sinumerik->passed.count, column);
 	if (sinumerik_pattern_is(name))
 		return sinumerik_pattern_run(interp, name, column);
 	if (sinumerik_region_is(name))
-		return sinumerik_region_mill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
+		return sinumerik_region_mill(interp, name, sinumerik->passed.numbers, sinumerik->passed.count, column);
 	if (!strcmp(name, "CYCLE800"))
 		return sinumerik_swivel_run(interp, column);
 	if (!strcmp(name, "CYCLE62"))

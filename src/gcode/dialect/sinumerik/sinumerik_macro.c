@@ -13,8 +13,8 @@
 
 static struct sinumerik_macro *find(const struct sinumerik *sinumerik, const char *name, size_t length)
 {
-	for (size_t i = 0; i < sinumerik->macro_count; i++) {
-		struct sinumerik_macro *macro = &sinumerik->macros[i];
+	for (size_t i = 0; i < sinumerik->macros.count; i++) {
+		struct sinumerik_macro *macro = &sinumerik->macros.items[i];
 		size_t k = 0;
 
 		while (k < length && macro->name[k] == sinumerik_upper(name[k]))
@@ -85,19 +85,19 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 	if (!check_text(*lexer))
 		return false;
 	macro = find(sinumerik, name, strlen(name));
-	if (macro && macro->level != sinumerik->level &&
+	if (macro && macro->level != sinumerik->calls.level &&
 	    (strlen(macro->text) != text_length(text) || memcmp(macro->text, text, text_length(text)) != 0))
 		return fault(lexer->at, column,
 			     "%s has another text in the program that calls, or in a subprogram before: which one "
 			     "holds after the return is not certain; give it another name",
 			     name);
-	if (!macro && sinumerik->macro_count == MACROS_MAX)
+	if (!macro && sinumerik->macros.count == MACROS_MAX)
 		return fault(lexer->at, column, "more than %d names of DEFINE", MACROS_MAX);
 	if (!macro) {
-		sinumerik->macros = mem_grow(sinumerik->macros, &sinumerik->macro_capacity, sinumerik->macro_count + 1,
-					     sizeof(*sinumerik->macros));
-		macro = &sinumerik->macros[sinumerik->macro_count++];
-		*macro = (struct sinumerik_macro){.level = sinumerik->level};
+		sinumerik->macros.items = mem_grow(sinumerik->macros.items, &sinumerik->macros.capacity,
+						   sinumerik->macros.count + 1, sizeof(*sinumerik->macros.items));
+		macro = &sinumerik->macros.items[sinumerik->macros.count++];
+		*macro = (struct sinumerik_macro){.level = sinumerik->calls.level};
 		strcpy(macro->name, name);
 	}
 	free(macro->text);
@@ -114,9 +114,9 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 	bool quoted = false;
 
 	/* DEFINE may give a name another text. */
-	if (sinumerik->macro_count == 0 || sinumerik_name_take(&lexer, "DEFINE"))
+	if (sinumerik->macros.count == 0 || sinumerik_name_take(&lexer, "DEFINE"))
 		return;
-	strbuf_clear(&sinumerik->line);
+	strbuf_clear(&sinumerik->search.line);
 	while (text[at] && (text[at] != ';' || quoted)) {
 		const struct sinumerik_macro *macro;
 		size_t length = 0;
@@ -126,21 +126,21 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 			length++;
 		macro = length > 1 ? find(sinumerik, text + at, length) : NULL;
 		if (macro) {
-			strbuf_add(&sinumerik->line, text + kept, at - kept);
-			strbuf_addf(&sinumerik->line, "%s", macro->text);
+			strbuf_add(&sinumerik->search.line, text + kept, at - kept);
+			strbuf_addf(&sinumerik->search.line, "%s", macro->text);
 			kept = at + length;
 		}
 		at += length ? length : 1;
 	}
 	if (kept == 0)
 		return;
-	strbuf_addf(&sinumerik->line, "%s", text + kept);
-	interp->at.text = strbuf_text(&sinumerik->line);
+	strbuf_addf(&sinumerik->search.line, "%s", text + kept);
+	interp->at.text = strbuf_text(&sinumerik->search.line);
 }
 
 void sinumerik_macro_release(struct sinumerik *sinumerik)
 {
-	for (size_t i = 0; i < sinumerik->macro_count; i++)
-		free(sinumerik->macros[i].text);
-	free(sinumerik->macros);
+	for (size_t i = 0; i < sinumerik->macros.count; i++)
+		free(sinumerik->macros.items[i].text);
+	free(sinumerik->macros.items);
 }

@@ -64,8 +64,8 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 
 static bool go_straight(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
-	return sinumerik_of(interp)->left_open
-		   ? parallel_moves_go_from_open(interp, target, move, &sinumerik_of(interp)->open)
+	return sinumerik_of(interp)->open.on
+		   ? parallel_moves_go_from_open(interp, target, move, &sinumerik_of(interp)->open.box)
 		   : motion_commands_go(interp, target, move);
 }
 
@@ -104,8 +104,8 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 	if (!good)
 		return false;
 	sinumerik_circle_keep_tangent(interp, &from, target, circle);
-	sinumerik_of(interp)->place = *target;
-	sinumerik_of(interp)->placed = true;
+	sinumerik_of(interp)->place.program = *target;
+	sinumerik_of(interp)->place.known = true;
 	return true;
 }
 
@@ -138,7 +138,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 	if (state->tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column,
 			     "positions of the machine's axes (SUPA, G53, G153) while TRAORI is on; TRAFOOF first");
-	if (state->tcp == TCP_BY_PLANE && !same_double(state->length, 0) && !sinumerik_of(interp)->tool_upright)
+	if (state->tcp == TCP_BY_PLANE && !same_double(state->length, 0) && !sinumerik_of(interp)->frames.tool_upright)
 		return fault(
 		    &interp->at, column,
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
@@ -290,7 +290,7 @@ static bool check_corner(struct interp *interp, const struct sinumerik_block *bl
 		return fault(&interp->at, column, "a block can have only one of CHF, CHR and RND");
 	if (!moves || interp->state.motion == G0)
 		return fault(&interp->at, column, "CHF, CHR and RND need a block with G1, G2 or G3");
-	return sinumerik_of(interp)->frame_is_even ||
+	return sinumerik_of(interp)->frames.even ||
 	       fault(&interp->at, column, "a rounding or chamfer where the frame scales its axes differently");
 }
 

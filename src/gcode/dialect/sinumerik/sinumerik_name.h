@@ -2,7 +2,32 @@
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 
-#include "gcode/dialect/sinumerik/sinumerik_state.h"
+#include "gcode/text/lexer.h"
+
+/* 840D sl, NC programming: 32 bytes a name. */
+#define SINUMERIK_NAME 32
+
+/* An upper-case letter; other bytes stay as they are. */
+static inline char sinumerik_upper(char byte)
+{
+	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+}
+
+static inline bool sinumerik_is_digit(char byte)
+{
+	return byte >= '0' && byte <= '9';
+}
+
+/* Letters and '_': what a name starts with. */
+static inline bool sinumerik_is_letter(char byte)
+{
+	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
+}
+
+static inline bool sinumerik_is_name(char byte)
+{
+	return sinumerik_is_letter(byte) || sinumerik_is_digit(byte);
+}
 
 /* All of these read at the lexer's position. */
 

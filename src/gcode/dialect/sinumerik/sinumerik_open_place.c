@@ -10,7 +10,7 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
 	const double *loose = interp->comp.loose;
 
 	/* Cutter compensation, which leaves axes aside, too, does not begin before this has ended. */
-	if (!sinumerik_of(interp)->left_open || !(loose[SLOT_X] > 0 || loose[SLOT_Y] > 0 || loose[SLOT_Z] > 0))
+	if (!sinumerik_of(interp)->open.on || !(loose[SLOT_X] > 0 || loose[SLOT_Y] > 0 || loose[SLOT_Z] > 0))
 		return true;
 	return fault(&interp->at, column,
 		     "%s from where a milling cycle has left the tool: where it stands over its region is not known; "
@@ -21,7 +21,7 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
 /* What the box reaches along the controller's axes. */
 static void set_loose(struct interp *interp)
 {
-	const vec3 *side = sinumerik_of(interp)->open.half;
+	const vec3 *side = sinumerik_of(interp)->open.box.half;
 	double *loose = interp->comp.loose;
 
 	loose[SLOT_X] = fabs(side[0].x) + fabs(side[1].x) + fabs(side[2].x);
@@ -43,8 +43,8 @@ void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	sinumerik->open = box_about_place(interp, half);
-	sinumerik->left_open = true;
+	sinumerik->open.box = box_about_place(interp, half);
+	sinumerik->open.on = true;
 	/* In turned coordinates only the dialect knows what the words of a block take back. */
 	interp->comp.keeps_loose = true;
 	set_loose(interp);
@@ -54,17 +54,18 @@ void sinumerik_open_place_take_over(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (!sinumerik->left_open)
-		sinumerik->open = parallel_moves_box(interp->comp.loose);
-	sinumerik->left_open = interp->comp.keeps_loose = true;
+	if (!sinumerik->open.on)
+		sinumerik->open.box = parallel_moves_box(interp->comp.loose);
+	sinumerik->open.on = interp->comp.keeps_loose = true;
 }
 
 /* How far the box reaches along the axes of the program that are in force now. */
 static void extent(const struct interp *interp, double along[SLOT_Z + 1])
 {
 	along[SLOT_X] = along[SLOT_Y] = along[SLOT_Z] = 0;
-	for (int i = 0; i < 3 && sinumerik_of(interp)->left_open; i++) {
-		const vec3 side = rotated_frame_straight_direction(&interp->state, sinumerik_of(interp)->open.half[i]);
+	for (int i = 0; i < 3 && sinumerik_of(interp)->open.on; i++) {
+		const vec3 side =
+		    rotated_frame_straight_direction(&interp->state, sinumerik_of(interp)->open.box.half[i]);
 
 		along[SLOT_X] += fabs(side.x);
 		along[SLOT_Y] += fabs(side.y);
@@ -78,7 +79,7 @@ void sinumerik_open_place_settle(struct interp *interp, uint32_t letters)
 {
 	double half[SLOT_Z + 1];
 
-	if (!sinumerik_of(interp)->left_open || !(letters & LINEAR_BITS))
+	if (!sinumerik_of(interp)->open.on || !(letters & LINEAR_BITS))
 		return;
 	extent(interp, half);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
@@ -92,20 +93,20 @@ void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters
 {
 	double *loose = interp->comp.loose;
 
-	if (!sinumerik_of(interp)->left_open || !(letters & LINEAR_BITS))
+	if (!sinumerik_of(interp)->open.on || !(letters & LINEAR_BITS))
 		return;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (letters & letter_bit(AXIS_LETTERS[slot]))
 			loose[slot] = 0;
 	}
-	sinumerik_of(interp)->open = parallel_moves_box(loose);
+	sinumerik_of(interp)->open.box = parallel_moves_box(loose);
 }
 
 /* The tool lies along the machine's Z and stands on the plane, so that heights over the plane are heights along Z. */
 static void lay_upright(struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const vec3 up = sinumerik->swivel.matrix.z, *side = sinumerik->open.half;
+	const vec3 up = sinumerik->frames.swivel.matrix.z, *side = sinumerik->open.box.half;
 	double *loose = interp->comp.loose;
 
 	loose[SLOT_X] = loose[SLOT_Z] = 0;
@@ -124,11 +125,11 @@ void sinumerik_open_place_turned(struct interp *interp)
 	double *loose = interp->comp.loose;
 	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
-	if (sinumerik->left_open && sinumerik->swivelled && sinumerik->tool_upright)
+	if (sinumerik->open.on && sinumerik->frames.swivelled && sinumerik->frames.tool_upright)
 		lay_upright(interp);
 	else
 		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
-	sinumerik_of(interp)->open = parallel_moves_box(loose);
+	sinumerik_of(interp)->open.box = parallel_moves_box(loose);
 }
 
 bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, const double half[SLOT_Z + 1],
@@ -147,7 +148,7 @@ bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, c
 	about_it = box_about_place(interp, all);
 	if (!parallel_moves_go(interp, &straight, &move, &about_it))
 		return false;
-	sinumerik_of(interp)->place = *target;
-	sinumerik_of(interp)->placed = true;
+	sinumerik_of(interp)->place.program = *target;
+	sinumerik_of(interp)->place.known = true;
 	return true;
 }

@@ -52,10 +52,10 @@ static bool outlive(struct interp *interp, int column)
 		    "TRAFOOF: write them behind it, or say frames_outlive_traori=\"yes\" or \"no\" in the machine's "
 		    "<controller>");
 	if (answer == ANSWER_UNKNOWN) {
-		sinumerik->frames_unsure = true;
+		sinumerik->frames.unsure = true;
 		return true;
 	}
-	sinumerik->frame = sinumerik_frame_none();
+	sinumerik->frames.programmed = sinumerik_frame_none();
 	interp->state.system = SYSTEM_NONE;
 	return sinumerik_frame_changed(interp, column);
 }
@@ -66,13 +66,13 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 	struct state *state = &interp->state;
 
 	/* No transformation is active that TRAFOOF would end. */
-	if (sinumerik->swivelled && !on)
+	if (sinumerik->frames.swivelled && !on)
 		return true;
-	if (sinumerik->swivelled)
+	if (sinumerik->frames.swivelled)
 		return fault(&interp->at, column, "TRAORI while CYCLE800 has swivelled; CYCLE800() first");
 	if (on == (state->tcp != TCP_OFF))
 		return true;
-	if (sinumerik->tool_frame)
+	if (sinumerik->frames.tool_frame)
 		return fault(&interp->at, column, "TRAFOOF while TOROT or TOFRAME is in force; TOROTOF first");
 	if (on && !sinumerik_place_check_edge(interp, column))
 		return false;
@@ -89,11 +89,11 @@ bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_
 	const int *code = block->code;
 
 	if (code[SINUMERIK_ORI_SYSTEM] != CODE_NONE)
-		sinumerik->machine_orientation = code[SINUMERIK_ORI_SYSTEM] == SINUMERIK_ORIMKS;
+		sinumerik->orientation.in_machine = code[SINUMERIK_ORI_SYSTEM] == SINUMERIK_ORIMKS;
 	if (code[SINUMERIK_ORI_ANGLES] != CODE_NONE)
-		sinumerik->orientation_angles = code[SINUMERIK_ORI_ANGLES];
+		sinumerik->orientation.angles = code[SINUMERIK_ORI_ANGLES];
 	if (code[SINUMERIK_ORI_WAY] != CODE_NONE)
-		sinumerik->orientation =
+		sinumerik->orientation.way =
 		    code[SINUMERIK_ORI_WAY] == SINUMERIK_ORIAXES ? SINUMERIK_ORI_AXES : SINUMERIK_ORI_VECTOR;
 	return code[SINUMERIK_TRANSFORM] == CODE_NONE ||
 	       switch_transformation(interp, code[SINUMERIK_TRANSFORM] == SINUMERIK_TRAORI,
@@ -170,7 +170,7 @@ static bool angles_direction(struct interp *interp, const struct sinumerik_block
 	const vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
 	mat3 first, then, last = mat3_identity();
 
-	switch (sinumerik_of(interp)->orientation_angles) {
+	switch (sinumerik_of(interp)->orientation.angles) {
 	case SINUMERIK_ORIEULER:
 		first = mat3_turn(z, radians(a));
 		then = mat3_turn(x, radians(b));
@@ -215,7 +215,7 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 				     "the block turns the tool by %c and by a direction (A3= B3= C3=)",
 				     AXIS_LETTERS[slot]);
 	}
-	if (sinumerik_of(interp)->machine_orientation)
+	if (sinumerik_of(interp)->orientation.in_machine)
 		return fault(&interp->at, column,
 			     "a direction A3= B3= C3= with ORIMKS is not supported yet; use ORIWKS");
 	if (state->frame.on && !sinumerik_frame_scale(&state->frame.turn, &scale))
@@ -244,13 +244,13 @@ bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direc
 	return true;
 }
 
-static enum sinumerik_orientation way_in_force(const struct interp *interp)
+static enum sinumerik_orientation_way way_in_force(const struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (sinumerik->orientation)
-		return sinumerik->orientation;
-	if (sinumerik->machine_orientation)
+	if (sinumerik->orientation.way)
+		return sinumerik->orientation.way;
+	if (sinumerik->orientation.in_machine)
 		return SINUMERIK_ORI_AXES;
 	switch (interp->config->controller.orientation_interpolation) {
 	case ORIENTATION_INTERPOLATION_AXES:
@@ -266,7 +266,7 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 				struct sinumerik_turn *turn)
 {
 	const slot_values *place = sinumerik_frame_place(interp);
-	const enum sinumerik_orientation way = way_in_force(interp);
+	const enum sinumerik_orientation_way way = way_in_force(interp);
 	const int column = sinumerik_block_axis_column(block);
 	bool turns;
 
@@ -294,7 +294,7 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	default:
 		break;
 	}
-	if (sinumerik_of(interp)->machine_orientation)
+	if (sinumerik_of(interp)->orientation.in_machine)
 		return fault(
 		    &interp->at, column,
 		    "a great circle (ORIVECT) in the machine's coordinates (ORIMKS) is not supported; use ORIWKS");

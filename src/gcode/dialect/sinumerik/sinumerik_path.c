@@ -12,20 +12,19 @@
 
 static void apply(struct interp *interp)
 {
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_path *path = &sinumerik_of(interp)->path;
 	struct state *state = &interp->state;
-	const bool within_control = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(641);
+	const bool within_control = path->compresses || path->code != SINUMERIK_G(641);
 
-	state->blend =
-	    sinumerik->compresses || sinumerik->smooths_orientation || sinumerik->path_code != SINUMERIK_G(60);
-	state->blend_turn = radians(sinumerik->orientation_tolerance);
+	state->blend = path->compresses || path->smooths_orientation || path->code != SINUMERIK_G(60);
+	state->blend_turn = radians(path->orientation_tolerance);
 	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
-	if (sinumerik->path_code == SINUMERIK_G(64) || sinumerik->path_code == SINUMERIK_G(644))
+	if (path->code == SINUMERIK_G(64) || path->code == SINUMERIK_G(644))
 		state->blend_tolerance = 0;
 	else if (within_control)
-		state->blend_tolerance = sinumerik->smoothing * fmax(1, sinumerik->rapid_factor);
+		state->blend_tolerance = path->smoothing * fmax(1, path->rapid_factor);
 	else
-		state->blend_tolerance = fmax(sinumerik->rounding, sinumerik->rapid_rounding);
+		state->blend_tolerance = fmax(path->rounding, path->rapid_rounding);
 }
 
 /*
@@ -35,16 +34,16 @@ static void apply(struct interp *interp)
  */
 void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *block)
 {
-	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_path *path = &sinumerik_of(interp)->path;
 	const struct {
 		enum sinumerik_address address;
 		bool is_length;
 		double *value;
-	} words[] = {{SINUMERIK_ADIS, true, &sinumerik->rounding},
-		     {SINUMERIK_ADISPOS, true, &sinumerik->rapid_rounding},
-		     {SINUMERIK_CTOL, true, &sinumerik->smoothing},
-		     {SINUMERIK_OTOL, false, &sinumerik->orientation_tolerance},
-		     {SINUMERIK_STOLF, false, &sinumerik->rapid_factor}};
+	} words[] = {{SINUMERIK_ADIS, true, &path->rounding},
+		     {SINUMERIK_ADISPOS, true, &path->rapid_rounding},
+		     {SINUMERIK_CTOL, true, &path->smoothing},
+		     {SINUMERIK_OTOL, false, &path->orientation_tolerance},
+		     {SINUMERIK_STOLF, false, &path->rapid_factor}};
 
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]) && block->addresses; i++) {
 		const double value = block->address_value[words[i].address];
@@ -54,17 +53,17 @@ void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *blo
 			*words[i].value = fmax(0, words[i].is_length ? sinumerik_target_length(interp, value) : value);
 	}
 	if (block->code[SINUMERIK_PATH] != CODE_NONE)
-		sinumerik->path_code = block->code[SINUMERIK_PATH];
+		path->code = block->code[SINUMERIK_PATH];
 	if (block->code[SINUMERIK_COMPRESSOR] != CODE_NONE)
-		sinumerik->compresses = block->code[SINUMERIK_COMPRESSOR] == SINUMERIK_COMPON;
+		path->compresses = block->code[SINUMERIK_COMPRESSOR] == SINUMERIK_COMPON;
 	if (block->code[SINUMERIK_ORI_SMOOTHING] != CODE_NONE)
-		sinumerik->smooths_orientation = block->code[SINUMERIK_ORI_SMOOTHING] == SINUMERIK_ORISON;
+		path->smooths_orientation = block->code[SINUMERIK_ORI_SMOOTHING] == SINUMERIK_ORISON;
 	apply(interp);
 }
 
-static double argument(const struct sinumerik *sinumerik, size_t i, double otherwise)
+static double argument(const struct sinumerik_passed *passed, size_t i, double otherwise)
 {
-	return i < sinumerik->argument_count && !isnan(sinumerik->arguments[i]) ? sinumerik->arguments[i] : otherwise;
+	return i < passed->count && !isnan(passed->numbers[i]) ? passed->numbers[i] : otherwise;
 }
 
 /*
@@ -75,27 +74,27 @@ static double argument(const struct sinumerik *sinumerik, size_t i, double other
 bool sinumerik_path_smooth(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const double tolerance = argument(sinumerik, 0, 0), given = argument(sinumerik, 1, 1);
+	const double tolerance = argument(&sinumerik->passed, 0, 0), given = argument(&sinumerik->passed, 1, 1);
 	/*
 	 * With three arguments it is the form of today, whose hundreds are Top Surface, which smooths within the same.
 	 */
 	const double mode =
-	    sinumerik->argument_count > 2 && given >= HUNDREDS && given < 2 * HUNDREDS ? given - HUNDREDS : given;
+	    sinumerik->passed.count > 2 && given >= HUNDREDS && given < 2 * HUNDREDS ? given - HUNDREDS : given;
 	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;
 	const bool turns = on && mode >= WITH_ORIENTATION && mode < MODES_END;
 
 	/* Before software 4, six digits, of which the tens might switch TRAORI on. */
-	if (fabs(mode) >= 100 && sinumerik_of(interp)->argument_count > 1 && fmod(floor(fabs(mode) / 10), 10) > 0)
+	if (fabs(mode) >= 100 && sinumerik_of(interp)->passed.count > 1 && fmod(floor(fabs(mode) / 10), 10) > 0)
 		return fault(&interp->at, column,
 			     "the tens of %.15g, the kind of machining of CYCLE832, may switch a transformation; write "
 			     "TRAORI or TRAFOOF and leave them 0",
 			     mode);
 	if (tolerance < 0)
 		return fault(&interp->at, column, "the tolerance of CYCLE832 cannot be negative");
-	sinumerik->smoothing = on ? tolerance * interp->state.scale : 0;
-	sinumerik->orientation_tolerance = turns ? fmax(0, argument(sinumerik, 2, 0)) : 0;
-	sinumerik->path_code = SINUMERIK_G(642);
-	sinumerik->compresses = on;
+	sinumerik->path.smoothing = on ? tolerance * interp->state.scale : 0;
+	sinumerik->path.orientation_tolerance = turns ? fmax(0, argument(&sinumerik->passed, 2, 0)) : 0;
+	sinumerik->path.code = SINUMERIK_G(642);
+	sinumerik->path.compresses = on;
 	apply(interp);
 	return true;
 }

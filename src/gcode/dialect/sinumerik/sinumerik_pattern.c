@@ -59,9 +59,9 @@ static bool call_at(struct pattern *p)
 
 	if (!sinumerik_pattern_modal(p->of.interp))
 		return false;
-	p->called = sinumerik->depth > p->left->depth;
+	p->called = sinumerik->calls.depth > p->left->depth;
 	if (p->called)
-		sinumerik->calls[sinumerik->depth - 1].back = p->left->line;
+		sinumerik->calls.items[sinumerik->calls.depth - 1].back = p->left->line;
 	return true;
 }
 
@@ -258,29 +258,30 @@ bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_pattern *left = &sinumerik->pattern;
-	const struct sinumerik_arguments of = {interp, name, column, sinumerik->arguments, sinumerik->argument_count};
+	const struct sinumerik_arguments of = {interp, name, column, sinumerik->passed.numbers,
+					       sinumerik->passed.count};
 	const size_t at = find(name), hide = patterns[at].hide;
 
 	if (sinumerik->modal.on && !sinumerik->modal.cycle && !sinumerik_modal_acts(sinumerik))
 		return fault(&interp->at, column, "%s in the subprogram %s, which MCALL calls, is not supported", name,
 			     sinumerik->modal.name);
-	if (hide && hide < sinumerik->argument_count &&
-	    (sinumerik->argument_is_text[hide] ? sinumerik->argument_texts[hide].bytes[0] != '\0'
+	if (hide && hide < sinumerik->passed.count &&
+	    (sinumerik->passed.is_text[hide] ? sinumerik->passed.texts[hide].bytes[0] != '\0'
 					       : sinumerik_argument_counts(&of, hide)))
 		return fault(&interp->at, column, "%s that leaves holes out (_HIDE) is not supported yet", name);
 	if (!sinumerik_target_check_cycle(interp, column) || !sinumerik_open_place_check(interp, column, name) ||
 	    !sinumerik_argument_plane(&of, patterns[at].display ? patterns[at].display : SIZE_MAX))
 		return false;
 	*left = (struct sinumerik_pattern){.line = source_here(interp->program.source),
-					   .depth = sinumerik->depth,
+					   .depth = sinumerik->calls.depth,
 					   .column = column,
 					   .plane = interp->state.plane,
 					   .scale = interp->state.scale,
 					   .from = *sinumerik_frame_place(interp),
-					   .argument_count = sinumerik->argument_count};
+					   .argument_count = sinumerik->passed.count};
 	sinumerik_save_modes(interp, &left->before);
 	strcpy(left->name, name);
-	memcpy(left->arguments, sinumerik->arguments, sizeof(left->arguments));
+	memcpy(left->arguments, sinumerik->passed.numbers, sizeof(left->arguments));
 	return run_left(interp);
 }
 
@@ -289,7 +290,7 @@ bool sinumerik_pattern_waits(struct interp *interp)
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct sinumerik_pattern *left = &sinumerik->pattern;
 
-	return left->on && sinumerik->depth == left->depth && interp->program.source == left->line.source &&
+	return left->on && sinumerik->calls.depth == left->depth && interp->program.source == left->line.source &&
 	       interp->at.line == left->line.line;
 }
 

@@ -8,7 +8,7 @@
 /* 840D sl, MD20270: which edge is in force after M6. */
 bool sinumerik_place_check_edge(const struct interp *interp, int column)
 {
-	if (!sinumerik_of(interp)->edge_unsure)
+	if (!sinumerik_of(interp)->tool.edge_unsure)
 		return true;
 	return fault(&interp->at, column,
 		     "a parameter of the control (MD20270) decides which D holds after M6: write D, or say "
@@ -24,8 +24,8 @@ bool sinumerik_place_check_tool(const struct interp *interp, int column)
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct state *state = &interp->state;
 
-	return interp->config->controller.t_changes_tool != ANSWER_UNKNOWN || !sinumerik->t_waits ||
-	       sinumerik->tool_changed || sinumerik->changes_ahead || state->selected == state->tool ||
+	return interp->config->controller.t_changes_tool != ANSWER_UNKNOWN || !sinumerik->tool.t_waits ||
+	       sinumerik->tool.changed || sinumerik->tool.changes_ahead || state->selected == state->tool ||
 	       fault(&interp->at, column,
 		     "T without any M6: a parameter of the control (MD22550) decides whether T changes the tool by "
 		     "itself: write M6, or say t_changes_tool=\"yes\" or \"no\" in the machine's <controller>");
@@ -50,11 +50,11 @@ static bool is_shifted(const struct interp *interp, uint32_t letters)
 /* CYCLE800() may have deleted the programmable frame: does it move what the letters name? */
 static bool unsure_frame_counts(const struct sinumerik *sinumerik, uint32_t letters)
 {
-	if (!sinumerik->frame_unsure)
+	if (!sinumerik->frames.programmed_unsure)
 		return false;
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if ((letters & letter_bit(AXIS_LETTERS[slot])) &&
-		    !same_double(sinumerik->frame.shift.v[slot], 0))
+		    !same_double(sinumerik->frames.programmed.shift.v[slot], 0))
 			return true;
 	}
 	return (letters & LINEAR_BITS) || !(letters & AXIS_BITS);
@@ -67,13 +67,13 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 
 	if (interp->state.work_assigned)
 		return work_offset_use_fault(interp, column);
-	if (sinumerik->frames_unsure)
+	if (sinumerik->frames.unsure)
 		return fault(
 		    &interp->at, column,
 		    "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
 		    "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
 		    "the machine's <controller>");
-	if (sinumerik->plane_unsure)
+	if (sinumerik->frames.plane_unsure)
 		return fault(&interp->at, column,
 			     "another work offset was selected while CYCLE800 has swivelled, and whether the plane "
 			     "goes with it is not certain: write CYCLE800 behind it");
@@ -82,7 +82,7 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "
 			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it, or say "
 			     "frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>");
-	if (sinumerik->work_selected || !is_shifted(interp, letters))
+	if (sinumerik->frames.work_selected || !is_shifted(interp, letters))
 		return true;
 	return fault(
 	    &interp->at, column,

@@ -84,7 +84,7 @@ bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *b
 	end = away(interp, sinumerik_polar_pole(interp));
 	target->v[a] = end.a;
 	target->v[b] = end.b;
-	sinumerik->shifted[a] = sinumerik->shifted[b] = false;
+	sinumerik->place.shifted[a] = sinumerik->place.shifted[b] = false;
 	return true;
 }
 
@@ -92,7 +92,7 @@ bool sinumerik_polar_is_shifted(const struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	return sinumerik->shifted[comp_slot_a(interp)] || sinumerik->shifted[comp_slot_b(interp)];
+	return sinumerik->place.shifted[comp_slot_a(interp)] || sinumerik->place.shifted[comp_slot_b(interp)];
 }
 
 bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_block *block, bool shifted,

@@ -14,9 +14,9 @@
 /* The index of the first variable of the level, or the number of all. */
 static size_t first_of_level(const struct sinumerik *sinumerik)
 {
-	size_t first = sinumerik->variable_count;
+	size_t first = sinumerik->variables.count;
 
-	while (first > 0 && sinumerik->variables[first - 1].level == sinumerik->level)
+	while (first > 0 && sinumerik->variables.items[first - 1].level == sinumerik->calls.level)
 		first--;
 	return first;
 }
@@ -31,7 +31,7 @@ static void keep_begun(struct sinumerik *sinumerik, size_t count)
 		return;
 	call->begun_count = count < SINUMERIK_ARGUMENTS_MAX ? count : SINUMERIK_ARGUMENTS_MAX;
 	for (size_t i = 0; i < call->begun_count; i++) {
-		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
+		const struct sinumerik_variable *parameter = &sinumerik->variables.items[first + i];
 
 		call->begun[i] = parameter->numbers ? parameter->numbers[0] : 0;
 	}
@@ -43,7 +43,7 @@ bool sinumerik_proc_check_begun(struct interp *interp, const struct sinumerik_ca
 	const size_t first = first_of_level(sinumerik);
 
 	for (size_t i = 0; i < call->begun_count; i++) {
-		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
+		const struct sinumerik_variable *parameter = &sinumerik->variables.items[first + i];
 
 		if (parameter->numbers && !same_double(parameter->numbers[0], call->begun[i]))
 			return fault(&interp->at, column,
@@ -58,7 +58,7 @@ bool sinumerik_proc_check_begun(struct interp *interp, const struct sinumerik_ca
 static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const bool given = i < sinumerik->argument_count;
+	const bool given = i < sinumerik->passed.count;
 	const bool by_reference = sinumerik_name_take(lexer, "VAR");
 	struct sinumerik_variable made = {.refers_to = -1}, *variable;
 	const int column = expr_column(lexer);
@@ -76,11 +76,11 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 		lexer->position = (size_t)(close - lexer->at->text) + 1;
 	}
 	if (by_reference) {
-		made.refers_to = given ? sinumerik->argument_variable[i] : -1;
+		made.refers_to = given ? sinumerik->passed.variable[i] : -1;
 		if (made.refers_to < 0)
 			return fault(lexer->at, column, "the VAR parameter %s needs a variable of the caller",
 				     made.name);
-		if (sinumerik->variables[made.refers_to].type != made.type)
+		if (sinumerik->variables.items[made.refers_to].type != made.type)
 			return fault(lexer->at, column, "the VAR parameter %s and its variable differ in type",
 				     made.name);
 	}
@@ -95,14 +95,14 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 	if (by_reference)
 		return true;
 	if (made.type == SINUMERIK_STRING) {
-		if (given && sinumerik->argument_is_text[i])
-			variable->texts[0] = sinumerik->argument_texts[i];
+		if (given && sinumerik->passed.is_text[i])
+			variable->texts[0] = sinumerik->passed.texts[i];
 		return true;
 	}
-	if (given && sinumerik->argument_is_text[i])
+	if (given && sinumerik->passed.is_text[i])
 		return fault(lexer->at, column, "the parameter %s is a number, and the call gives a text", made.name);
-	if (given && !isnan(sinumerik->arguments[i]))
-		value = sinumerik->arguments[i];
+	if (given && !isnan(sinumerik->passed.numbers[i]))
+		value = sinumerik->passed.numbers[i];
 	return sinumerik_variables_set(interp, variable, 0, value, column);
 }
 
@@ -113,7 +113,7 @@ bool sinumerik_proc_take(struct interp *interp, struct lexer *lexer)
 	char name[SINUMERIK_NAME + 1];
 	size_t count = 0;
 
-	sinumerik->entering = false;
+	sinumerik->calls.entering = false;
 	if (!sinumerik_name_read(lexer, name))
 		return fault(lexer->at, column, "PROC needs the name of its subprogram");
 	if (sinumerik_name_take_byte(lexer, '(') && !sinumerik_name_take_byte(lexer, ')')) {
@@ -124,12 +124,12 @@ bool sinumerik_proc_take(struct interp *interp, struct lexer *lexer)
 		if (!sinumerik_name_need(lexer, ')', "the parameters"))
 			return false;
 	}
-	if (sinumerik->argument_count > count)
+	if (sinumerik->passed.count > count)
 		return fault(lexer->at, column, "%s has %zu parameters, and the call gives %zu", name, count,
-			     sinumerik->argument_count);
+			     sinumerik->passed.count);
 	keep_begun(sinumerik, count);
 	while (sinumerik_name_read(lexer, name)) {
-		if (!strcmp(name, "SAVE") && sinumerik->depth) {
+		if (!strcmp(name, "SAVE") && sinumerik->calls.depth) {
 			sinumerik_top_call(sinumerik)->saves = true;
 			sinumerik_save_modes(interp, &sinumerik_top_call(sinumerik)->saved);
 		}
@@ -142,7 +142,7 @@ bool sinumerik_proc_none(struct interp *interp)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct sinumerik_call *call = sinumerik_top_call(sinumerik);
 
-	sinumerik->entering = false;
-	return !call || sinumerik->argument_count == 0 ||
+	sinumerik->calls.entering = false;
+	return !call || sinumerik->passed.count == 0 ||
 	       fault(&interp->at, 1, "%s is called with arguments, but does not begin with PROC", call->title);
 }

@@ -200,18 +200,18 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 	if (block->code[SINUMERIK_SYSTEM] == CODE_NONE)
 		return true;
 	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
-	if (sinumerik->swivelled && system == interp->state.system && sinumerik->work_selected &&
+	if (sinumerik->frames.swivelled && system == interp->state.system && sinumerik->frames.work_selected &&
 	    !interp->state.work_assigned)
 		return true;
 	/* Posts select it and then swivel anew: only a move in between would ask what becomes of the plane. */
-	sinumerik->plane_unsure = sinumerik->swivelled;
+	sinumerik->frames.plane_unsure = sinumerik->frames.swivelled;
 	if (system != SYSTEM_NONE && !work_offset_use_require(interp, system, column))
 		return false;
 	sinumerik_frame_place(interp);
 	interp->state.system = system;
 	interp->state.work_assigned = false;
-	sinumerik->work_selected = true;
-	sinumerik->frames_unsure = false;
+	sinumerik->frames.work_selected = true;
+	sinumerik->frames.unsure = false;
 	return sinumerik_frame_changed(interp, column);
 }
 
@@ -227,7 +227,7 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 		.column = block->code_column[SINUMERIK_FRAME]};
 	bool lengths = false;
 
-	if (sinumerik_of(interp)->tool_frame)
+	if (sinumerik_of(interp)->frames.tool_frame)
 		return fault(&interp->at, words.column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
 	if (words.has_plane_angle && words.code != SINUMERIK_ROT)
 		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
@@ -253,7 +253,7 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 		return fault(&interp->at, words.column,
 			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
 			     "power_on_plane=\"xy\", \"zx\" or \"yz\" of the machine's <controller> says it");
-	if (sinumerik_of(interp)->frames_unsure)
+	if (sinumerik_of(interp)->frames.unsure)
 		return fault(&interp->at, words.column,
 			     "frames after TRAORI or TRAFOOF: select the work offset again first");
 	return sinumerik_frame_set(interp, &words);
@@ -376,7 +376,7 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 	/* G25 and G26: limits that no axis moves for. */
 	if (is_limit(block->code[SINUMERIK_ONCE]))
 		return true;
-	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110) && sinumerik_of(interp)->tool_frame)
+	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110) && sinumerik_of(interp)->frames.tool_frame)
 		return fault(&interp->at, block->code_column[SINUMERIK_ONCE],
 			     "a pole while TOROT or TOFRAME is in force; TOROTOF first");
 	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110))

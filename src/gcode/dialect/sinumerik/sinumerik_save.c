@@ -9,19 +9,11 @@ void sinumerik_save_modes(const struct interp *interp, struct sinumerik_saved *s
 	const struct state *state = &interp->state;
 
 	*saved = (struct sinumerik_saved){
-		.motion = state->motion, .plane = state->plane, .system = state->system,
-		.path_code = sinumerik->path_code, .incremental = state->incremental,
-		.compresses = sinumerik->compresses, .feed_mode = state->feed_mode, .tcp = state->tcp,
-		.scale = state->scale, .feed_scale = sinumerik->feed_scale, .smoothing = sinumerik->smoothing,
-		.rounding = sinumerik->rounding, .rapid_rounding = sinumerik->rapid_rounding,
-		.rapid_factor = sinumerik->rapid_factor, .orientation_tolerance = sinumerik->orientation_tolerance,
-		.frame = sinumerik->frame, .swivel = sinumerik->swivel, .approach = sinumerik->approach,
-		.corner = sinumerik->corner, .comp_side = interp->comp.side,
-		.smooths_orientation = sinumerik->smooths_orientation,
-		.machine_orientation = sinumerik->machine_orientation, .turns_plane = sinumerik->turns_plane,
-		.tool_frame = sinumerik->tool_frame, .orientation = sinumerik->orientation,
-		.unknown_modes = state->unknown_modes, .frame_unsure = sinumerik->frame_unsure,
-		.orientation_angles = sinumerik->orientation_angles,
+		.motion = state->motion, .plane = state->plane, .system = state->system, .comp_side = interp->comp.side,
+		.incremental = state->incremental, .unknown_modes = state->unknown_modes,
+		.feed_mode = state->feed_mode, .tcp = state->tcp, .scale = state->scale,
+		.feed_scale = sinumerik->feed_scale, .path = sinumerik->path, .orientation = sinumerik->orientation,
+		.comp = sinumerik->comp, .frames = sinumerik->frames,
 	};
 }
 
@@ -41,19 +33,19 @@ static bool check_restored(struct interp *interp, const struct sinumerik_saved *
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (saved->tcp != interp->state.tcp || saved->tool_frame != sinumerik->tool_frame ||
-	    !same_frame(&saved->swivel, &sinumerik->swivel))
+	if (saved->tcp != interp->state.tcp || saved->frames.tool_frame != sinumerik->frames.tool_frame ||
+	    !same_frame(&saved->frames.swivel, &sinumerik->frames.swivel))
 		return fault(&interp->at, column,
 			     "a subprogram with SAVE that switches TRAORI or TOROT, or swivels, is not supported yet");
 	if (saved->comp_side != interp->comp.side)
 		return fault(&interp->at, column,
 			     "a subprogram with SAVE that switches tool radius compensation is not supported; G40, G41 "
 			     "or G42 as before its end");
-	if (!same_double(saved->smoothing, sinumerik->smoothing) ||
-	    !same_double(saved->rounding, sinumerik->rounding) ||
-	    !same_double(saved->rapid_rounding, sinumerik->rapid_rounding) ||
-	    !same_double(saved->rapid_factor, sinumerik->rapid_factor) ||
-	    !same_double(saved->orientation_tolerance, sinumerik->orientation_tolerance))
+	if (!same_double(saved->path.smoothing, sinumerik->path.smoothing) ||
+	    !same_double(saved->path.rounding, sinumerik->path.rounding) ||
+	    !same_double(saved->path.rapid_rounding, sinumerik->path.rapid_rounding) ||
+	    !same_double(saved->path.rapid_factor, sinumerik->path.rapid_factor) ||
+	    !same_double(saved->path.orientation_tolerance, sinumerik->path.orientation_tolerance))
 		return fault(&interp->at, column,
 			     "a subprogram with SAVE that changes ADIS, CTOL, OTOL, STOLF or CYCLE832: whether SAVE "
 			     "brings them back is not certain; give them as before its end");
@@ -74,18 +66,14 @@ bool sinumerik_save_restore(struct interp *interp, const struct sinumerik_saved 
 	state->incremental = saved->incremental;
 	state->feed_mode = saved->feed_mode;
 	state->scale = saved->scale;
-	sinumerik->path_code = saved->path_code;
-	sinumerik->compresses = saved->compresses;
-	sinumerik->feed_scale = saved->feed_scale;
-	sinumerik->approach = saved->approach;
-	sinumerik->corner = saved->corner;
-	sinumerik->turns_plane = saved->turns_plane;
-	sinumerik->smooths_orientation = saved->smooths_orientation;
-	sinumerik->machine_orientation = saved->machine_orientation;
-	sinumerik->orientation = saved->orientation;
-	sinumerik->orientation_angles = saved->orientation_angles;
 	state->unknown_modes = saved->unknown_modes;
-	sinumerik->frame = saved->frame;
-	sinumerik->frame_unsure = saved->frame_unsure;
+	sinumerik->feed_scale = saved->feed_scale;
+	sinumerik->path = saved->path;
+	sinumerik->orientation = saved->orientation;
+	sinumerik->comp.approach = saved->comp.approach;
+	sinumerik->comp.corner = saved->comp.corner;
+	sinumerik->comp.turns_plane = saved->comp.turns_plane;
+	sinumerik->frames.programmed = saved->frames.programmed;
+	sinumerik->frames.programmed_unsure = saved->frames.programmed_unsure;
 	return sinumerik_frame_changed(interp, column);
 }

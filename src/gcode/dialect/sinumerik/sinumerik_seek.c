@@ -119,8 +119,8 @@ struct position sinumerik_seek_top(struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	for (int i = sinumerik->depth; i-- > 0;) {
-		const struct sinumerik_call *call = &sinumerik->calls[i];
+	for (int i = sinumerik->calls.depth; i-- > 0;) {
+		const struct sinumerik_call *call = &sinumerik->calls.items[i];
 
 		if (!call->last_line)
 			return call->entry.source == interp->program.source
@@ -140,7 +140,7 @@ static struct sinumerik_jump *remembered(struct interp *interp, const char *targ
 
 	for (const char *at = target; *at; at++)
 		hash = hash * 31 + (unsigned char)*at;
-	return &sinumerik_of(interp)->jumps[hash % SINUMERIK_JUMPS];
+	return &sinumerik_of(interp)->search.jumps[hash % SINUMERIK_JUMPS];
 }
 
 static bool recall(struct interp *interp, const char *target, long long from, struct position *to)
@@ -166,7 +166,7 @@ static void remember(struct interp *interp, const char *target, long long from, 
 /* Reading on overwrites the text of the line in hand, which messages and the lexer need. */
 static void keep_line(struct interp *interp)
 {
-	struct strbuf *line = &sinumerik_of(interp)->line;
+	struct strbuf *line = &sinumerik_of(interp)->search.line;
 
 	if (interp->at.text == line->text)
 		return;

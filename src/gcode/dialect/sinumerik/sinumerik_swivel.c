@@ -269,12 +269,12 @@ static bool lay_flat(const struct sinumerik_swivel *s, bool deletes_frames)
 	sinumerik_open_place_turned(s->interp);
 	if (s->interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(s->interp, s->column, TCP_OFF))
 		return false;
-	sinumerik->swivelled = false;
-	sinumerik->plane_unsure = false;
-	sinumerik->swivel = sinumerik_frame_none();
+	sinumerik->frames.swivelled = false;
+	sinumerik->frames.plane_unsure = false;
+	sinumerik->frames.swivel = sinumerik_frame_none();
 	if (deletes_frames || outlive == ANSWER_NO)
-		sinumerik->frame = sinumerik_frame_none();
-	sinumerik->frame_unsure = outlive != ANSWER_YES && !is_none(&sinumerik->frame);
+		sinumerik->frames.programmed = sinumerik_frame_none();
+	sinumerik->frames.programmed_unsure = outlive != ANSWER_YES && !is_none(&sinumerik->frames.programmed);
 	return sinumerik_frame_changed(s->interp, s->column);
 }
 
@@ -333,7 +333,7 @@ static bool check(const struct sinumerik_swivel *s, long status, long direction)
 				 "supported; G17 before it, or 1 in the units of DMODE");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
-	if (status % 10 && sinumerik->plane_unsure)
+	if (status % 10 && sinumerik->frames.plane_unsure)
 		return refuse(s, "CYCLE800 that adds a plane (units of ST 1) to one that another work offset may have "
 				 "changed");
 	if (status / 10 % 10)
@@ -356,7 +356,7 @@ static bool look_at_tool(const struct sinumerik_swivel *s)
 
 	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, s->column), &along))
 		return false;
-	sinumerik_of(interp)->tool_upright =
+	sinumerik_of(interp)->frames.tool_upright =
 	    fabs(along.position.v[SLOT_X] - interp->state.canonical.v[SLOT_X]) <= UPRIGHT &&
 	    fabs(along.position.v[SLOT_Y] - interp->state.canonical.v[SLOT_Y]) <= UPRIGHT;
 	return true;
@@ -365,17 +365,17 @@ static bool look_at_tool(const struct sinumerik_swivel *s)
 bool sinumerik_swivel_run(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct sinumerik_swivel s = {interp, column, sinumerik->arguments, sinumerik->argument_count};
+	const struct sinumerik_swivel s = {interp, column, sinumerik->passed.numbers, sinumerik->passed.count};
 	struct sinumerik_frame plane;
 	long way, status, mode, direction;
 	axis_values rotary;
 	bool home;
 
 	/* Without arguments, or with the swivel data "0", it takes the plane back and moves no axis. */
-	if (sinumerik->tool_frame)
+	if (sinumerik->frames.tool_frame)
 		return refuse(&s, "CYCLE800 while TOROT or TOFRAME is in force; TOROTOF first");
-	if (s.count == 0 || (s.count > TC && !strcmp(sinumerik->argument_texts[TC].bytes, "0") &&
-			     sinumerik->argument_is_text[TC]))
+	if (s.count == 0 || (s.count > TC && !strcmp(sinumerik->passed.texts[TC].bytes, "0") &&
+			     sinumerik->passed.is_text[TC]))
 		return lay_flat(&s, false);
 	if (!whole(&s, FR, "FR", &way) || !whole(&s, ST, "ST", &status) || !whole(&s, MODE, "MODE", &mode) ||
 	    !whole(&s, DIR, "DIR", &direction) || !check(&s, status, direction) ||
@@ -393,8 +393,8 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	if (home && direction)
 		return true;
 	sinumerik_frame_place(interp);
-	sinumerik->swivel = plane;
-	sinumerik->swivelled = true;
+	sinumerik->frames.swivel = plane;
+	sinumerik->frames.swivelled = true;
 	if (!sinumerik_frame_changed(interp, column) || !tool_length_switch_tcp(interp, column, TCP_BY_PLANE))
 		return false;
 	sinumerik_frame_moved(interp);

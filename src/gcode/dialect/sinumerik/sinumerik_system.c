@@ -54,7 +54,7 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 	}
 	if (!sinumerik_place_check(interp, slot, column))
 		return false;
-	if (sinumerik_of(interp)->tool_frame && (slot == SLOT_X || slot == SLOT_Y))
+	if (sinumerik_of(interp)->frames.tool_frame && (slot == SLOT_X || slot == SLOT_Y))
 		return fault(&interp->at, column, "%s of %c while TOROT or TOFRAME is in force; TOROTOF first", name,
 			     AXIS_LETTERS[slot]);
 	*value = in_unit(interp, slot, sinumerik_frame_place(interp)->v[slot]);
@@ -102,7 +102,7 @@ bool sinumerik_system_read(struct interp *interp, const char *name, int slot, in
 		return read_position(interp, name, slot, column, value);
 	if (!strcmp(name, "$P_TOOL") && !sinumerik_place_check_edge(interp, column))
 		return false;
-	*value = is_zero(name) ? 0 : !strcmp(name, "$P_TOOL") ? sinumerik->edge : interp->state.tool;
+	*value = is_zero(name) ? 0 : !strcmp(name, "$P_TOOL") ? sinumerik->tool.edge : interp->state.tool;
 	return true;
 }
 
@@ -139,10 +139,10 @@ bool sinumerik_system_tool(struct interp *interp, int length, int column, double
 		return false;
 	*value = 0;
 	/* The setup has the length along the tool, and no others. */
-	if (length > 1 || sinumerik->edge == 0 || interp->state.tool == 0)
+	if (length > 1 || sinumerik->tool.edge == 0 || interp->state.tool == 0)
 		return true;
 	return sinumerik_system_edge(interp, length ? "$TC_DP3" : "$TC_DP6", interp->state.tool,
-				     sinumerik->edge, column, value);
+				     sinumerik->tool.edge, column, value);
 }
 
 bool sinumerik_system_offset(struct interp *interp, int n, int slot, const char *component, int column, double *value)

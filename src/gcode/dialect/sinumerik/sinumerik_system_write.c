@@ -146,11 +146,11 @@ static bool renew_offset(struct interp *interp, struct lexer *lexer, int column)
 	if (!sinumerik_name_take(lexer, "$P_UIFR") || !sinumerik_name_need(lexer, '[', "$P_UIFR") ||
 	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n) ||
 	    !sinumerik_name_need(lexer, ']', "the number of $P_UIFR") ||
-	    sinumerik_system_of_offset(n) != interp->state.system || !sinumerik_of(interp)->work_selected)
+	    sinumerik_system_of_offset(n) != interp->state.system || !sinumerik_of(interp)->frames.work_selected)
 		return fault(&interp->at, column,
 			     "$P_IFRAME is given the work offset that is in force here, $P_UIFR[1] of G54; others are "
 			     "selected by G54 and the like");
-	if (sinumerik_of(interp)->swivelled)
+	if (sinumerik_of(interp)->frames.swivelled)
 		return fault(&interp->at, column, "$P_IFRAME while CYCLE800 has swivelled; CYCLE800() first");
 	if (!work_offset_use_require(interp, interp->state.system, column))
 		return false;
@@ -197,9 +197,9 @@ static bool check_frame(struct interp *interp, int column)
 {
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column, "$P_PFRAME needs G70, G71, G700 or G710 before it");
-	if (sinumerik_of(interp)->tool_frame)
+	if (sinumerik_of(interp)->frames.tool_frame)
 		return fault(&interp->at, column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
-	if (sinumerik_of(interp)->frames_unsure)
+	if (sinumerik_of(interp)->frames.unsure)
 		return fault(&interp->at, column, "frames after TRAORI or TRAFOOF: select the work offset again first");
 	return true;
 }
@@ -222,11 +222,11 @@ static bool write_shift(struct interp *interp, struct lexer *lexer, int column)
 		return fault(&interp->at, column,
 			     "$P_PFRAME with %s is not supported yet, only with TR; ROT, SCALE and MIRROR can say it",
 			     component[0] ? component : "no component");
-	if (sinumerik->frame_unsure)
+	if (sinumerik->frames.programmed_unsure)
 		return fault(&interp->at, column,
 			     "this changes a frame that CYCLE800() may have deleted; write TRANS before it");
-	sinumerik->frame.shift.v[slot] = slot_is_rotary(slot) ? value : value * sinumerik->feed_scale;
-	sinumerik->frame.fine.v[slot] = 0;
+	sinumerik->frames.programmed.shift.v[slot] = slot_is_rotary(slot) ? value : value * sinumerik->feed_scale;
+	sinumerik->frames.programmed.fine.v[slot] = 0;
 	return sinumerik_frame_changed(interp, column);
 }
 

@@ -97,7 +97,7 @@ bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column)
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		const bool programmed = !same_double(sinumerik->frame.shift.v[slot], 0);
+		const bool programmed = !same_double(sinumerik->frames.programmed.shift.v[slot], 0);
 
 		if (!interp->config->has_axis[slot] || same_double(interp->state.offset.v[slot], 0))
 			continue;
@@ -123,7 +123,7 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 
 	if (interp->state.unknown_modes && !check_modes(interp, block, arc, column))
 		return false;
-	if (sinumerik_of(interp)->tool_frame && !sinumerik_tool_frame_check(interp, block, arc))
+	if (sinumerik_of(interp)->frames.tool_frame && !sinumerik_tool_frame_check(interp, block, arc))
 		return false;
 	if (interp->state.tcp != TCP_OFF && !sinumerik_target_check_rotary_zero(interp, column))
 		return false;
@@ -151,9 +151,9 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (!sinumerik->shifted[slot])
+	if (!sinumerik->place.shifted[slot])
 		return true;
-	if (sinumerik->tool_frame)
+	if (sinumerik->frames.tool_frame)
 		return fault(&interp->at, column,
 			     "%c by an increment after TOROT, and a change of frames, offsets or the tool before it: "
 			     "settings of the control decide whether the change is traversed, too; write an absolute "
@@ -161,12 +161,12 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 			     AXIS_LETTERS[slot]);
 	switch (interp->config->controller.increments_after_shift) {
 	case INCREMENTS_TRAVERSE_SHIFT:
-		if (isnan(sinumerik->programmed.v[slot]))
+		if (isnan(sinumerik->place.programmed.v[slot]))
 			return fault(&interp->at, column,
 				     "%c by an increment after TOROTOF: which coordinate it counts from is not known; "
 				     "write an absolute position first",
 				     AXIS_LETTERS[slot]);
-		*coordinate = sinumerik->programmed.v[slot];
+		*coordinate = sinumerik->place.programmed.v[slot];
 		break;
 	case INCREMENTS_FROM_POSITION:
 		break;
@@ -179,7 +179,7 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 		    "or \"stay\" of the machine's <controller> says it",
 		    AXIS_LETTERS[slot]);
 	}
-	sinumerik->shifted[slot] = false;
+	sinumerik->place.shifted[slot] = false;
 	return true;
 }
 
@@ -318,7 +318,7 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	if (way >= SINUMERIK_WAY_DC) {
-		sinumerik->shifted[slot] = false;
+		sinumerik->place.shifted[slot] = false;
 		return find_turned(interp, slot, way, value, column, coordinate);
 	}
 	if (counts_from_here(interp, way)) {
@@ -329,7 +329,7 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 		*coordinate += value;
 		return true;
 	}
-	sinumerik->shifted[slot] = false;
+	sinumerik->place.shifted[slot] = false;
 	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
 		return find_wrapped_coordinate(interp, slot, value, column, coordinate);
 	*coordinate = value;

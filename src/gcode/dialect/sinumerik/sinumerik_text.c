@@ -63,7 +63,7 @@ static const struct sinumerik_variable *look(struct interp *interp, struct lexer
 		*function = found < 0 && makes_text(name) && lexer_peek(lexer) == '(';
 	}
 	lexer->position = position;
-	return found >= 0 && sinumerik->variables[found].texts ? &sinumerik->variables[found] : NULL;
+	return found >= 0 && sinumerik->variables.items[found].texts ? &sinumerik->variables.items[found] : NULL;
 }
 
 static bool concatenates(struct lexer *lexer)

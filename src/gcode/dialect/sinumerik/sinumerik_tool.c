@@ -20,14 +20,14 @@ static bool number_name(struct interp *interp, const char *name, int column)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	size_t i = 0;
 
-	while (i < sinumerik->name_count && strcasecmp(sinumerik->names[i].bytes, name) != 0)
+	while (i < sinumerik->tool.name_count && strcasecmp(sinumerik->tool.names[i].bytes, name) != 0)
 		i++;
 	if (i >= NAMES_MAX)
 		return fault(&interp->at, column, "the program names more than %d tools", NAMES_MAX);
-	if (i == sinumerik->name_count) {
-		sinumerik->names =
-		    mem_grow(sinumerik->names, &sinumerik->name_capacity, i + 1, sizeof(*sinumerik->names));
-		strcpy(sinumerik->names[sinumerik->name_count++].bytes, name);
+	if (i == sinumerik->tool.name_count) {
+		sinumerik->tool.names = mem_grow(sinumerik->tool.names, &sinumerik->tool.name_capacity, i + 1,
+						 sizeof(*sinumerik->tool.names));
+		strcpy(sinumerik->tool.names[sinumerik->tool.name_count++].bytes, name);
 	}
 	interp->state.selected = (int)i + 1;
 	return true;
@@ -115,8 +115,8 @@ static bool set_edge(struct interp *interp, int edge, int column)
 	if (!find_length(interp, edge, column, &length))
 		return false;
 	sinumerik_frame_place(interp);
-	sinumerik->edge = edge;
-	sinumerik->edge_unsure = false;
+	sinumerik->tool.edge = edge;
+	sinumerik->tool.edge_unsure = false;
 	state->length = length;
 	state_update_offset(state);
 	if (state->tcp != TCP_OFF && !tool_length_switch_tcp(interp, column, state->tcp))
@@ -150,13 +150,13 @@ static bool edge_of_change(struct interp *interp, const struct sinumerik_block *
 	case EDGE_AFTER_TOOL_CHANGE_NONE:
 		return set_edge(interp, 0, column);
 	case EDGE_AFTER_TOOL_CHANGE_KEEPS:
-		return set_edge(interp, sinumerik->edge, column);
+		return set_edge(interp, sinumerik->tool.edge, column);
 	default:
 		break;
 	}
 	if (interp->state.tool == 0)
 		return set_edge(interp, 0, column);
-	sinumerik->edge_unsure = true;
+	sinumerik->tool.edge_unsure = true;
 	return true;
 }
 
@@ -164,7 +164,7 @@ static bool change_tool(struct interp *interp, const struct sinumerik_block *blo
 {
 	bool good;
 
-	if (sinumerik_of(interp)->swivelled)
+	if (sinumerik_of(interp)->frames.swivelled)
 		sinumerik_frame_place(interp);
 	interp->block.m[M_TOOL] = 6;
 	interp->block.m_column[M_TOOL] = column;
@@ -182,14 +182,14 @@ static bool look_for_change(struct interp *interp, const struct sinumerik_block 
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (!sinumerik_block_has(block, 'T') || sinumerik->tool_changed || sinumerik->changes_ahead ||
+	if (!sinumerik_block_has(block, 'T') || sinumerik->tool.changed || sinumerik->tool.changes_ahead ||
 	    interp->config->controller.t_changes_tool != ANSWER_UNKNOWN ||
-	    sinumerik->no_change_ahead == interp->program.source)
+	    sinumerik->tool.no_change_ahead == interp->program.source)
 		return true;
-	if (!sinumerik_seek_tool_change(interp, block->column['T' - 'A'], &sinumerik->changes_ahead))
+	if (!sinumerik_seek_tool_change(interp, block->column['T' - 'A'], &sinumerik->tool.changes_ahead))
 		return false;
-	if (!sinumerik->changes_ahead)
-		sinumerik->no_change_ahead = interp->program.source;
+	if (!sinumerik->tool.changes_ahead)
+		sinumerik->tool.no_change_ahead = interp->program.source;
 	return true;
 }
 
@@ -203,13 +203,13 @@ bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *blo
 		return false;
 	if (by_t && sinumerik_block_has(block, 'T') && !change_tool(interp, block, block->column['T' - 'A']))
 		return false;
-	sinumerik->t_waits = sinumerik->t_waits || sinumerik_block_has(block, 'T');
+	sinumerik->tool.t_waits = sinumerik->tool.t_waits || sinumerik_block_has(block, 'T');
 	for (int i = 0; i < block->m_count && !by_t; i++) {
 		if (block->m[i] != 6)
 			continue;
 		if (!change_tool(interp, block, block->m_column[i]))
 			return false;
-		sinumerik->tool_changed = true;
+		sinumerik->tool.changed = true;
 	}
 	return look_for_change(interp, block) && set_programmed_edge(interp, block);
 }
@@ -217,7 +217,7 @@ bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *blo
 double sinumerik_tool_radius(const struct interp *interp)
 {
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
-	const int edge = sinumerik_of(interp)->edge;
+	const int edge = sinumerik_of(interp)->tool.edge;
 	double diameter = tool ? tool->diameter : 0;
 
 	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {

@@ -13,7 +13,7 @@
 
 static bool has_frame(const struct sinumerik *sinumerik)
 {
-	const struct sinumerik_frame *frame = &sinumerik->frame;
+	const struct sinumerik_frame *frame = &sinumerik->frames.programmed;
 	const mat3 one = mat3_identity();
 	bool none = same_double(vec3_norm2(vec3_sub(frame->matrix.x, one.x)), 0) &&
 		    same_double(vec3_norm2(vec3_sub(frame->matrix.y, one.y)), 0) &&
@@ -42,18 +42,18 @@ static bool change(struct interp *interp, int column, const struct sinumerik_fra
 	bool shifted[SLOT_COUNT];
 
 	sinumerik_frame_place(interp);
-	memcpy(shifted, sinumerik->shifted, sizeof(shifted));
-	sinumerik->swivel = *frame;
-	sinumerik->tool_frame = on;
+	memcpy(shifted, sinumerik->place.shifted, sizeof(shifted));
+	sinumerik->frames.swivel = *frame;
+	sinumerik->frames.tool_frame = on;
 	if (!sinumerik_frame_changed(interp, column))
 		return false;
 	/* An increment of Z counts from where the tool is: the retraction that TOROT is for. */
 	if (on)
-		memcpy(sinumerik->shifted, shifted, sizeof(shifted));
+		memcpy(sinumerik->place.shifted, shifted, sizeof(shifted));
 	/* Which coordinates X, Y and Z had in the frame is not known. */
 	for (int slot = SLOT_X; slot <= SLOT_Z && !on; slot++) {
-		sinumerik->shifted[slot] = true;
-		sinumerik->programmed.v[slot] = NAN;
+		sinumerik->place.shifted[slot] = true;
+		sinumerik->place.programmed.v[slot] = NAN;
 	}
 	return true;
 }
@@ -71,7 +71,7 @@ static APART bool select_frame(struct interp *interp, const struct sinumerik_blo
 	struct sinumerik_frame frame = sinumerik_frame_none();
 	vec3 tool;
 
-	if (code == SINUMERIK_TOROTOF && !sinumerik->tool_frame)
+	if (code == SINUMERIK_TOROTOF && !sinumerik->frames.tool_frame)
 		return true;
 	if (code == SINUMERIK_TOROTOF)
 		return change(interp, column, &frame, false);
@@ -84,7 +84,7 @@ static APART bool select_frame(struct interp *interp, const struct sinumerik_blo
 		return fault(&interp->at, column,
 			     "TOROT and TOFRAME while TRANS, ROT, SCALE or MIRROR is in force are not supported: "
 			     "a parameter of the control (MD28082) decides what they make of it");
-	if (sinumerik->frames_unsure)
+	if (sinumerik->frames.unsure)
 		return fault(&interp->at, column, "frames after TRAORI: select the work offset again first");
 	if (!kinematics->direction(kinematics->context, line_loc(&interp->at, column), &zero, &interp->state.canonical,
 				   &tool))

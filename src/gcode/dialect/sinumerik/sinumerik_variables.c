@@ -14,10 +14,10 @@
 
 int sinumerik_variables_find_own(const struct sinumerik *sinumerik, const char *name)
 {
-	for (size_t i = sinumerik->variable_count; i-- > 0;) {
-		if (sinumerik->variables[i].level < sinumerik->level)
+	for (size_t i = sinumerik->variables.count; i-- > 0;) {
+		if (sinumerik->variables.items[i].level < sinumerik->calls.level)
 			return -1;
-		if (!strcmp(sinumerik->variables[i].name, name))
+		if (!strcmp(sinumerik->variables.items[i].name, name))
 			return (int)i;
 	}
 	return -1;
@@ -26,10 +26,10 @@ int sinumerik_variables_find_own(const struct sinumerik *sinumerik, const char *
 /* They are the first ones. */
 static int find_of_control(const struct sinumerik *sinumerik, const char *name)
 {
-	for (size_t i = 0; i < sinumerik->variable_count; i++) {
-		if (sinumerik->variables[i].level != SINUMERIK_LEVEL_OF_CONTROL)
+	for (size_t i = 0; i < sinumerik->variables.count; i++) {
+		if (sinumerik->variables.items[i].level != SINUMERIK_LEVEL_OF_CONTROL)
 			return -1;
-		if (!strcmp(sinumerik->variables[i].name, name))
+		if (!strcmp(sinumerik->variables.items[i].name, name))
 			return (int)i;
 	}
 	return -1;
@@ -41,8 +41,8 @@ int sinumerik_variables_find(const struct sinumerik *sinumerik, const char *name
 
 	if (found < 0)
 		found = find_of_control(sinumerik, name);
-	while (found >= 0 && sinumerik->variables[found].refers_to >= 0)
-		found = sinumerik->variables[found].refers_to;
+	while (found >= 0 && sinumerik->variables.items[found].refers_to >= 0)
+		found = sinumerik->variables.items[found].refers_to;
 	return found;
 }
 
@@ -61,35 +61,35 @@ struct sinumerik_variable *sinumerik_variables_add(struct interp *interp, const 
 		}
 		count *= (size_t)made->size[i];
 	}
-	if (sinumerik->variable_count >= VARIABLES_MAX || sinumerik->elements + count > ELEMENTS_MAX ||
+	if (sinumerik->variables.count >= VARIABLES_MAX || sinumerik->variables.elements + count > ELEMENTS_MAX ||
 	    (text && count > TEXTS_MAX)) {
 		fault_report(&interp->at, column, "the variables of the program take more room than there is");
 		return NULL;
 	}
-	sinumerik->variables = mem_grow(sinumerik->variables, &sinumerik->variable_capacity,
-					sinumerik->variable_count + 1, sizeof(*sinumerik->variables));
-	variable = &sinumerik->variables[sinumerik->variable_count++];
+	sinumerik->variables.items = mem_grow(sinumerik->variables.items, &sinumerik->variables.capacity,
+					sinumerik->variables.count + 1, sizeof(*sinumerik->variables.items));
+	variable = &sinumerik->variables.items[sinumerik->variables.count++];
 	*variable = *made;
 	variable->count = count;
-	variable->level = sinumerik->level;
+	variable->level = sinumerik->calls.level;
 	variable->numbers = text ? NULL : mem_zalloc(count, sizeof(*variable->numbers));
 	variable->texts = text ? mem_zalloc(count, sizeof(*variable->texts)) : NULL;
-	sinumerik->elements += count;
+	sinumerik->variables.elements += count;
 	return variable;
 }
 
 void sinumerik_variables_leave(struct sinumerik *sinumerik, int level)
 {
-	while (sinumerik->variable_count > 0) {
-		struct sinumerik_variable *last = &sinumerik->variables[sinumerik->variable_count - 1];
+	while (sinumerik->variables.count > 0) {
+		struct sinumerik_variable *last = &sinumerik->variables.items[sinumerik->variables.count - 1];
 
 		if (last->level <= level)
 			return;
-		sinumerik->elements -= last->count;
+		sinumerik->variables.elements -= last->count;
 		free(last->numbers);
 		free(last->texts);
 		free(last->given);
-		sinumerik->variable_count--;
+		sinumerik->variables.count--;
 	}
 }
 
