@@ -180,7 +180,6 @@ static bool on_event(void *context, const struct motion_event *event)
 {
 	struct checker *c = context;
 
-	c->summary = event->summary;
 	if (c->options->watch && c->background)
 		event_copies_add(&c->heard, event);
 	else if (c->options->watch)

@@ -15,11 +15,21 @@ void path_copies_clear(struct path_copies *copies)
 	copies->tcp = NULL;
 }
 
+/* Is the last copy also one of this span's path? */
+static bool is_copied(const struct path_copies *copies, const struct span *span)
+{
+	const struct path *path = span->path;
+
+	if (!copies->path)
+		return false;
+	return span->u0 > 0 || (path_is_straight(path) && copies->path->kind == path->kind);
+}
+
 const struct path *path_copies_add(struct path_copies *copies, const struct span *span)
 {
 	const struct tcp *tcp = span->path->tcp;
 
-	if (span->u0 > 0 && copies->path)
+	if (is_copied(copies, span))
 		return copies->path;
 	copies->path = arena_copy(&copies->arena, span->path, sizeof(*span->path));
 	if (!tcp)

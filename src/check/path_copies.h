@@ -19,7 +19,8 @@ void path_copies_clear(struct path_copies *copies);
 
 /*
  * A copy of the span's path; it stays in place until the next clear. Call it for the steps in the order of the program:
- * pieces of one move share a copy.
+ * pieces of one move share a copy. Successive straight paths of one kind share one, too, because a span has the ends of
+ * its straight path: only the kind of the copy is valid then.
  */
 const struct path *path_copies_add(struct path_copies *copies, const struct span *span);
 

@@ -26,8 +26,10 @@ static void take_tool(struct canon_to_spans *converter, int number)
 }
 
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
-			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name)
+			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name,
+			 struct motion_summary *summary)
 {
+	*summary = (struct motion_summary){0};
 	*converter = (struct canon_to_spans){.machine = machine,
 					     .setup = setup,
 					     .flatness = flatness,
@@ -35,7 +37,8 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 					     .diag = diag,
 					     .name = name,
 					     .position = machine_home(machine),
-					     .tells_steps = true};
+					     .tells_steps = true,
+					     .summary = summary};
 	converter->controller = converter->position;
 	axis_table_init(&converter->axes, machine);
 	take_tool(converter, setup ? setup->initial_tool : 0);
@@ -219,7 +222,7 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	const double since = before + crossing->u * path->seconds;
 	const int slot = crossing->slot;
 	/* The converter's own event holds the step. */
-	struct motion_event event = {.kind = MOTION_LIMIT, .summary = converter->event.summary};
+	struct motion_event event = {.kind = MOTION_LIMIT};
 
 	event.of.limit = (struct motion_limit){
 	    .travel = {
@@ -297,7 +300,7 @@ static bool send_step(struct canon_to_spans *converter, double seconds)
 	step->time = converter->time + step->span.u0 * seconds;
 	step->block_time = converter->block_time + step->span.u0 * seconds;
 	step->seconds = (step->span.u1 - step->span.u0) * seconds;
-	converter->event.summary.spans++;
+	converter->summary->spans++;
 	return tell(converter, MOTION_STEP);
 }
 
@@ -348,7 +351,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	double seconds = leg->path.seconds;
 
 	if (!converter->tells_steps)
-		converter->event.summary.spans += span_count(&leg->span, converter->flatness);
+		converter->summary->spans += span_count(&leg->span, converter->flatness);
 	else if (!send_steps(run, leg))
 		return false;
 	converter->time += seconds;
@@ -389,8 +392,8 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		run.step->tolerance.v[slot] += run.swing.v[slot];
 	length_check_move(&converter->length, converter->diag, move_place(move, converter->name), move);
 	if (blend_is_unbounded(converter->machine, move))
-		converter->event.summary.blend_unbounded = true;
-	converter->event.summary.moves++;
+		converter->summary->blend_unbounded = true;
+	converter->summary->moves++;
 	if (!check_limits(&run))
 		return false;
 	for (size_t i = 0; i < run.count; i++)
@@ -441,7 +444,7 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 		ok = tell(converter, MOTION_SPINDLE_STOP);
 		break;
 	}
-	converter->event.summary.seconds = converter->time;
+	converter->summary->seconds = converter->time;
 	return ok;
 }
 
@@ -456,8 +459,8 @@ static bool end_block(struct canon_to_spans *converter, const struct canon_block
 		.callers = block->callers ? block->callers->calls : NULL,
 		.caller_count = block->callers ? block->callers->count : 0,
 	};
-	converter->event.summary.blocks++;
-	converter->event.summary.lines = block->lines;
+	converter->summary->blocks++;
+	converter->summary->lines = block->lines;
 	converter->block_time = 0;
 	return tell(converter, MOTION_BLOCK);
 }

@@ -37,15 +37,17 @@ struct canon_to_spans {
 	bool tells_steps, tells_modes;
 	struct motion_modes modes;	/* the last ones sent */
 	bool modes_told;
-	struct motion_event event;	/* storage for events; its summary is that of the run, without lines */
+	struct motion_summary *summary;	/* the caller's: the totals so far; `lines` to the last complete block */
+	struct motion_event event;	/* storage for events */
 };
 
 /*
- * Begins at home with the setup's first tool. All pointers are borrowed, and the machine must not change; setup may be
- * NULL.
+ * Begins at home with the setup's first tool, and with a summary of zeros. All pointers are borrowed, and the machine
+ * must not change; setup may be NULL.
  */
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
-			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name);
+			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name,
+			 struct motion_summary *summary);
 
 /* The callback of a canon_sink whose context is a struct canon_to_spans. */
 bool canon_to_spans_event(void *context, const struct canon_event *event);

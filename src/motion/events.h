@@ -108,7 +108,6 @@ enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_
  */
 struct motion_event {
 	enum motion_event_kind kind;
-	struct motion_summary summary;	/* totals up to here; `lines` counts to the last complete block */
 	union {
 		struct motion_step step;
 		struct motion_limit limit;

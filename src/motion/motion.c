@@ -58,13 +58,12 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 	struct interp *interp;
 	bool ok;
 
-	canon_to_spans_init(&converter, machine, setup, options->flatness, sink, diag, name);
+	canon_to_spans_init(&converter, machine, setup, options->flatness, sink, diag, name, summary);
 	converter.tells_modes = options->modes;
 	converter.tells_steps = !options->counts_steps;
 	kinematics = motion_kinematics(&converter);
 	interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(interp, in, name);
-	*summary = converter.event.summary;
 	summary->lines = interp_lines(interp);
 	interp_free(interp);
 	return ok;

@@ -29,7 +29,8 @@ struct motion_options {
 
 /*
  * Runs the program from home to its end; setup may be NULL. Memory does not grow with the program. False: a fault was
- * reported to diag, or the sink stopped. *summary is filled in either case.
+ * reported to diag, or the sink stopped. In either case *summary has the totals of the run. While an event is sent, it
+ * has the totals so far, and its `lines` counts to the last complete block.
  */
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,

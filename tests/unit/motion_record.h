@@ -16,6 +16,7 @@ struct record {
 	double flatness;
 	struct motion_sink sink;
 	struct canon_to_spans converter;
+	struct motion_summary summary;
 	struct motion_step steps[EVENTS];
 	struct path paths[EVENTS];	/* of the steps: theirs are borrowed */
 	int step_count;
@@ -117,7 +118,8 @@ static inline void listen(struct record *record)
 static inline void start(struct record *record, const struct machine *machine)
 {
 	listen(record);
-	canon_to_spans_init(&record->converter, machine, NULL, record->flatness, &record->sink, &record->messages.diag, "part.nc");
+	canon_to_spans_init(&record->converter, machine, NULL, record->flatness, &record->sink, &record->messages.diag,
+			    "part.nc", &record->summary);
 	record->last = record->converter.position;
 }
 

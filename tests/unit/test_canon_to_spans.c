@@ -33,8 +33,8 @@ START_TEST(feeds)
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[4].seconds, 2, 1e-12);
 	ck_assert_int_eq(record.step_count, 5);
-	ck_assert_int_eq((int)record.converter.event.summary.moves, 5);
-	ck_assert_double_eq_tol(record.converter.event.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
+	ck_assert_int_eq((int)record.summary.moves, 5);
+	ck_assert_double_eq_tol(record.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
 }
 END_TEST
 
@@ -138,7 +138,7 @@ START_TEST(dogleg_breaks_where_axes_arrive)
 	ck_assert_double_eq_tol(record.steps[1].time, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].seconds, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[2].seconds, 0.3, 1e-12);
-	ck_assert_int_eq((int)record.converter.event.summary.moves, 1);
+	ck_assert_int_eq((int)record.summary.moves, 1);
 	/* A feed is straight all the same. */
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	ck_assert_int_eq(record.step_count, 4);
@@ -340,10 +340,10 @@ START_TEST(dwells_tools_and_blocks)
 	ck_assert_str_eq(record.block_text, "G1 X30");
 	go(&record, move_to(CANON_FEED, (axis_values){{50}}));
 	ck_assert_double_eq_tol(record.steps[2].block_time, 0, 1e-15);
-	ck_assert_double_eq_tol(record.converter.event.summary.seconds, 6.5, 1e-12);
-	ck_assert_int_eq((int)record.converter.event.summary.blocks, 1);
-	ck_assert_int_eq((int)record.converter.event.summary.lines, 17);
-	ck_assert_int_eq((int)record.converter.event.summary.spans, 3);
+	ck_assert_double_eq_tol(record.summary.seconds, 6.5, 1e-12);
+	ck_assert_int_eq((int)record.summary.blocks, 1);
+	ck_assert_int_eq((int)record.summary.lines, 17);
+	ck_assert_int_eq((int)record.summary.spans, 3);
 }
 END_TEST
 
@@ -358,11 +358,11 @@ START_TEST(moves_of_no_length_make_no_step)
 	go(&record, move_to(CANON_FEED, (axis_values){{0.3}}));
 	go(&record, move_to(CANON_FEED, (axis_values){{0.1 + 0.2}}));
 	ck_assert_int_eq(record.step_count, 1);
-	ck_assert_int_eq((int)record.converter.event.summary.moves, 1);
+	ck_assert_int_eq((int)record.summary.moves, 1);
 	/* A full circle ends where it starts and is a move. */
 	full.arc = (struct canon_arc){{10, 0, 0}, {0, 0, 1}, 2 * PI};
 	go(&record, full);
-	ck_assert_int_eq((int)record.converter.event.summary.moves, 2);
+	ck_assert_int_eq((int)record.summary.moves, 2);
 }
 END_TEST
 
@@ -375,7 +375,7 @@ START_TEST(blending)
 	start(&record, &machine);
 	go(&record, move);
 	ck_assert(!(record.steps[0].tolerance.v[SLOT_X] > 0));
-	ck_assert(!record.converter.event.summary.blend_unbounded);
+	ck_assert(!record.summary.blend_unbounded);
 	move.blend = true;
 	move.blend_tolerance = 0.05;
 	move.end.v[SLOT_X] = 20;
@@ -383,7 +383,7 @@ START_TEST(blending)
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_Z], 0.05, 1e-15);
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_A], radians(0.05), 1e-15);
 	ck_assert(!(record.steps[1].tolerance.v[SLOT_W] > 0));
-	ck_assert(!record.converter.event.summary.blend_unbounded);
+	ck_assert(!record.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0.02;
 	start(&record, &machine);
 	move.end.v[SLOT_X] = 30;
@@ -395,14 +395,14 @@ START_TEST(blending)
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_Z], 0.02, 1e-15);
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_A], radians(0.02), 1e-15);
-	ck_assert(!record.converter.event.summary.blend_unbounded);
+	ck_assert(!record.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0;
 	start(&record, &machine);
 	move.blend = true;
 	move.blend_tolerance = 0;
 	move.end.v[SLOT_X] = 50;
 	go(&record, move);
-	ck_assert(record.converter.event.summary.blend_unbounded);
+	ck_assert(record.summary.blend_unbounded);
 }
 END_TEST
 
