@@ -48,8 +48,12 @@ struct pending_batch {
 /* s */
 #define GRACE_SECONDS 1.0
 
-/* The number of batches that are being checked, wait for the check, or wait for their results to be taken. */
-enum { PENDING = 4 };
+/*
+ * The number of batches that are being checked, wait for the check, or wait for their results to be taken. With a
+ * dozen, the memory that the reading thread fills again has mostly left the cache of the other processor; from there a
+ * line comes more slowly than from memory. Measured with 800,000 blocks: 3 to 10 percent less time than with 4.
+ */
+enum { PENDING = 12 };
 
 /*
  * With several threads, a background thread checks the collected batches one by one, while this thread reads on and

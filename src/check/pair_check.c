@@ -230,15 +230,16 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 				      count_alike(check, batch, i, to));
 }
 
-void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
+long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options)
 {
 	double proved = strategy_proven(&check->methods->strategy);
 	size_t skipped, next_open = 0;
+	long examined = 0;
 
 	check->result_count = 0;
 	check->nearest_block = -1;
-	for (size_t i = from; i < to; i += skipped ? skipped : 1) {
+	for (size_t i = from; i < to; i += skipped ? skipped : 1, examined++) {
 		const struct batch_step *step = &batch->steps[i];
 		struct contact contact = {0};
 		enum query_answer answer;
@@ -266,10 +267,11 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		add_result(check, i, answer, sweep->exhausted, &contact);
 		if (!options->all || answer == QUERY_UNDECIDED) {
 			strategy_forget_position(&check->methods->strategy);
-			return;
+			break;
 		}
 		pair_check_found(check, step->block);
 	}
+	return examined;
 }
 
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at)

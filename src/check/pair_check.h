@@ -119,9 +119,9 @@ void pair_check_jump(struct pair_check *check);
 
 /*
  * Checks the batch's steps from `from`, which must begin a chunk, to before `to`. Stores the results: with options->all
- * the first one of each block, else only the first one.
+ * the first one of each block, else only the first one. Returns the number of boxes and single steps examined.
  */
-void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
+long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);
 
 /* Measures the clearance at a position with the axes at rest, where the pair is known to be apart. */

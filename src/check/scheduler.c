@@ -20,6 +20,9 @@
  */
 #define PART_SHARE 4
 
+/* The cost of examining a box or a single step, besides the node pairs: as much as this number of node pairs. */
+#define EXAMINED_COST 10
+
 /*
  * If only least clearances are measured, the measurement may visit this number of node pairs plus a share of those that
  * the check itself visits, and SHORT_EFFORT more in a program with fewer than SHORT_PROGRAM steps before its first tool
@@ -51,6 +54,7 @@ void scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 					.short_effort = SHORT_EFFORT};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
+	scheduler->costs = mem_zalloc(scene->pair_count, sizeof(*scheduler->costs));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
 	for (int i = 0; i < scheduler->threads; i++)
 		scheduler->sweeps[i] = (struct sweep){.cancel = cancel, .effort = effort};
@@ -69,8 +73,10 @@ void scheduler_release(struct scheduler *scheduler)
 		sweep_release(&scheduler->sweeps[i]);
 	free(scheduler->checks);
 	free(scheduler->visits);
+	free(scheduler->costs);
 	free(scheduler->sweeps);
 	free(scheduler->tasks);
+	free(scheduler->turns);
 	free(scheduler->results);
 	free(scheduler->most);
 	free(scheduler->wishes);
@@ -108,7 +114,7 @@ static void add_task(struct scheduler *scheduler, struct pair_check *check, stru
 {
 	scheduler->tasks = mem_grow(scheduler->tasks, &scheduler->task_capacity, scheduler->task_count + 1,
 				   sizeof(*scheduler->tasks));
-	scheduler->tasks[scheduler->task_count++] = (struct task){check, copy, from, to, 0};
+	scheduler->tasks[scheduler->task_count++] = (struct task){check, copy, from, to, 0, 0};
 }
 
 /*
@@ -178,7 +184,7 @@ struct work {
 static void do_task(void *context, int worker, size_t i)
 {
 	const struct work *work = context;
-	struct task *task = &work->scheduler->tasks[i];
+	struct task *task = &work->scheduler->tasks[work->scheduler->turns[i]];
 	/*
 	 * The sweep is on the thread's own stack: if counters of two threads shared a cache line, half of the gain
 	 * would be lost.
@@ -189,16 +195,39 @@ static void do_task(void *context, int worker, size_t i)
 	if (work->plan) {
 		task->visits = pair_check_measure(task->check, &sweep, work->batch, work->plan, work->options);
 	} else {
-		pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from, task->to,
-			       work->options);
+		task->examined = pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from,
+						task->to, work->options);
 		task->visits = sweep.visits - before;
 	}
 	work->scheduler->sweeps[worker] = sweep;
 }
 
+static long expected_cost(const struct scheduler *scheduler, size_t task)
+{
+	return scheduler->costs[scheduler->tasks[task].check - scheduler->checks];
+}
+
+/* If threads share the tasks, the longest ones come first: then no thread is left with a long one at the end. */
+static void put_in_turn(struct scheduler *scheduler, bool shared)
+{
+	scheduler->turns = mem_grow(scheduler->turns, &scheduler->turn_capacity, scheduler->task_count,
+				    sizeof(*scheduler->turns));
+	for (size_t i = 0; i < scheduler->task_count; i++) {
+		size_t turn = i;
+
+		for (; shared && turn > 0; turn--) {
+			if (expected_cost(scheduler, scheduler->turns[turn - 1]) >= expected_cost(scheduler, i))
+				break;
+			scheduler->turns[turn] = scheduler->turns[turn - 1];
+		}
+		scheduler->turns[turn] = i;
+	}
+}
+
 /* Runs the tasks on up to `threads` threads. */
 static void do_tasks(struct scheduler *scheduler, int threads, struct work *work)
 {
+	put_in_turn(scheduler, scheduler->loop || threads > 1);
 	if (!scheduler->loop)
 		parallel_for(scheduler->task_count, threads, do_task, work);
 	else
@@ -226,11 +255,13 @@ static void gather(struct scheduler *scheduler)
 	scheduler->result_count = 0;
 	scheduler->work = 0;
 	memset(scheduler->visits, 0, scheduler->count * sizeof(*scheduler->visits));
+	memset(scheduler->costs, 0, scheduler->count * sizeof(*scheduler->costs));
 	for (size_t i = 0; i < scheduler->task_count; i++) {
 		const struct task *task = &scheduler->tasks[i];
 		const struct pair_check *ran = task->copy ? task->copy : task->check;
 
 		scheduler->visits[task->check - scheduler->checks] += task->visits;
+		scheduler->costs[task->check - scheduler->checks] += task->visits + EXAMINED_COST * task->examined;
 		scheduler->work += task->visits;
 		if (ran->result_count && (!met || met != task->check)) {
 			add_results(scheduler, ran);

@@ -19,6 +19,7 @@ struct task {
 	struct pair_check *copy;	/* owned; NULL: the check itself runs, over the whole batch */
 	size_t from, to;	/* steps */
 	long visits;	/* node pairs examined */
+	long examined;	/* boxes and single steps examined */
 };
 
 struct scheduler {
@@ -29,8 +30,10 @@ struct scheduler {
 	struct shared_loop *loop;	/* an idle thread helps with it; NULL: only our own threads */
 	long *visits;	/* node pairs that each check examined in the last batch */
 	long work;	/* the sum of `visits` */
+	long *costs;	/* of each check in the last batch, in node pairs */
 	struct task *tasks;	/* of this batch */
-	size_t task_count, task_capacity;
+	size_t *turns;	/* the order in which threads take the tasks */
+	size_t task_count, task_capacity, turn_capacity;
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
 	double *most;	/* measure_plan.most */
