@@ -66,11 +66,15 @@ enum comp_corner_form {
 /* The order in which several angles of one block rotate the coordinates. */
 enum rotation_order { ROTATION_ORDER_UNKNOWN, ROTATION_ORDER_RPY, ROTATION_ORDER_EULER };
 
-/* How guided rotary axes turn the tool if the program does not say it: evenly, or its direction on a great circle. */
+/*
+ * How guided rotary axes turn the tool if the program does not say it: evenly, or its direction on a great circle. Or
+ * the coordinates of the orientation alone decide: on a great circle in the workpiece (ORIWKS), evenly in the machine.
+ */
 enum orientation_interpolation {
 	ORIENTATION_INTERPOLATION_UNKNOWN,
 	ORIENTATION_INTERPOLATION_AXES,
-	ORIENTATION_INTERPOLATION_VECTOR
+	ORIENTATION_INTERPOLATION_VECTOR,
+	ORIENTATION_INTERPOLATION_ORIWKS
 };
 
 /* The edge of the tool after a tool change: the first, none, or the same number as before. */

@@ -230,6 +230,8 @@ struct dialect {
 	bool (*after_block)(struct interp *interp);
 	/* Called at the end of the current file; may jump elsewhere. False: a statement in the file is not closed. */
 	bool (*end_of_file)(struct interp *interp);
+	/* Is this line of the file the head of a main program? Behind the end it is an error. NULL: there are none. */
+	bool (*heads_main)(const char *text);
 	/*
 	 * The active calls: level 0 is the call of the current subprogram, 1 the call of its caller. *at is the place
 	 * of the call; *title, unless NULL, receives the name of the callee. False: the level does not exist.

@@ -277,8 +277,11 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
 }
 
-/* Text after the end is not carried out, but a reader of the file may believe that it was checked. */
-static void warn_of_rest(struct interp *interp, struct reader *reader)
+/*
+ * Text after the end is not carried out, but a reader of the file may believe that it was checked. False: it is a
+ * program that a verdict has to be about.
+ */
+static bool check_rest(struct interp *interp, struct reader *reader)
 {
 	const long end = reader->line, lines = reader->furthest;
 	struct srcloc loc = {interp->program.sources.items[0]->name, 0, 0};
@@ -288,12 +291,17 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 	/* A jump or a repetition may have read lines after the end. */
 	while (reader->line < interp->furthest && reader_next(reader, &text) == READER_LINE)
 		continue;
-	rest = rest_of_file_find(reader, interp->config->read.cancel);
-	loc.line = rest.program ? rest.program : rest.motion;
+	rest = rest_of_file_find(reader, interp->config->dialect->heads_main, interp->config->read.cancel);
+	loc.line = rest.main ? rest.main : rest.program ? rest.program : rest.motion;
 
 	/* Lines after the end are not counted as lines of the program. */
 	reader->furthest = lines;
-	if (rest.program)
+	if (rest.main)
+		diag_error(interp->diag, loc,
+			   "another main program begins here, after the end in line %ld: it was not checked; give it a "
+			   "file of its own",
+			   end);
+	else if (rest.program)
 		diag_warning(
 		    interp->diag, loc,
 		    "another program begins here, after the end in line %ld: it was not checked; give it a file "
@@ -305,6 +313,7 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 		    "this moves axes, but stands after the end of the program in line %ld: from here on nothing "
 		    "was checked",
 		    end);
+	return !rest.main;
 }
 
 /* A program for another control must not be misread: certain signs are an error. A pipe is not read ahead. */
@@ -371,7 +380,7 @@ static bool run_program(struct interp *interp, FILE *in, const char *name)
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);
 	else if (good)
-		warn_of_rest(interp, reader);
+		good = check_rest(interp, reader);
 	sources_close(&interp->program.sources);
 	return good && !interp->faulty;
 }

@@ -190,8 +190,10 @@ static void check_frames(struct description_file *file, const struct controller_
 	const bool frames = row->has_frames, planes = row->has_planes;
 	const struct controller *told = &described->told;
 	const struct needless answers[] = {
-		{told->orientation_interpolation && !frames && !row->has_tool_vectors, "orientation_interpolation",
-		 NO_PARAMETER},
+		{told->orientation_interpolation && !frames &&
+		     (!row->has_tool_vectors ||
+		      told->orientation_interpolation == ORIENTATION_INTERPOLATION_ORIWKS),
+		 "orientation_interpolation", NO_PARAMETER},
 		{told->rotation_order && !frames, "rotation_order", NO_PARAMETER},
 		{told->comp_idle_blocks && !frames, "cutter_comp_idle_blocks", NO_PARAMETER},
 		{told->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},

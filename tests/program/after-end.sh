@@ -26,8 +26,15 @@ for format in github sarif; do
 done
 # A pipe is not read any further: its writer may be waiting.
 cat behind.nc | fivecheck -q --parse-only m.xml -
-# A part that is repeated is carried out, though it stands behind M30; the line right behind it is not.
+# An archive: subprograms stand behind the end, but a second main program would be without a verdict.
 sed 's|dialect="fanuc"|dialect="sinumerik"|' m.xml >sinumerik.xml
+printf '%%_N_A_MPF\nG90 G71 G500\nG0 X10\nDRILL\nM30\n%%_N_DRILL_SPF\nG0 X20\nM17\n' >archive.mpf
+printf '%%_N_FACE_MPF\nG0 X30\nM30\n' | cat archive.mpf - >archive-2.mpf
+sed 's|^DRILL$|FACE|' archive-2.mpf >archive-called.mpf
+for program in archive archive-2 archive-called; do
+	status fivecheck -q --parse-only sinumerik.xml $program.mpf
+done
+# A part that is repeated is carried out, though it stands behind M30; the line right behind it is not.
 printf 'G90 G71 G500\nREPEAT A B\nM30\nA: G0 X10\nB:\n' >part.mpf
 sed '$aG0 X20' part.mpf >behind-part.mpf
 for program in part behind-part; do

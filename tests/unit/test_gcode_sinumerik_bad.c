@@ -3,12 +3,15 @@
 #include "suite.h"
 
 static const struct refused_program programs[] = {
+	{"G500 R1=GETT(\"SAW\",1)\n", 1, 9,
+	 "the setup defines no tool of the name \"SAW\": add <tool number=\"\" name=\"SAW\" length=\"\"/> with what it is "
+	 "made of"},
+	{"G500 R1=GETT(\"DRILL\",2)\n", 1, 22,
+	 "the number of a replacement tool must be a whole number from 1 to 1, not 2"},
+	{"G500 F6 X1\n%_N_B_MPF\nX2\n", 2, 1,
+	 "another main program begins here, which is not checked: give it a file of its own"},
 	{"G500 X1 X=5\n", 1, 9,
 	 "the word X stands twice in the block, at columns 6 and 9"},
-	{"G500 X1\n", 1, 6,
-	 "G1 without a feed rate (F)"},
-	{"G500 G2 X1\n", 1, 6,
-	 "G2 without a feed rate (F)"},
 	{"G500 F6 G2 X1 Y1\n", 1, 9,
 	 "a circle needs a centre (I, J, K), a radius (CR=) or an opening angle (AR=)"},
 	{"G500 F6 G2 X10 I5 CR=5\n", 1, 9,

@@ -24,7 +24,7 @@ static const struct program programs[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"\n ; a comment\n%\nG500 G0 X1\n%\nX2\n",
 	 "rapid 1 0 0 0 0\n"},
-	{"%_N_NOTHING_MPF\n%_N_OTHER_MPF\nX2\n", ""},
+	{"%_N_NOTHING_MPF\n%_N_OTHER_SPF\nX2\n", ""},
 	{"%\nG500 G0 X1\n%\nX2\n",
 	 "rapid 1 0 0 0 0\n"},
 	{"F6 G500 X1 ; a comment (1) \"2\"\nMSG(\"a; b\"<<R1) MSG()\n"

@@ -73,6 +73,12 @@ static const struct value values[] = {
 	{"+4", 4},
 	{"STRLEN(\"\")", 0},
 	{"STRLEN(\"AB\"<<12)", 4},
+	/* Arithmetic comes before <<, and << before comparisons. */
+	{"STRLEN(\"A\"<<R1+7<<\"B\")", 4},
+	{"\"A\"<<2*R1+R2<<\"B\"==\"A11B\"", 1},
+	{"\"A\"<<(R1-7)<<\"B\"<>\"A-2B\"", 0},
+	{"GETT(\"drill\",1)", 2},
+	{"10*GETT(\"MILL\"<<10)+1", 11},
 	{"INDEX(\"workpiece\",\"e\")", 6},
 	{"RINDEX(\"workpiece\",\"e\")", 8},
 	{"MINDEX(\"workpiece\",\"kp\")", 3},

@@ -167,9 +167,50 @@ START_TEST(words_alike)
 }
 END_TEST
 
+/* MD21104=0: the coordinates of the orientation decide. On a great circle, the turn is cut into pieces. */
+START_TEST(orientation_by_coordinates)
+{
+	static const char circle[] = "tcp on length 0 zero A0 C0\nfeed 0.5 0 0 5 0 tcp\nfeed 1 0 0 10 0 tcp\n"
+				     "feed 1.5 0 0 15 0 tcp\nfeed 2 0 0 20 0 tcp\n",
+			  even[] = "tcp on length 0 zero A0 C0\nfeed 2 0 0 20 0 tcp\n";
+	static const struct {
+		const char *program, *moves;
+	} cases[] = {
+		{"G500 F6 TRAORI\nX2 A20\n", circle},
+		{"G500 F6 TRAORI ORIWKS ORIAXES\nX2 A20\n", circle},
+		{"G500 F6 TRAORI ORIMKS ORIVECT\nX2 A20\n", even},
+	};
+
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		c.config.controller.orientation_interpolation = ORIENTATION_INTERPOLATION_ORIWKS;
+		ck_assert_msg(case_run(&c, cases[i].program), "%s", strbuf_text(&c.messages));
+		ck_assert_str_eq(strbuf_text(&c.moves), cases[i].moves);
+		case_release(&c);
+	}
+}
+END_TEST
+
+/* SD42110: a default feed of the control. The path is the same. */
+START_TEST(feed_missing)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	ck_assert_msg(case_run(&c, "G500 X5\nG2 X6 I0.5\n"), "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "feed 5 0 0 0 0\narc 6 0 0 0 0 centre 5.5 0 0 normal 0 0 1 sweep -180\n");
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:1:6: warning: G1 without a feed rate (F)"));
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike};
+	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates,
+				      feed_missing};
 
 	return RUN_TESTS("gcode_sinumerik_table", tests);
 }

@@ -57,7 +57,7 @@ static const struct program {
 	 "feed 4 0 3 0 0\nfeed 4 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\n"},
 	/* An archive with a subprogram before the main one; labels and GOTOS are those of the main one. */
 	{"%_N_SUB_A_SPF\nAGAIN: X7\nM17\n%_N_MAIN_MPF\n;$PATH=/_N_MPF_DIR\nF6 G500\nR1=$P_EP[Y]\nSUB_A\nAGAIN: Y=R1+1\n"
-	 "IF R1<1 GOTOS\nM30\n%_N_OTHER_MPF\nX9\nM30\n",
+	 "IF R1<1 GOTOS\nM30\n%_N_OTHER_SPF\nX9\nM17\n",
 	 "feed 7 0 0 0 0\nfeed 7 1 0 0 0\nfeed 7 1 0 0 0\nfeed 7 2 0 0 0\n"},
 	{"%_N_SUB_A_SPF\nF6 G500\nX7\nM17\n%_N_SUB_B_SPF\nX8\nM17\n", "feed 7 0 0 0 0\n"},
 	/* GOTOS begins the program again. */
@@ -252,7 +252,6 @@ static const struct refused_words bad[] = {
 	{"F6 G500 S100\nSUPA G33 Z-5 K1\n",
 	 "G33 beside SUPA, TRAORI, a chamfer or tool radius compensation is not supported"},
 	{"F6 G500\nG63\n", "G63 needs the axis that it moves"},
-	{"G500\nG63 Z-5\n", "G1 without a feed rate (F)"},
 	{"F6 G500 G0 Z10\nCYCLE802(211111111,111111111,1,2)\n",
 	 "CYCLE802 with positions that are not all absolute (its first two arguments must be 111111111) is not supported "
 	 "yet"},

@@ -249,7 +249,7 @@ static const struct question {
      CHOICE(comp_corner, COMP_CORNER_CIRCULAR)},
     {"cutter_comp_idle_blocks=\"", "cutter_comp_idle_blocks=\"3\" (MD20250)", CHOICE(comp_idle_blocks, 9)},
     {"rotation_order=\"", "rotation_order=\"rpy\" or \"euler\"", CHOICE(rotation_order, ROTATION_ORDER_RPY)},
-    {"orientation_interpolation=\"", "orientation_interpolation=\"axes\" or \"vector\"",
+    {"orientation_interpolation=\"", "orientation_interpolation=\"axes\", \"vector\" or \"oriwks\"",
      CHOICE(orientation_interpolation, ORIENTATION_INTERPOLATION_AXES)},
     {"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
      CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},

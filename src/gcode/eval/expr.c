@@ -84,6 +84,7 @@ bool expr_bracket(struct expr *expr, const char *what, struct expr_operand *valu
 struct next_operator {
 	const struct expr_operator *operator;
 	int column;
+	size_t position;
 };
 
 static bool is_letter(char byte)
@@ -113,7 +114,7 @@ static void take_operator(struct expr *expr, struct next_operator *next)
 	char byte = lexer_peek(expr->lexer);
 
 	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
-	*next = (struct next_operator){NULL, lexer_column(expr->lexer)};
+	*next = (struct next_operator){NULL, lexer_column(expr->lexer), expr->lexer->position};
 	for (size_t i = 0; i < rules->operator_count && !next->operator; i++) {
 		if (rules->operators[i].name[0] == byte && take_name(expr, rules->operators[i].name))
 			next->operator = &rules->operators[i];
@@ -158,6 +159,18 @@ bool expr_sum(struct expr *expr, struct expr_operand *value)
 	struct next_operator next;
 
 	return climb(expr, 1, &first, &next, value);
+}
+
+bool expr_part(struct expr *expr, int rank, struct expr_operand *value)
+{
+	const struct expr_operator *first = NULL;
+	struct next_operator next;
+
+	if (!climb(expr, rank, &first, &next, value))
+		return false;
+	if (next.operator)
+		expr->lexer->position = next.position;
+	return true;
 }
 
 /* ----------------------------------------------------------------- values */

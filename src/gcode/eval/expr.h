@@ -86,6 +86,9 @@ bool expr_value(struct expr *expr, struct expr_operand *value);
 /* Values with operators between them: 1+2*#3 */
 bool expr_sum(struct expr *expr, struct expr_operand *value);
 
+/* The same with operators of at least this rank only; an operator of a lower rank is left to the caller. */
+bool expr_part(struct expr *expr, int rank, struct expr_operand *value);
+
 /* The same in brackets; `what` names in the message the thing that lacks them. */
 bool expr_bracket(struct expr *expr, const char *what, struct expr_operand *value);
 

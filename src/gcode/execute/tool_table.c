@@ -1,8 +1,10 @@
 #include "gcode/execute/tool_table.h"
 
 #include <stdlib.h>
+#include <strings.h>
 
 #include "base/mem.h"
+#include "gcode/text/fault.h"
 
 void tool_table_init(struct tool_table *table, const struct gcode_config *config)
 {
@@ -41,6 +43,23 @@ const struct tool *tool_table_find(const struct tool_table *table, int number)
 			return &table->tools[i];
 	}
 	return number > 0 ? table->any : NULL;
+}
+
+bool tool_table_lacks_name(const struct line_place *at, int column, const char *name)
+{
+	return fault(at, column,
+		     "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
+		     "with what it is made of",
+		     name, name);
+}
+
+const struct tool *tool_table_find_name(const struct tool_table *table, const char *name)
+{
+	for (size_t i = 0; i < table->tool_count; i++) {
+		if (!strcasecmp(table->tools[i].name, name))
+			return &table->tools[i];
+	}
+	return NULL;
 }
 
 const struct length_offset *tool_table_length(const struct tool_table *table, int number)

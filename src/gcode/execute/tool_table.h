@@ -29,6 +29,12 @@ void tool_table_release(struct tool_table *table);
 
 /* The entry of tool T, and of length H; NULL: there is none. */
 const struct tool *tool_table_find(const struct tool_table *table, int number);
+
+/* The tool with this name, in upper or lower case; NULL: there is none. */
+const struct tool *tool_table_find_name(const struct tool_table *table, const char *name);
+
+/* Reports at the column that the setup has no tool with this name. Always false. */
+bool tool_table_lacks_name(const struct line_place *at, int column, const char *name);
 const struct length_offset *tool_table_length(const struct tool_table *table, int number);
 
 /* The entry of radius D; NULL: there is none. */

@@ -52,28 +52,35 @@ static bool take(struct section *section, const char *block, long line)
 static struct rest_of_file found(const struct section *section)
 {
 	if (!section->motion)
-		return (struct rest_of_file){0, 0};
-	return section->number ? (struct rest_of_file){0, section->number} : (struct rest_of_file){section->motion, 0};
+		return (struct rest_of_file){0};
+	return section->number ? (struct rest_of_file){.program = section->number}
+			       : (struct rest_of_file){.motion = section->motion};
 }
 
-struct rest_of_file rest_of_file_find(struct reader *reader, const struct cancel *cancel)
+struct rest_of_file rest_of_file_find(struct reader *reader, bool (*heads_main)(const char *text),
+				      const struct cancel *cancel)
 {
 	struct section section = {0};
+	bool complete = false;	/* the section is the one to be told */
 	const char *text;
 	char block[LINE_SHAPE_MAX];
 
 	if (reader->base < 0)
-		return (struct rest_of_file){0, 0};
-	while (reader_next(reader, &text) == READER_LINE) {
+		return (struct rest_of_file){0};
+	while ((!complete || heads_main) && reader_next(reader, &text) == READER_LINE) {
 		if (reader->line % ASK_LINES == 0 && cancel_asked(cancel))
 			break;
+		if (heads_main && heads_main(text))
+			return (struct rest_of_file){.main = reader->line};
 		line_shape_squeeze(text, block);
+		if (complete)
+			continue;
 		if (line_shape_is_program_number(block)) {
-			if (section.motion)
-				return found(&section);
-			section = (struct section){.number = reader->line};
-		} else if (take(&section, block, reader->line)) {
-			return found(&section);
+			complete = section.motion > 0;
+			if (!complete)
+				section = (struct section){.number = reader->line};
+		} else {
+			complete = take(&section, block, reader->line);
 		}
 	}
 	return found(&section);

@@ -12,13 +12,15 @@ struct rest_of_file {
 	/* the first block after the end that moves axes and belongs to no subprogram or other program */
 	long motion;
 	long program;	/* the O-number of another program that moves axes and has no end of a subprogram */
+	long main;	/* the head of another main program; the others are 0 then */
 };
 
 /*
  * Reads to the end of the file, or to the first such line. The lines are classified roughly, for all controls: a
  * subprogram is the text between "o... sub" and "endsub", or before M99. A pipe is not read, because its writer may be
- * waiting for something else. cancel may be NULL.
+ * waiting for something else. heads_main tells whether a line is the head of a main program; it and cancel may be NULL.
  */
-struct rest_of_file rest_of_file_find(struct reader *reader, const struct cancel *cancel);
+struct rest_of_file rest_of_file_find(struct reader *reader, bool (*heads_main)(const char *text),
+				      const struct cancel *cancel);
 
 #endif

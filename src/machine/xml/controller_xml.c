@@ -136,7 +136,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->rotation_order = ANSWER("rotation_order", "rpy", "euler");
 	told->cycle_19_angles = ANSWER("cycle_19_angles", "spatial", "axes");
 	told->cycle_11_axes = ANSWER("cycle_11_axes", "plane", "all");
-	told->orientation_interpolation = ANSWER("orientation_interpolation", "axes", "vector");
+	told->orientation_interpolation = ANSWER("orientation_interpolation", "axes", "vector", "oriwks");
 	told->edge_after_tool_change = ANSWER("edge_after_tool_change", "first", "none", "keeps");
 	told->t_changes_tool = ANSWER("t_changes_tool", "yes", "no");
 	told->frames_outlive_traori = ANSWER("frames_outlive_traori", "yes", "no");

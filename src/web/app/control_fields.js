@@ -45,7 +45,7 @@ export const ATTRIBUTES = [
 	row('polar_axes', ['fanuc'], 'axes of polar coordinate interpolation (G12.1)', ['XA', 'XB', 'XC']),
 	row('semicolon', ISO, 'what ; does', ['comment', 'block-end']),
 	row('colon', ISO, 'what : with a number is at the start of a line', ['program', 'block']),
-	row('orientation_interpolation', ['fanuc', 'sinumerik'], 'how the tool turns under G43.5 or TRAORI', ['axes', 'vector']),
+	row('orientation_interpolation', ['fanuc', 'sinumerik'], 'how the tool turns under G43.5 or TRAORI', ['axes', 'vector', 'oriwks']),
 	row('orientation_pole', ['sinumerik'], 'what ORIVECT does at a pole of the rotary axes', ['axes']),
 	row('rotation_order', ['sinumerik'], 'order of the angles of one ROT', ['rpy', 'euler']),
 	row('edge_after_tool_change', ['sinumerik'], 'edge (D) that holds after M6', ['first', 'none', 'keeps']),

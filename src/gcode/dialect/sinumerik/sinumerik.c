@@ -178,6 +178,9 @@ static bool take_percent(struct interp *interp)
 	/*
 	 * Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file.
 	 */
+	if (!sinumerik_call_is_inside(interp) && sinumerik_seek_heads_main(line_start(&interp->at)))
+		return fault(&interp->at, 1,
+			     "another main program begins here, which is not checked: give it a file of its own");
 	if (rest[strspn(rest, " \t")] != '\0' || !sinumerik_call_is_inside(interp)) {
 		interp->ended = true;
 		return sinumerik_call_end_of_file(interp);
@@ -288,6 +291,8 @@ const struct dialect dialect_sinumerik = {
 		.wrap_below_turn = ANSWER_NO,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
 		.t_word = T_WORD_SELECTS,
+		/* SD42110 is the feed of a program that gives none; where it is 0, the control stops (alarm 10860). */
+		.feed_missing = FEED_MISSING_KEPT,
 		.corner_words = CORNER_WORDS_WITH_ARCS,
 		.idle_blocks_parameter = "MD20250",
 		.corner_names = "CHF, CHR or RND",
@@ -298,5 +303,6 @@ const struct dialect dialect_sinumerik = {
 	.state_free = free_state,
 	.statement = read_line,
 	.end_of_file = sinumerik_call_end_of_file,
+	.heads_main = sinumerik_seek_heads_main,
 	.caller = sinumerik_call_caller,
 };

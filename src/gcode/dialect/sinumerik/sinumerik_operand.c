@@ -12,6 +12,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/dialect/sinumerik/sinumerik_text.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/execute/tool_table.h"
 
 /* INT has 32 bits. */
 #define LARGEST_WHOLE 2147483647.0
@@ -209,6 +210,31 @@ static bool system_value(struct expr *expr, const char *name, int column, struct
 	return sinumerik_system_read(expr->context, name, slot, column, &value->number);
 }
 
+/* GETT("NAME", 1), tool management: the number of a tool. Setups know no replacement tools (the second argument). */
+static bool tool_number(struct expr *expr, int column, double *value)
+{
+	const struct interp *interp = expr->context;
+	const struct line_place *at = expr->lexer->at;
+	const struct tool *tool;
+	struct sinumerik_text name;
+	int copy;
+
+	if (!expr_enter(expr) || !expr_open(expr, "GETT") || !sinumerik_text_read(expr, &name))
+		return false;
+	expr->depth--;
+	if (sinumerik_name_take_byte(expr->lexer, ',') &&
+	    !sinumerik_operand_whole(expr, "the number of a replacement tool", 1, 1, &copy))
+		return false;
+	if (!expr_close(expr))
+		return false;
+	if (!interp->config->has_setup)
+		return fault(at, column, "the number of the tool \"%s\" is not known without a setup", name.bytes);
+	tool = tool_table_find_name(&interp->tools, name.bytes);
+	if (tool)
+		*value = tool->number;
+	return tool || tool_table_lacks_name(at, column, name.bytes);
+}
+
 /* R1, R[R2], a variable of DEF, a system variable, a function, or one of the constants. */
 static bool named(struct expr *expr, const char *name, int column, struct expr_operand *value)
 {
@@ -235,6 +261,8 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 	}
 	if (name[0] == '$')
 		return system_value(expr, name, column, value);
+	if (!strcmp(name, "GETT"))
+		return tool_number(expr, column, &value->number);
 	if (sinumerik_text_measures(name))
 		return sinumerik_text_measure(expr, name, &value->number);
 	if (lexer_peek(expr->lexer) == '(' || !strcmp(name, "NOT") || !strcmp(name, "B_NOT"))

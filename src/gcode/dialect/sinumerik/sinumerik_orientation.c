@@ -244,10 +244,13 @@ bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direc
 	return true;
 }
 
+/* 840D sl, function manual F2, MD21104: with 0, ORIWKS and ORIMKS decide, and ORIAXES and ORIVECT have no effect. */
 static enum sinumerik_orientation_way way_in_force(const struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
+	if (interp->config->controller.orientation_interpolation == ORIENTATION_INTERPOLATION_ORIWKS)
+		return sinumerik->orientation.in_machine ? SINUMERIK_ORI_AXES : SINUMERIK_ORI_VECTOR;
 	if (sinumerik->orientation.way)
 		return sinumerik->orientation.way;
 	if (sinumerik->orientation.in_machine)
@@ -289,8 +292,8 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 		return fault(
 		    &interp->at, column,
 		    "a parameter of the control (MD21104) decides how TRAORI turns the tool: ORIAXES or ORIVECT "
-		    "in the program says it, or orientation_interpolation=\"axes\" or \"vector\" of the machine's "
-		    "<controller>");
+		    "in the program says it, or orientation_interpolation=\"axes\", \"vector\" or \"oriwks\" of the "
+		    "machine's <controller>");
 	default:
 		break;
 	}

@@ -303,6 +303,11 @@ static bool is_head_of(const char *text, const char *type)
 	return length > 4 && !strcmp(name + length - 4, type);
 }
 
+bool sinumerik_seek_heads_main(const char *text)
+{
+	return is_head_of(text, "_MPF");
+}
+
 bool sinumerik_seek_main(struct interp *interp)
 {
 	struct source *source = interp->program.source;
@@ -315,7 +320,7 @@ bool sinumerik_seek_main(struct interp *interp)
 	while (reader_next(&source->reader, &text) == READER_LINE) {
 		if (cancelled(interp, &source->reader))
 			return false;
-		if (!is_head_of(text, "_MPF"))
+		if (!sinumerik_seek_heads_main(text))
 			continue;
 		interp->program.start = source_next(source);
 		return true;

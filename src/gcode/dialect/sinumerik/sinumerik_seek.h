@@ -59,6 +59,9 @@ bool sinumerik_seek_program(struct interp *interp, const char *name, int column,
  */
 bool sinumerik_seek_main(struct interp *interp);
 
+/* Is this line the head of a main program, %_N_NAME_MPF? */
+bool sinumerik_seek_heads_main(const char *text);
+
 /* Is there an M6 behind the line in hand, up to the end of the program? False: the file could not be read: reported. */
 bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found);
 

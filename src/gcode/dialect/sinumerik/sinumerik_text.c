@@ -152,6 +152,9 @@ static bool make(struct expr *expr, struct sinumerik_text *text)
 	return expr_close(expr);
 }
 
+/* Operators of arithmetic come before <<: their least rank in the tables of sinumerik_expr.c. */
+#define ARITHMETIC_RANK 5
+
 /* One piece of a text. A number becomes its shortest decimal, as the control shows it. */
 static bool piece(struct expr *expr, struct sinumerik_text *text)
 {
@@ -165,7 +168,7 @@ static bool piece(struct expr *expr, struct sinumerik_text *text)
 		return read_variable(expr, variable, text);
 	if (function)
 		return make(expr, text);
-	if (!expr_value(expr, &value))
+	if (!expr_part(expr, ARITHMETIC_RANK, &value))
 		return false;
 	snprintf(text->bytes, sizeof(text->bytes), "%.12g", value.number);
 	return true;

@@ -35,27 +35,21 @@ static bool number_name(struct interp *interp, const char *name, int column)
 
 static bool select_by_name(struct interp *interp, const char *name, int column)
 {
-	const struct tool_table *tools = &interp->tools;
+	const struct tool *tool = tool_table_find_name(&interp->tools, name);
 
 	if (name[0] == '\0' || !strcmp(name, "0")) {
 		interp->state.selected = 0;
 		return true;
 	}
-	for (size_t i = 0; i < tools->tool_count; i++) {
-		if (!strcasecmp(tools->tools[i].name, name)) {
-			interp->state.selected = tools->tools[i].number;
-			return true;
-		}
+	if (tool) {
+		interp->state.selected = tool->number;
+		return true;
 	}
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
 	/* M6 is no second fault. */
 	interp->state.selected = 0;
-	return fault(
-	    &interp->at, column,
-	    "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what "
-	    "it is made of",
-	    name, name);
+	return tool_table_lacks_name(&interp->at, column, name);
 }
 
 static bool select_tool(struct interp *interp, const struct sinumerik_block *block)
