@@ -27,13 +27,13 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/program.h"
 
-/* At the first line: what the dialect has at power-on beside the modes of state_init. */
+/* At the first line: the modes that this control has at power-on, beside those of state_init. */
 static void begin(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const double basic = interp->config->controller.unit;
 
-	/* Group 1: G1 is in force after power-on and reset. */
+	/* Group 1: G1 is active after power-on and reset. */
 	interp->state.motion = G1;
 	interp->state.system = SYSTEM_NONE;
 	if (interp->config->controller.power_on_work_offset > 1)
@@ -83,7 +83,7 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	return sinumerik_call_run(interp, name, 1, column);
 }
 
-/* PCALL/_N_WKS_DIR/_N_PART_WPD/NAME(1,2): the path stands without quotes. */
+/* PCALL/_N_WKS_DIR/_N_PART_WPD/NAME(1,2): the path has no quotes. */
 static bool call_by_path(struct interp *interp, struct lexer *lexer)
 {
 	const int column = expr_column(lexer);
@@ -102,7 +102,7 @@ static bool call_by_path(struct interp *interp, struct lexer *lexer)
 	       ends_block(lexer) && sinumerik_call_run(interp, name, 1, column);
 }
 
-/* Declarations and calls that are no words of a block. */
+/* Declarations and calls. They are not words of a block. */
 static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *done)
 {
 	const size_t start = lexer->position;
@@ -131,7 +131,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
 		if (!sinumerik_call_check_end(interp, column))
 			return false;
-		/* A subprogram that is started by itself ends with it. */
+		/* A subprogram that was started as the main program ends the program here. */
 		if (!sinumerik_call_is_inside(interp)) {
 			if (sinumerik_contour_is_read(interp))
 				return fault(lexer->at, column, "the program ends in the contour of CYCLE72");
@@ -145,7 +145,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	return true;
 }
 
-/* The words of a line, which are a statement or a block. */
+/* The words of a line: a statement or a block. */
 static bool run_words(struct interp *interp, struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position;
@@ -153,7 +153,7 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 	bool done = false;
 
 	interp->moves = 0;
-	/* All statements are words of two letters or more. */
+	/* Every statement begins with two letters or more. */
 	if (sinumerik_is_letter(text[0]) && sinumerik_is_letter(text[1])) {
 		if (!run_declaration(interp, lexer, &done) || (!done && !sinumerik_flow_run(interp, lexer, &done)))
 			return false;
@@ -165,7 +165,8 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 }
 
 /*
- * "%", "%_N_NAME_MPF": before the first block it is the head of the program; blank lines and comments may precede it.
+ * "%" or "%_N_NAME_MPF". Before the first block it is the head of the program; blank lines and comments may precede
+ * it.
  */
 static bool take_percent(struct interp *interp)
 {
@@ -176,7 +177,8 @@ static bool take_percent(struct interp *interp)
 	if (head)
 		return !first || sinumerik_seek_main(interp);
 	/*
-	 * Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file.
+	 * Alone, '%' is the end of the tape. With a name another program begins. Both end this program like the end
+	 * of the file.
 	 */
 	if (!sinumerik_call_is_inside(interp) && sinumerik_seek_heads_main(line_start(&interp->at)))
 		return fault(&interp->at, 1,
@@ -194,7 +196,7 @@ static bool is_proc(const char *words)
 	return !strncmp(words, "PROC", 4) || !strncmp(words, "proc", 4);
 }
 
-/* Every line is read here: no words of other controls are left to see. */
+/* This dialect reads every line itself, so the common reader of words never runs. */
 static bool read_line(struct interp *interp, bool *done)
 {
 	const struct line_place at = interp->at;
@@ -243,7 +245,7 @@ static bool read_line(struct interp *interp, bool *done)
 	return corner_insert_end_block(interp) && cutter_comp_end_block(interp);
 }
 
-/* SUPA, G74, G75 and M6 leave the tool's length as D has set it. */
+/* SUPA, G74, G75 and M6 do not change the tool length; only D does. */
 static void keep_length(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
 	(void)interp;
@@ -281,7 +283,10 @@ const struct dialect dialect_sinumerik = {
 	.m_codes = {&sinumerik_m_codes},
 	.words = {&sinumerik_word_set, &sinumerik_cycle_set},
 	.traits = {
-		/* MD20150 sets the other modes at power-on. G64 is the worst that it can be. */
+		/*
+		 * MD20150 sets the other modes at power-on. G64 is assumed because it lets the control leave the path
+		 * the farthest.
+		 */
 		.power_on = {.feed_mode = G94, .path = G64},
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
 		.known_order = ANSWER_YES,

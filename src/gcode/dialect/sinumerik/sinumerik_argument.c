@@ -4,10 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 
-/* mm: depths are the same within this much. */
+/* mm: two depths that differ by less are equal. */
 #define SAME_DEPTH 1e-6
 
-/* _AMODE, units: the depth is as both DP and DPR say, relative, or absolute. */
+/* _AMODE, units: the depth is given by DP or DPR (0), relative (1), or absolute (2). */
 enum { DEPTH_BY_BOTH, DEPTH_RELATIVE, DEPTH_ABSOLUTE };
 
 bool sinumerik_argument_given(const struct sinumerik_arguments *arguments, size_t i)
@@ -39,7 +39,7 @@ int sinumerik_argument_digit(const struct sinumerik_arguments *arguments, size_t
 	return (int)fmod(number, 10);
 }
 
-/* _DMODE, units: the plane that the cycle selects for itself; 0 is the one in force. */
+/* _DMODE, units: the plane that the cycle selects; 0 is the active plane. */
 bool sinumerik_argument_plane(const struct sinumerik_arguments *a, size_t display)
 {
 	static const int planes[] = {G17, G18, G19};
@@ -55,8 +55,8 @@ bool sinumerik_argument_plane(const struct sinumerik_arguments *a, size_t displa
 }
 
 /*
- * 840D sl, CYCLE81, "DPR": where DP and DPR are given, DPR holds, and the control shows a message if they differ; 0 is
- * the same as none.
+ * 840D sl, CYCLE81, "DPR": if DP and DPR are both given, DPR is used, and the control shows a message if they differ.
+ * 0 counts as not given.
  */
 static bool find_bottom(const struct sinumerik_arguments *a, const struct sinumerik_modes *modes,
 			struct sinumerik_heights *heights)

@@ -28,7 +28,7 @@ static bool set_text(struct interp *interp, struct lexer *lexer, struct sinumeri
 	const int column = expr_column(lexer);
 	struct sinumerik_text text;
 
-	/* The variable itself may be among the pieces. */
+	/* The text may contain the variable itself, so it is copied first. */
 	if (!sinumerik_expr_text(interp, lexer, &text))
 		return false;
 	if (variable->length > 0 && strlen(text.bytes) > (size_t)variable->length)
@@ -63,7 +63,7 @@ static bool set_one(struct interp *interp, struct lexer *lexer, struct sinumerik
 	       sinumerik_variables_set(interp, variable, element, value, column);
 }
 
-/* SET(1,,3): a value left out stays as it is. */
+/* SET(1,,3): an element without a value keeps its value. */
 static bool set_list(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
 	while (lexer_peek(lexer) != ')') {
@@ -83,7 +83,7 @@ static bool set_list(struct interp *interp, struct lexer *lexer, struct sinumeri
 	return true;
 }
 
-/* REP(1,24): the value, as often as the number behind it says, or up to the end of the array. */
+/* REP(1,24): the value 1 for 24 elements; without the second number, up to the end of the array. */
 static bool repeat_value(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable,
 			 size_t element)
 {
@@ -131,7 +131,7 @@ static bool set_r(struct interp *interp, struct lexer *lexer, const char *name)
 	r = &sinumerik_of(interp)->variables.r[number];
 	if (sinumerik_expr_number(interp, lexer, r))
 		return true;
-	/* The fault is told here, and not again where the parameter is read. */
+	/* The error is reported here only, and not again where the parameter is read. */
 	if (isnan(*r))
 		*r = 0;
 	return false;
@@ -197,7 +197,7 @@ static bool read_sizes(struct interp *interp, struct lexer *lexer, struct sinume
 	return sinumerik_name_need(lexer, ']', "the size of an array");
 }
 
-/* One variable of DEF: its name, sizes and first values. A second DEF of the same program gives it new values. */
+/* One variable of DEF: its name, sizes and initial values. A second DEF in the same program gives it new values. */
 static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumerik_type type, int length)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -209,7 +209,7 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	if (!sinumerik_name_read(lexer, made.name) || made.name[0] == '$')
 		return fault(lexer->at, column, "the name of a variable is needed here, of at most %d bytes",
 			     SINUMERIK_NAME);
-	/* An R parameter in DEF is one that the program only gives a value. */
+	/* DEF of an R parameter only gives it a value. */
 	if (is_r(made.name) && made.name[1] && lexer_peek(lexer) == '=')
 		return set_r(interp, lexer, made.name);
 	if (made.name[1] == '\0' || sinumerik_codes_word(made.name, &word))
@@ -227,7 +227,7 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	if (lexer_peek(lexer) != '=')
 		return true;
 	lexer_take(lexer);
-	/* In DEF, SET may be left out before the list. */
+	/* In DEF, the word SET may be omitted before the list. */
 	if (variable->dimensions > 0 && sinumerik_name_take_byte(lexer, '('))
 		return set_list(interp, lexer, variable, 0);
 	return set_values(interp, lexer, variable, 0);

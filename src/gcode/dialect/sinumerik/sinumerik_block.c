@@ -14,7 +14,7 @@
 #include "gcode/eval/expr.h"
 #include "gcode/text/number.h"
 
-/* What a read_... function works on. */
+/* The data that a read_... function works on. */
 struct reading {
 	struct interp *interp;
 	struct lexer *lexer;
@@ -43,7 +43,7 @@ static bool set_code(struct reading *r, int group, int code, int column)
 
 /* ---------------------------------------------------------------- numbers */
 
-/* "=" and not "==" comes next. */
+/* Is "=" next, and not "=="? */
 static bool assigns(struct lexer *lexer)
 {
 	return lexer_peek(lexer) == '=' && lexer->at->text[lexer->position + 1] != '=';
@@ -72,7 +72,7 @@ static bool add_letter(struct reading *r, char letter, int column, double value,
 	return true;
 }
 
-/* Codes that programs in ISO mode have, and the control's own language has not. */
+/* Codes of the ISO mode. The language of Siemens does not have them. */
 static bool is_iso(double value)
 {
 	static const double codes[] = {20, 21, 27, 28, 30, 43, 44, 49, 50, 51, 52, 65, 66, 67, 68, 69,
@@ -132,7 +132,7 @@ static bool set_call(struct reading *r, const char *name, int column)
 	return true;
 }
 
-/* L100: the name of a subprogram, leading zeros included. */
+/* L100: the name of a subprogram. Leading zeros belong to it. */
 static bool read_l(struct reading *r, size_t start, size_t end, int column)
 {
 	char name[SINUMERIK_NAME + 1] = "L";
@@ -166,7 +166,7 @@ static bool take_word(struct reading *r, char letter, int column, double value, 
 	}
 }
 
-/* Blanks before and behind the number are none. */
+/* Blanks before and after the number do not belong to it. */
 static bool has_blank(const char *text, size_t start, size_t end)
 {
 	while (start < end && (text[start] == ' ' || text[start] == '\t'))
@@ -180,7 +180,7 @@ static bool has_blank(const char *text, size_t start, size_t end)
 	return false;
 }
 
-/* A number that is not the usual one. The position stays where it is if there is none. */
+/* A number of an unusual form. If there is none, the position does not change. */
 static bool read_spaced(struct reading *r, char letter, int column, size_t *position, double *value)
 {
 	const struct line_place *at = r->lexer->at;
@@ -194,7 +194,7 @@ static bool read_spaced(struct reading *r, char letter, int column, size_t *posi
 	return true;
 }
 
-/* X10.5, G1, M3: a letter and a plain number. An integer with '=' behind it belongs to a name: R1=, A3=. */
+/* X10.5, G1, M3: a letter and a plain number. A whole number followed by '=' is a part of a name: R1=, A3=. */
 static bool read_plain(struct reading *r, char letter, int column, bool *done)
 {
 	struct lexer *lexer = r->lexer;
@@ -230,7 +230,7 @@ static bool read_tool_name(struct reading *r, int column)
 	return sinumerik_expr_text(r->interp, r->lexer, &r->block->tool_name) && add_letter(r, 'T', column, 0, 0);
 }
 
-/* Coordinates, as X, Y and Z are: of the point of CIP, and polar ones. */
+/* Addresses that are coordinates, like X, Y and Z: those of the intermediate point of CIP, and polar ones. */
 static bool is_place(int address)
 {
 	return (address >= SINUMERIK_I1 && address <= SINUMERIK_K1) || address == SINUMERIK_AP ||
@@ -367,13 +367,13 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 }
 
 /*
- * G[8]=2: the second code of group 8. 840D sl, "Fundamentals", list of the G functions by groups; those whose numbers
- * are continuous and without a gap.
+ * G[8]=2: the second code of group 8. 840D sl, "Fundamentals", list of G functions: the groups whose numbers have no
+ * gaps.
  */
 static bool read_group(struct reading *r, int column)
 {
 	static const struct {
-		int group, first, count, code;	/* numbers from `first` on are the codes from `code` on */
+		int group, first, count, code;	/* the numbers from `first` on are the codes from `code` on */
 	} rows[] = {{1, 1, 4, 0},   {6, 1, 3, 17},   {7, 1, 3, 40},   {8, 1, 1, 500},  {8, 2, 4, 54},
 		    {8, 6, 95, 505}, {13, 1, 2, 70}, {13, 3, 1, 700}, {13, 4, 1, 710}, {14, 1, 2, 90}};
 	int group, number;

@@ -9,13 +9,13 @@
 #define SINUMERIK_M_MAX 10
 
 struct sinumerik_block {
-	bool any;	/* the line is not empty; N and labels count */
-	bool machine_axes;	/* X1= and the like, which G74 and G75 may have */
-	uint32_t letters;	/* bits of letter_bit: the block has this word; G, M, N and R apart */
-	int axis_column;	/* of the first word of an axis or of a circle's centre; 0: there is none */
+	bool any;	/* the line is not empty; N and labels count, too */
+	bool machine_axes;	/* X1= and the like, which are allowed with G74 and G75 */
+	uint32_t letters;	/* bits of letter_bit for the words of the block, except G, M, N and R */
+	int axis_column;	/* the column of the first word of an axis or of a circle's centre; 0: there is none */
 	uint32_t addresses;	/* 1 << enum sinumerik_address */
 	int column[26], address_column[SINUMERIK_ADDRESSES], code_column[SINUMERIK_GROUPS];
-	int code[SINUMERIK_GROUPS];	/* in tenths, or one of words; CODE_NONE */
+	int code[SINUMERIK_GROUPS];	/* a number in tenths, or a code of a word; CODE_NONE */
 	int m_count;
 	bool names_tool;	/* T="NAME", in tool_name */
 	bool positions;	/* POS[axis]=: the axis is among the letters */
@@ -47,10 +47,10 @@ static inline bool sinumerik_block_has_address(const struct sinumerik_block *blo
 	return block->addresses & 1U << address;
 }
 
-/* Words that say where the centre of a circle is. */
+/* Words that give the centre of a circle. */
 #define SINUMERIK_CENTRE_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K'))
 
-/* Words that give the tool a direction: A3= B3= C3= and, by angles, A2= B2= C2=. */
+/* Words that give a direction of the tool: A3= B3= C3= and, by angles, A2= B2= C2=. */
 #define SINUMERIK_VECTOR_BITS (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)
 #define SINUMERIK_ANGLE_BITS (1U << SINUMERIK_A2 | 1U << SINUMERIK_B2 | 1U << SINUMERIK_C2)
 #define SINUMERIK_DIRECTION_BITS (SINUMERIK_VECTOR_BITS | SINUMERIK_ANGLE_BITS)
@@ -62,8 +62,8 @@ static inline int sinumerik_block_axis_column(const struct sinumerik_block *bloc
 }
 
 /*
- * Reads the words up to the end of the line, or up to the arguments of a call, and carries out assignments to
- * variables. sinumerik_block_clear must be called before. False: reported.
+ * Reads the words up to the end of the line, or up to the arguments of a call, and executes assignments to variables.
+ * Call sinumerik_block_clear before it. False: reported.
  */
 bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sinumerik_block *block);
 

@@ -12,10 +12,10 @@
 #include "gcode/execute/moves_around.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* Auxiliary functions with larger numbers count as H, whose numbers have no end. */
+/* Auxiliary functions with larger numbers are treated as H, whose numbers have no limit. */
 #define H_MAX 99999999.0
 
-/* L9 and L009 are different programs: the second one has a name and no number. */
+/* L9 and L009 are different programs: L009 is a name, and has no number. */
 long sinumerik_builder_number(const char *name)
 {
 	const bool numbered = name[0] == 'L' && name[1] && name[1] != '0' &&
@@ -33,15 +33,15 @@ static bool measures(const char *name)
 }
 
 /*
- * Siemens' own milling cycles end over what they have milled and not where they are called, which action="around"
- * cannot say.
+ * After a milling cycle of Siemens the tool is above the milled region, and not where it was before the call.
+ * action="around" cannot express this.
  */
 static bool ends_elsewhere(const char *name)
 {
 	return sinumerik_cycle_refused(name) && !measures(name);
 }
 
-/* NULL: the machine file says nothing. */
+/* NULL: the machine file does not define it. */
 static const struct builder_macro *find(const struct interp *interp, const char *name)
 {
 	const struct controller *controller = &interp->config->controller;
@@ -68,7 +68,9 @@ bool sinumerik_builder_does_nothing(const struct interp *interp, const char *nam
 	return macro && macro->action == MACRO_NONE;
 }
 
-/* Where coordinates are turned, the program may go along their axes or along the machine's: both boxes are covered. */
+/*
+ * In rotated coordinates the program may move along their axes or along those of the machine: both boxes are covered.
+ */
 static bool go_around(struct interp *interp, const double around[3], int column)
 {
 	const vec3 x = rotated_frame_direction(&interp->state, (vec3){around[0], 0, 0});
@@ -115,7 +117,7 @@ bool sinumerik_builder_run(struct interp *interp, const char *name, int column)
 {
 	const struct builder_macro *macro = find(interp, name);
 
-	/* They write offsets and tool data. */
+	/* These cycles write offsets and tool data. */
 	if (measures(name))
 		caution(&interp->at, column,
 			"%s: work offsets and tools count as the setup has them, whatever it measures", name);

@@ -16,7 +16,7 @@
 
 /* --------------------------------------------------------------- arguments */
 
-/* The caller's variable, if nothing else stands in the argument: a VAR parameter is that variable. */
+/* The variable of the caller, if the argument is nothing else. A VAR parameter refers to this variable. */
 static int variable_alone(struct interp *interp, struct lexer *lexer)
 {
 	const size_t position = lexer->position;
@@ -132,14 +132,14 @@ bool sinumerik_call_is_inside(const struct interp *interp)
 	return sinumerik_of(interp)->calls.level > 0;
 }
 
-/* Ends the repeated parts that are under way in the program in hand. */
+/* Ends the repeated parts of the current program that are still active. */
 static void leave_repeats(struct sinumerik *sinumerik)
 {
 	while (sinumerik->calls.depth && sinumerik_top_call(sinumerik)->last_line)
 		sinumerik->calls.depth--;
 }
 
-/* Calls in the round before have had arguments of their own. */
+/* Calls of the previous round have replaced the arguments. */
 static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_call *call)
 {
 	sinumerik->passed.count = call->argument_count;
@@ -200,7 +200,7 @@ bool sinumerik_call_part(struct interp *interp, const struct position *entry, lo
 	return true;
 }
 
-/* Behind the last line of the part that is repeated. */
+/* The current line is after the last line of the repeated part. */
 static bool next_round(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -220,7 +220,7 @@ bool sinumerik_call_round(struct interp *interp, bool *left)
 		call->entry.source == interp->program.source;
 	if (!*left)
 		return true;
-	/* This line is behind the part, and was not carried out. */
+	/* This line is after the part, and was not executed. */
 	if (interp->furthest == interp->at.line && interp->program.source == interp->program.sources.items[0])
 		interp->furthest--;
 	return next_round(interp);
@@ -285,7 +285,7 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 			   sinumerik->loops.items[sinumerik->loops.count - 1].start.line);
 		return false;
 	}
-	/* Its last line is that of the file. */
+	/* The last line of the part is the last line of the file. */
 	if (call && call->last_line)
 		return next_round(interp);
 	if (!sinumerik_call_is_inside(interp))

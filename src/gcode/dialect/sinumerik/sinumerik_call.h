@@ -7,7 +7,9 @@
 /* Reads "(1,,NAME)" or nothing into the arguments of the next call or cycle. False: reported. */
 bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer);
 
-/* Calls the subprogram of this upper-case name `repeats` times with the arguments read. False: reported. */
+/*
+ * Calls the subprogram with this upper-case name `repeats` times, with the arguments that were read. False: reported.
+ */
 bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column);
 
 /* Calls the subprogram of MCALL with its arguments. False: reported. */
@@ -16,7 +18,7 @@ bool sinumerik_call_modal(struct interp *interp);
 /* RET, M17, or M30 of a subprogram: returns to the caller, or starts the next repetition. False: reported. */
 bool sinumerik_call_return(struct interp *interp, int column);
 
-/* Is a subprogram being carried out? */
+/* Is a subprogram active? */
 bool sinumerik_call_is_inside(const struct interp *interp);
 
 /* Repeats the part of the program from `entry` to the line `last_line` `rounds` times. False: reported. */

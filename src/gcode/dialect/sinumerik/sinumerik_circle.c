@@ -11,14 +11,14 @@
 #include "gcode/execute/arc.h"
 #include "geom/tolerance.h"
 
-/* Sine of the angle between two chords of CIP whose points lie on a line. */
+/* The points of CIP are on one line if the sine of the angle between the two chords is less than this. */
 #define LEAST_BEND 1e-9
-/* Full turns of one helix (840D sl, TURN). */
+/* The maximum number of full turns of a helix (840D sl, TURN). */
 #define TURNS_MAX 999
-/* Radians; what is less is a full turn. */
+/* Radians: a smaller angle is a full turn. */
 #define SAME_ANGLE 1e-12
 
-/* CT: sine of the angle between the direction and the chord below which the arc is a straight line. */
+/* CT: the arc is a straight line if the sine of the angle between direction and chord is less than this. */
 #define LEAST_TURN 1e-8
 
 struct circle_plane {
@@ -52,7 +52,10 @@ static int circle_column(const struct sinumerik_block *block)
 							  : sinumerik_block_axis_column(block);
 }
 
-/* An arc in program coordinates becomes one of positions: frames may turn, mirror and scale it. NULL: in no plane. */
+/*
+ * Converts an arc in program coordinates to one of positions: frames may rotate, mirror and scale it. NULL: it is in
+ * no plane.
+ */
 static bool place_arc(struct interp *interp, const struct sinumerik_block *block, const struct circle_plane *plane,
 		      vec3 centre, vec3 normal, double sweep, struct canon_arc *arc)
 {
@@ -100,12 +103,12 @@ static bool through_point(struct interp *interp, const struct sinumerik_block *b
 	if (!(vec3_norm(normal) > LEAST_BEND * vec3_norm(u) * vec3_norm(v)))
 		return fault(&interp->at, circle_column(block),
 			     "CIP needs three different points that do not lie on a line: start, I1= J1= K1=, end");
-	/* The circumcentre of start, middle and end. */
+	/* The centre of the circle through start, middle and end. */
 	centre = vec3_scale(1 / (2 * vec3_norm2(normal)),
 			    vec3_add(vec3_scale(vec3_norm2(u), vec3_cross(v, normal)),
 				     vec3_scale(vec3_norm2(v), vec3_cross(normal, u))));
 	normal = vec3_unit(normal);
-	/* The way from start over the middle turns about u x v. */
+	/* The arc from the start through the middle turns about u x v. */
 	sweep = math_atan2(vec3_dot(normal, vec3_cross(vec3_scale(-1, centre), vec3_sub(v, centre))),
 		      vec3_dot(vec3_scale(-1, centre), vec3_sub(v, centre)));
 	if (sweep < 0)
@@ -119,7 +122,7 @@ struct circle {
 	const struct circle_plane *plane;
 	bool clockwise;
 	struct plane_point start, end, centre;
-	int turns;	/* as arc_sweep takes them */
+	int turns;	/* in the form of arc_sweep */
 };
 
 static bool find_turns(struct interp *interp, const struct sinumerik_block *block, int *turns)
@@ -159,7 +162,7 @@ static double centre_word(const struct interp *interp, const struct sinumerik_bl
 {
 	const int index = letter - 'A';
 
-	/* I, J and K count from the start, whatever G90 says (840D sl, "Circular interpolation"). */
+	/* I, J and K are relative to the start, also with G90 (840D sl, "Circular interpolation"). */
 	return sinumerik_block_has(block, letter)
 		   ? sinumerik_target_centre(interp, block->value[index], (enum sinumerik_way)block->way[index], false,
 					     start)
@@ -171,7 +174,7 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 	const int unused = c->plane->not_used - 'A';
 	double r0, r1;
 
-	/* 0 from the start is no way. */
+	/* An offset of 0 from the start gives no centre. */
 	if (sinumerik_block_has(block, c->plane->not_used) &&
 	    (fabs(block->value[unused]) > 0 || block->way[unused] == SINUMERIK_WAY_AC))
 		return fault(&interp->at, block->column[unused],
@@ -197,8 +200,8 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 }
 
 /*
- * "Circular interpolation with tangential transition (CT)": the arc leaves in the direction in which the last motion
- * has ended, so that its centre lies beside the start, on the side of the end.
+ * "Circular interpolation with tangential transition (CT)": the arc starts in the direction in which the last motion
+ * ended. So its centre is beside the start, on the side of the end.
  */
 static bool by_tangent(struct interp *interp, const struct sinumerik_block *block, struct circle *c, bool *straight)
 {
@@ -227,7 +230,7 @@ static bool by_tangent(struct interp *interp, const struct sinumerik_block *bloc
 	return true;
 }
 
-/* AR= with the end or with the centre; then *sweep is known. */
+/* AR= with the end or with the centre; *sweep is known after it. */
 static bool by_angle(struct interp *interp, const struct sinumerik_block *block, bool centred, struct circle *c,
 		     double *sweep)
 {
@@ -249,7 +252,7 @@ static bool by_angle(struct interp *interp, const struct sinumerik_block *block,
 		return fault(
 		    &interp->at, block->address_column[SINUMERIK_AR],
 		    "a circle by its opening angle (AR=) needs a centre (I, J, K), or an end that is not its start");
-	/* The centre lies beside the middle of the chord, left of it for G3. */
+	/* The centre is beside the middle of the chord; for G3 it is on the left. */
 	c->centre.a = (c->start.a + c->end.a) / 2 - sign * (c->end.b - c->start.b) / (2 * math_tan(angle / 2));
 	c->centre.b = (c->start.b + c->end.b) / 2 + sign * (c->end.a - c->start.a) / (2 * math_tan(angle / 2));
 	return true;

@@ -1,6 +1,6 @@
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 
-/* sinumerik_cycle.h and sinumerik_swivel.h carry them out. */
+/* Cycles. sinumerik_cycle.h, sinumerik_swivel.h and others execute them. */
 static const struct code_word cycle_rows[] = {
 	{"CYCLE81", CODE_READ, "drilling"},
 	{"CYCLE82", CODE_READ, "drilling with dwell"},
@@ -44,7 +44,7 @@ static const struct code_word cycle_rows[] = {
 
 const struct word_set sinumerik_cycle_set = {cycle_rows, sizeof(cycle_rows) / sizeof(cycle_rows[0])};
 
-/* The numbers of the two tables that follow are G-codes in tenths, and M-codes. */
+/* The numbers in the two tables below are G-codes in tenths, and M-codes. */
 static const struct code g_rows[] = {
 	{SINUMERIK_G(0), SINUMERIK_MOTION, CODE_READ, "rapid"},
 	{SINUMERIK_G(1), SINUMERIK_MOTION, CODE_READ, "straight line"},

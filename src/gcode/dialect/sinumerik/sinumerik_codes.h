@@ -4,7 +4,7 @@
 
 #include "gcode/code.h"
 
-/* The G groups of the 840D that matter here; a block has one code of each. */
+/* The G groups of the 840D that matter here. A block may have one code of each group. */
 enum sinumerik_group {
 	SINUMERIK_MOTION,	/* group 1 */
 	SINUMERIK_ONCE,	/* group 2: G4, G74, G75 ... */
@@ -30,7 +30,7 @@ enum sinumerik_group {
 	SINUMERIK_GROUPS
 };
 
-/* Codes of words, beside the numbers of G-codes in tenths. */
+/* Codes of words; G-codes are their numbers in tenths. */
 enum {
 	SINUMERIK_CIP = 100000,
 	SINUMERIK_SUPA,
@@ -60,7 +60,7 @@ enum {
 
 #define SINUMERIK_G(number) ((number) * 10)
 
-/* Addresses of more than one letter, or of a letter and a number: with '=' behind them. */
+/* Addresses of more than one letter, or of a letter and a number; '=' follows them. */
 enum sinumerik_address {
 	SINUMERIK_CR, SINUMERIK_AR, SINUMERIK_TURN, SINUMERIK_I1, SINUMERIK_J1, SINUMERIK_K1, SINUMERIK_A3,
 	SINUMERIK_B3, SINUMERIK_C3, SINUMERIK_RPL, SINUMERIK_ADIS, SINUMERIK_ADISPOS, SINUMERIK_CTOL, SINUMERIK_OTOL,
@@ -71,17 +71,17 @@ enum sinumerik_address {
 };
 
 enum sinumerik_word_kind {
-	SINUMERIK_WORD_CODE,	/* as a G-code: group and code */
+	SINUMERIK_WORD_CODE,	/* a code: group and code */
 	SINUMERIK_WORD_ADDRESS,	/* '=' and a value: an enum sinumerik_address */
-	SINUMERIK_WORD_IGNORED,	/* stands alone */
-	SINUMERIK_WORD_IGNORED_VALUE,	/* [axis] or not, '=' and a value, which are read */
-	SINUMERIK_WORD_ZERO,	/* [axis] or not, '=' and 0, which takes something back; anything else is refused */
-	SINUMERIK_WORD_IGNORED_CALL,	/* parentheses behind it or not; their contents are stepped over */
-	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of its line is stepped over */
+	SINUMERIK_WORD_IGNORED,	/* a word alone */
+	SINUMERIK_WORD_IGNORED_VALUE,	/* an optional [axis], '=' and a value, which is read and ignored */
+	SINUMERIK_WORD_ZERO,	/* an optional [axis], '=' and 0, which cancels something; other values are refused */
+	SINUMERIK_WORD_IGNORED_CALL,	/* optional parentheses; their contents are skipped */
+	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of the line is skipped */
 	SINUMERIK_WORD_MASTER,	/* SETMS */
 	SINUMERIK_WORD_MODAL,	/* MCALL */
-	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before */
-	SINUMERIK_WORD_STOPS_READING,	/* STOPRE: what follows is read when everything before is done */
+	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before the block */
+	SINUMERIK_WORD_STOPS_READING,	/* STOPRE: the following blocks are read when all blocks before are complete */
 	SINUMERIK_WORD_POSITION,	/* POS[axis]= */
 	SINUMERIK_WORD_SPINDLE_STANDS,	/* SPOS=: the spindle is stopped at an angle */
 	SINUMERIK_WORD_REFUSED
@@ -97,7 +97,7 @@ struct sinumerik_word {
 /* The word with this upper-case name. False: there is none. */
 bool sinumerik_codes_word(const char *name, struct sinumerik_word *word);
 
-/* Rows for the dialect's table: G-codes with an enum sinumerik_group as group, M-codes, and words. */
+/* The rows of the dialect's table: G-codes with an enum sinumerik_group as group, M-codes, and words. */
 extern const struct code_set sinumerik_g_codes, sinumerik_offset_codes, sinumerik_m_codes;
 extern const struct word_set sinumerik_word_set, sinumerik_cycle_set;
 

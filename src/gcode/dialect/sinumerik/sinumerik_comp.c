@@ -11,7 +11,7 @@
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "geom/tolerance.h"
 
-/* How far a direction may lean from an axis, as a part of its length. */
+/* A direction is along an axis if its other part is less than this part of its length. */
 #define ALONG 1e-9
 
 /* --------------------------------------------------------------- questions */
@@ -58,7 +58,7 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 
 /* ---------------------------------------------------------------- switching */
 
-/* The radius of the edge in force; false, reported: it is not known. */
+/* The radius of the active edge. False: it is not known, which was reported. */
 static bool find_radius(struct interp *interp, int column, double *radius)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -85,9 +85,10 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 }
 
 /*
- * 840D sl, job planning, "CUT2D, CUT2DF": CUT2D corrects in the plane of the machine's axes, CUT2DF in that of the
- * frame. They are one where the frame does not tilt the plane, and after CYCLE800 where the table has turned. While
- * TRAORI is on, the machine's axes are those of the workpiece, however the rotary axes stand.
+ * 840D sl, job planning, "CUT2D, CUT2DF": CUT2D corrects in the plane of the machine's axes, CUT2DF in the plane of
+ * the frame. The two planes are the same if the frame does not tilt the plane, and after CYCLE800 if the table has
+ * turned. While TRAORI is on, the plane of the machine's axes is that of the workpiece coordinates, for any position
+ * of the rotary axes.
  */
 static bool check_plane(struct interp *interp, int column)
 {
@@ -113,7 +114,8 @@ static bool check_plane(struct interp *interp, int column)
 }
 
 /*
- * NORM leads straight to the point beside the contour; before any NORM or KONT the machine file may say that it holds.
+ * With NORM the tool moves straight to the point beside the contour. Before any NORM or KONT the machine file may say
+ * that NORM is active.
  */
 static enum comp_start start_type(const struct interp *interp)
 {
@@ -123,7 +125,7 @@ static enum comp_start start_type(const struct interp *interp)
 	return approach == SINUMERIK_NORM || (approach == CODE_NONE && begun) ? COMP_START_A : COMP_START_UNKNOWN;
 }
 
-/* Before any G450 or G451 the machine file may say which one the control starts with (MD20150), with DISC at 0. */
+/* Before any G450 or G451 the machine file may say which one is active at the start (MD20150), with DISC=0. */
 static enum comp_corner_form corner_form(const struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -160,7 +162,7 @@ static bool switch_on(struct interp *interp, int column, int side)
 			     "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool "
 			     "away from the contour by OFFN alone is not known; write D1, or OFFN=0");
 	radius += sinumerik->comp.allowance;
-	/* Beside the path by nothing. */
+	/* The tool is on the path. */
 	if (!(radius > 0))
 		return true;
 	comp_lookahead_begin(comp, side, radius);
@@ -175,7 +177,7 @@ static bool moves_in_plane(const struct interp *interp, const struct sinumerik_b
 					      sinumerik_block_has(block, AXIS_LETTERS[comp_slot_b(interp)]));
 }
 
-/* In turned coordinates a move of one axis may leave any of them aside. */
+/* In rotated coordinates, a move of one axis may leave the position of any axis uncertain. */
 static void loosen_all(struct interp *interp)
 {
 	double *loose = interp->comp.loose;
@@ -212,7 +214,7 @@ static bool switch_off(struct interp *interp, const struct sinumerik_block *bloc
 	return true;
 }
 
-/* 840D sl, "OFFN": the tool stays farther from the contour by this much, as if its radius were larger. */
+/* 840D sl, "OFFN": the tool stays farther from the contour by this length, as if its radius were larger. */
 static bool set_allowance(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -268,7 +270,7 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 		return fault(&interp->at, block->address_column[SINUMERIK_DISC], "DISC lies between 0 and 100");
 	if (code[SINUMERIK_APPROACH] != CODE_NONE) {
 		sinumerik->comp.approach = code[SINUMERIK_APPROACH];
-		/* The way out is as this block says. */
+		/* This block defines the retraction. */
 		interp->comp.start_type = start_type(interp);
 	}
 	if (code[SINUMERIK_CORNER] != CODE_NONE)

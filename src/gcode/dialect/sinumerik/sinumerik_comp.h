@@ -5,17 +5,17 @@
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 /*
- * 840D sl, "Tool radius compensation". The engine is execute/cutter_comp, in program coordinates, which frames turn.
- * With NORM the tool moves straight to the point beside the start of the contour; with KONT, or without either word,
- * all possible paths to that point are proved. G450 rounds outside corners, G451 extends the paths to their
- * intersection; with DISC, or without either code, everything in between is proved. Functions that can fail report the
- * reason before they return false.
+ * 840D sl, "Tool radius compensation". The engine is execute/cutter_comp; it works in program coordinates, which
+ * frames rotate. With NORM the tool moves straight to the point beside the start of the contour; with KONT, or
+ * without either word, all possible paths to this point are proved. G450 rounds outside corners, G451 extends the
+ * paths to their intersection; with DISC, or without either code, everything between them is proved. A function that
+ * can fail reports the reason and returns false.
  */
 
 /* Call first for each block: refuses what is not allowed under compensation. */
 bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *block);
 
-/* Takes NORM, KONT, G450, G451, DISC, CUT2D, and switches by G40, G41 or G42. */
+/* Executes NORM, KONT, G450, G451, DISC and CUT2D, and G40, G41 or G42. */
 bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *block);
 
 /*

@@ -17,19 +17,22 @@
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 
-/* Arguments of CYCLE72 behind RTP, RFP, SDIS and DP, the name of the contour apart. */
+/* Arguments of CYCLE72 after RTP, RFP, SDIS and DP, without the name of the contour. */
 enum { FAL = 5, FFP1 = 7, VARI = 9, RL = 10, AS1 = 11, LP1 = 12, AS2 = 14, LP2 = 15, DISPLAY = 20, ALTERNATIVE = 21 };
 
-/* Units of VARI that make a chamfer. */
+/* The units of VARI that mean a chamfer. */
 #define CHAMFER 5
 
-/* Radii: how far a sharp corner may be drawn out, where it is not led round (of up to 2.4 radians, comp_turn.c). */
+/*
+ * In tool radii: the largest distance to which a sharp corner may be extended if the tool does not move around it
+ * (angles up to 2.4 radians, comp_turn.c).
+ */
 #define DRAWN_OUT 3.0
 
-/* Radians: a path that turns by less goes on as it was. */
+/* Radians: a smaller change of direction is not a corner. */
 #define TANGENT 1e-3
 
-/* Radians: a chord of a circle spans at most this. */
+/* Radians: the largest angle of one chord of a circle. */
 #define CHORD 0.2
 
 static enum axis_slot across(const struct sinumerik_contour *contour)
@@ -44,7 +47,7 @@ static double middle(const struct sinumerik_contour *contour)
 
 /* ------------------------------------------------------------ which contour */
 
-/* 840D sl, "CYCLE62": TYP 0 a subprogram, 1 a contour's name, 2 two labels, 3 two labels in a subprogram. */
+/* 840D sl, "CYCLE62", TYP: 0 a subprogram, 1 the name of a contour, 2 two labels, 3 two labels in a subprogram. */
 bool sinumerik_contour_select(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -84,7 +87,7 @@ static bool find_label(struct interp *interp, const char *start, size_t length, 
 	return found || fault(&interp->at, column, "no line of this program has the label %s of the contour", name);
 }
 
-/* Goes to the contour; behind it comes the line of CYCLE72 again. */
+/* Goes to the first block of the contour. After its last block, the line of CYCLE72 is read again. */
 static bool call_contour(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -111,7 +114,7 @@ static bool call_contour(struct interp *interp)
 		return fault(&interp->at, column, "the contour %s is a program of the builder, which is not known",
 			     name);
 	sinumerik->calls.items[sinumerik->calls.depth - 1].back = contour->line;
-	/* Its blocks need no F. */
+	/* The blocks of a contour need no F. */
 	sinumerik_save_modes(interp, &contour->before);
 	contour->feed_before = interp->state.feed_linear;
 	interp->state.feed_linear = contour->feed * SECONDS_PER_MINUTE;
@@ -121,7 +124,7 @@ static bool call_contour(struct interp *interp)
 
 /* ---------------------------------------------------------------- arguments */
 
-/* How far the tool may be beside the contour, and about its ends where it comes to it and leaves it. */
+/* The largest distance of the tool from the contour, and from its ends at the approach and the retraction. */
 static bool find_margins(struct sinumerik_contour *contour, const struct sinumerik_arguments *of)
 {
 	struct interp *interp = of->interp;
@@ -140,7 +143,7 @@ static bool find_margins(struct sinumerik_contour *contour, const struct sinumer
 	contour->beside = fabs(sinumerik_argument_length(of, FAL)) +
 			  (centred ? 0 : radius * (sinumerik_comp_rounds(interp) ? 1 : DRAWN_OUT));
 	contour->drawn_out = fabs(sinumerik_argument_length(of, FAL)) + (centred ? 0 : radius * DRAWN_OUT);
-	/* A line of LP, from the edge of the tool or from its centre; a half circle of radius LP. */
+	/* A line of length LP, measured from the edge of the tool or from its centre; or a half circle of radius LP. */
 	contour->ends = contour->beside + 2 * (leads + radius);
 	return true;
 }
@@ -205,7 +208,7 @@ bool sinumerik_contour_is_read(const struct interp *interp)
 	return sinumerik_of(interp)->contour.on;
 }
 
-/* To a place at a height, anywhere around it and so much over and under it. */
+/* Moves to a place at a height. The tool may be anywhere in a box around the path. */
 static bool go(struct interp *interp, const slot_values *to, double height, double aside, double over, double feed)
 {
 	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -217,7 +220,7 @@ static bool go(struct interp *interp, const slot_values *to, double height, doub
 	return sinumerik_open_place_go(interp, &target, half, feed);
 }
 
-/* From where the tool was before the cycle to over an end of the contour, one axis after the other or all at once. */
+/* From the place before the cycle to above an end of the contour, one axis after the other or all at once. */
 static bool come_over(struct interp *interp, const slot_values *target)
 {
 	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -234,7 +237,7 @@ static bool come_over(struct interp *interp, const slot_values *target)
 	return sinumerik_open_place_go(interp, &centre, half, 0);
 }
 
-/* Over the first point, and into the material in every pass. */
+/* Above the first point, and then into the material in every pass. */
 static bool approach(struct interp *interp, const slot_values *target)
 {
 	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -249,7 +252,7 @@ static bool approach(struct interp *interp, const slot_values *target)
 	       go(interp, target, middle(contour), 0, 0, contour->feed);
 }
 
-/* A circle is followed by chords; the tool is as far beside each as the circle. */
+/* A circle is approximated by chords; the distance of the circle is added to the uncertainty. */
 static bool go_round(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle,
 		     double aside, double over)
 {
@@ -275,8 +278,8 @@ static bool go_round(struct interp *interp, const slot_values *target, const str
 }
 
 /*
- * A corner before this move: whether the cycle leaves G450 as it is, or draws corners out by its own G451, is not said.
- * Both are covered. Where the path goes on as it was there is no corner.
+ * A corner before this move. It is not documented whether the cycle keeps G450 or extends corners by its own G451:
+ * both are covered. If the direction does not change, there is no corner.
  */
 static bool go_about_corner(struct interp *interp, const slot_values *target, const struct sinumerik_circle *circle)
 {
@@ -323,7 +326,7 @@ static bool check_move(struct interp *interp, const slot_values *target, const s
 	return true;
 }
 
-/* The column of a word that does not belong into a contour, or 0. */
+/* The column of a word that is not allowed in a contour, or 0. */
 static int foreign_word(const struct sinumerik_block *block)
 {
 	static const enum sinumerik_group groups[] = {SINUMERIK_SUPPRESSION, SINUMERIK_ONCE, SINUMERIK_TRANSFORM,
@@ -342,7 +345,7 @@ static int foreign_word(const struct sinumerik_block *block)
 	return block->call[0] ? block->call_column : block->modal ? block->modal_column : 0;
 }
 
-/* Does the block give both coordinates of the plane, or both polar ones, and none by an increment of its own? */
+/* Does the block give both coordinates of the plane, or both polar coordinates, and none of them as an increment? */
 static bool names_point(const struct sinumerik_contour *contour, const struct sinumerik_block *block)
 {
 	bool straight = true;
@@ -358,7 +361,7 @@ static bool names_point(const struct sinumerik_contour *contour, const struct si
 	return straight;
 }
 
-/* False, reported: a jump has led out of the contour, which has not ended. */
+/* False: a jump has left the contour before its end, which was reported. */
 static bool check_inside(struct interp *interp, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -380,7 +383,7 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 	column = foreign_word(block);
 	sinumerik_of(interp)->contour.names_point = names_point(&sinumerik->contour, block);
 	for (int i = 0; i < block->m_count; i++) {
-		/* Of a subprogram they are the end; a part between labels ends with its label. */
+		/* M17 and RET end the contour of a subprogram. A part between labels ends at its label. */
 		if ((block->m[i] == 2 || block->m[i] == 17 || block->m[i] == 30) &&
 		    sinumerik->calls.items[sinumerik->calls.depth - 1].last_line)
 			return fault(&interp->at, block->m_column[i], "the program ends in the contour of CYCLE72");
@@ -390,7 +393,7 @@ bool sinumerik_contour_check(struct interp *interp, const struct sinumerik_block
 				    "else that acts on them");
 }
 
-/* What counts from the place before is refused: where the control's cycle is then is not known. */
+/* Words relative to the place before the contour are refused: the place of the control's cycle is not known there. */
 static bool begin_contour(struct interp *interp, const slot_values *target, bool by_circle)
 {
 	const struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
@@ -410,7 +413,10 @@ bool sinumerik_contour_take(struct interp *interp, const slot_values *target, co
 {
 	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;
 	const double over = (contour->safe - contour->bottom) / 2;
-	/* A rounding lies between the two blocks, no farther from either than its radius; so does a chamfer. */
+	/*
+	 * A rounding is between the two blocks, and not farther from either than its radius. The same holds for a
+	 * chamfer.
+	 */
 	const double rounded = interp->block.corner ? interp->block.corner_value * interp->state.scale : 0;
 	const double aside = contour->beside + fmax(rounded, contour->rounded);
 
@@ -437,7 +443,7 @@ bool sinumerik_contour_waits(struct interp *interp)
 	       interp->program.source == contour->line.source && interp->at.line == contour->line.line;
 }
 
-/* Between passes the tool goes back to the start, or the next one goes the other way round: it may end at either. */
+/* Between passes the tool returns to the start, or the next pass goes the other way: it may end at either end. */
 bool sinumerik_contour_end(struct interp *interp)
 {
 	struct sinumerik_contour *contour = &sinumerik_of(interp)->contour;

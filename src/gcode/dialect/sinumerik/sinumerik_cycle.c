@@ -10,23 +10,23 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/motion_commands.h"
 
-/* 840D sl, "CYCLE83", VARI = 1: how far above the last depth the rapid ends, by the depth of the hole, mm. */
+/* 840D sl, "CYCLE83", VARI=1: how far above the last depth the rapid ends, by the depth of the hole; mm. */
 #define PECK_LEAST 0.6
 #define PECK_MOST 7.0
 #define PECK_SHARE 50.0
 #define PECK_SHALLOW 30.0
-/* Pecks of one hole. */
+/* The maximum number of pecks in one hole. */
 #define PECKS_MAX 10000
 
 struct drilling {
 	struct interp *interp;
 	struct sinumerik_arguments of;
 	int column;
-	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
+	enum axis_slot a, b, depth;	/* the plane, and the drilling axis */
 	slot_values at;	/* program coordinates of the tool */
 	struct sinumerik_heights height;
 	struct canon_feed feed;
-	bool turns;	/* the cycle itself has the spindle turn */
+	bool turns;	/* the cycle starts the spindle */
 };
 
 static bool given(const struct drilling *d, size_t i)
@@ -71,7 +71,7 @@ static bool feed(struct drilling *d, double height)
 	return go(d, CANON_FEED, height);
 }
 
-/* Seconds, or turns of the spindle if it is negative. */
+/* Seconds; a negative value is revolutions of the spindle. */
 static bool dwell(struct drilling *d, size_t i)
 {
 	double seconds = argument(d, i, 0);
@@ -103,7 +103,7 @@ static bool stop_spindle(struct drilling *d)
 	return good;
 }
 
-/* SDIR: 3 or 4, the way that the spindle turns. */
+/* SDIR: 3 or 4, the direction of the spindle. */
 static bool start_spindle(struct drilling *d, size_t i)
 {
 	const double way = argument(d, i, 0);
@@ -128,7 +128,7 @@ static bool counterbore(struct drilling *d)
 	       rapid(d, d->height.clear);
 }
 
-/* How deep the next peck goes: DAM takes something off each time, or is a factor if it is negative. */
+/* The depth of the next peck: each peck is smaller by DAM; a negative DAM is a factor. */
 static double next_peck(const struct drilling *d, double peck)
 {
 	const double amount = argument(d, 7, 0), least = length(d, 13);
@@ -140,7 +140,7 @@ static double next_peck(const struct drilling *d, double peck)
 }
 
 /*
- * CYCLE83: to FDEP first, then in pecks. All of it lies on one line between the safe plane and the bottom; where the
+ * CYCLE83: first to FDEP, then in pecks. All moves are on one line between the safe plane and the bottom. If the
  * control divides the last two pecks differently, only the time differs.
  */
 static bool deep(struct drilling *d)
@@ -171,7 +171,7 @@ static bool deep(struct drilling *d)
 	return feed(d, d->height.bottom) && dwell(d, 8) && rapid(d, d->height.clear);
 }
 
-/* The pitch of a metric thread by its size (MPIT): DIN 13, coarse. 0: not known. */
+/* The pitch of a metric thread from its size (MPIT): DIN 13, coarse. 0: not known. */
 static double metric_pitch(double size)
 {
 	static const double threads[][2] = {{3, 0.5}, {4, 0.7}, {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5},
@@ -186,7 +186,7 @@ static double metric_pitch(double size)
 	return 0;
 }
 
-/* Into the hole and out of it at the rate of the thread. */
+/* Into the hole and out of it, at the feed of the thread. */
 static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 {
 	if (!(pitch > 0 && speed > 0))
@@ -198,7 +198,7 @@ static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 	       rapid(d, d->height.clear);
 }
 
-/* PITA: what PIT counts: 0 and 1 mm, 2 threads in an inch, 3 inches, 4 modules. */
+/* PITA, the unit of PIT: 0 and 1 mm, 2 threads per inch, 3 inches, 4 modules. */
 static double pitch_of(const struct drilling *d, size_t size, size_t pitch, size_t unit)
 {
 	const double value = fabs(argument(d, pitch, 0));
@@ -227,7 +227,7 @@ static bool tap_floating(struct drilling *d)
 	return tap(d, pitch_of(d, 9, 10, 12), d->interp->state.speed, 5);
 }
 
-/* CYCLE85: in at FFR, out at RFF. */
+/* CYCLE85: in with the feed FFR, out with RFF. */
 static bool ream(struct drilling *d)
 {
 	const double scale = sinumerik_of(d->interp)->feed_scale;
@@ -241,7 +241,10 @@ static bool ream(struct drilling *d)
 	return feed(d, d->height.safe) && rapid(d, d->height.clear);
 }
 
-/* CYCLE86: the spindle stops at an angle, the tool is lifted off the wall by RPA, RPO and RPAP, and leaves at G0. */
+/*
+ * CYCLE86: the spindle stops at an angle, the tool moves away from the wall by RPA, RPO and RPAP, and retracts with
+ * G0.
+ */
 static bool bore_oriented(struct drilling *d)
 {
 	const slot_values start = d->at;
@@ -258,7 +261,7 @@ static bool bore_oriented(struct drilling *d)
 	return rapid(d, d->height.clear);
 }
 
-/* CYCLE87 and CYCLE88: M5 M0 at the bottom; then the tool leaves at G0. */
+/* CYCLE87 and CYCLE88: M5 M0 at the bottom; then the tool retracts with G0. */
 static bool bore_stopped(struct drilling *d, bool dwells, size_t direction)
 {
 	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->height.safe) &&
@@ -285,8 +288,8 @@ static bool bore_feed(struct drilling *d)
 static const struct cycle {
 	const char *name;
 	bool (*run)(struct drilling *d);
-	size_t axis;	/* where _AXN is among its arguments; 0: it has none */
-	size_t modes;	/* where _GMODE is, with _DMODE and _AMODE behind it; 0: it has none of them */
+	size_t axis;	/* the index of _AXN among the arguments; 0: there is none */
+	size_t modes;	/* the index of _GMODE; _DMODE and _AMODE follow it; 0: there is none of them */
 } cycles[] = {
 	{"CYCLE81", drill, 0, 6},
 	{"CYCLE82", counterbore, 0, 6},
@@ -314,7 +317,7 @@ bool sinumerik_cycle_drills(const char *name)
 	return find(name) != NULL;
 }
 
-/* _AXN: 1, 2 and 3 name the geometry axis that drills, whatever the plane; 0 leaves it to the plane. */
+/* _AXN: 1, 2 and 3 select the drilling axis, independent of the plane; with 0 the plane selects it. */
 static bool check_axis(const struct drilling *d, size_t i)
 {
 	const double axis = i > 0 ? argument(d, i, 0) : 0;
@@ -327,8 +330,8 @@ static bool check_axis(const struct drilling *d, size_t i)
 }
 
 /*
- * _GMODE, tens: 1 is a depth by the diameter of the countersink (CYCLE81), or one of the drill's shank, which goes
- * deeper by its tip: both need the angle of the tip.
+ * _GMODE, tens: 1 is a depth given by the diameter of the countersink (CYCLE81), or the depth of the drill's shank,
+ * so that the tip goes deeper. Both need the angle of the tip.
  */
 static bool check_geometry(const struct drilling *d, size_t i)
 {

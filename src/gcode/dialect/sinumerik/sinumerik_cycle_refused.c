@@ -5,7 +5,7 @@
 
 const char *sinumerik_cycle_refused(const char *name)
 {
-	/* The first one that fits holds. */
+	/* The first row that matches is used. */
 	static const struct {
 		const char *start, *what;
 	} refused[] = {
@@ -27,7 +27,7 @@ const char *sinumerik_cycle_refused(const char *name)
 	};
 	const size_t digits = !strncmp(name, "CYCLE", 5) ? strspn(name + 5, "0123456789") : 0;
 
-	/* CYCLE_OWN and CYCLEs with other numbers are subprograms as any other. */
+	/* CYCLE_OWN, and CYCLE with other numbers, are ordinary subprograms. */
 	for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]) && digits > 0 && !name[5 + digits]; i++) {
 		if (!strncmp(name, refused[i].start, strlen(refused[i].start)))
 			return refused[i].what;

@@ -99,7 +99,7 @@ static const struct expr_operator operators[] = {
 	{"/", EXPR_DIVIDE, 9, false}, {"div", EXPR_INTEGER_DIVIDE, 9, false}, {"mod", EXPR_MODULO, 9, false},
 };
 
-/* As people mean it who leave the parentheses out: comparisons before AND, XOR and OR. */
+/* The order that people mean if they omit the parentheses: comparisons before AND, XOR and OR. */
 static const struct expr_operator meant[] = {
 	{"or", EXPR_OR, 1, false},   {"xor", EXPR_XOR, 2, false},     {"and", EXPR_AND, 3, false},
 	{"==", EXPR_EQ, 4, false},   {"<>", EXPR_NE, 4, false},	      {">=", EXPR_GE, 4, false},
@@ -117,7 +117,7 @@ static bool no_function(struct expr *expr, int column, const struct function_nam
 	return fault(expr->lexer->at, column, "a value is needed here");
 }
 
-/* All but the operators. */
+/* All rules except the operators. */
 #define RULES(table) \
 	.open = '(', \
 	.close = ')', \
@@ -136,8 +136,8 @@ static const struct expr_rules rules = {RULES(operators)};
 static const struct expr_rules meant_rules = {RULES(meant)};
 
 /*
- * The manual's table has AND, XOR and OR before comparisons, which a program without parentheses hardly means: where
- * both orders come to the same, that holds, and else the program must say it.
+ * In the table of the manual, AND, XOR and OR come before comparisons. A program without parentheses hardly means
+ * this. If both orders give the same value, that value is used; else the program must write parentheses.
  */
 static bool check_meant(struct interp *interp, struct lexer *lexer, size_t start, double value)
 {

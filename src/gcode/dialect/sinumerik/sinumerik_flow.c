@@ -18,7 +18,7 @@ struct flow {
 	struct interp *interp;
 	struct lexer *lexer;
 	struct sinumerik *sinumerik;
-	int column;	/* of the statement's word */
+	int column;	/* of the word of the statement */
 };
 
 static bool go(const struct flow *flow, const struct position *to)
@@ -56,7 +56,10 @@ static struct sinumerik_loop *top_loop(const struct flow *flow)
 	return loop && loop->level == sinumerik->calls.level ? loop : NULL;
 }
 
-/* The loop that begins in the line in hand: the one under way, or a new one. NULL: there are too many, reported. */
+/*
+ * The loop that begins in the current line: the active one, or a new one. NULL: there are too many, which was
+ * reported.
+ */
 static struct sinumerik_loop *begin(const struct flow *flow, enum sinumerik_loop_kind kind)
 {
 	struct sinumerik *sinumerik = flow->sinumerik;
@@ -102,7 +105,7 @@ static bool run_loop(struct flow *flow)
 	return begin(flow, SINUMERIK_LOOP) && at_end(flow);
 }
 
-/* The variable that FOR counts: an R parameter or an INT or REAL of the program. NULL: reported. */
+/* The variable that FOR counts: an R parameter, or an INT or REAL of the program. NULL: an error was reported. */
 static double *counter(const struct flow *flow)
 {
 	const int column = expr_column(flow->lexer);
@@ -180,7 +183,7 @@ static bool run_closing(struct flow *flow, const struct closing *closing)
 	if (!at_end(flow))
 		return false;
 	loop->again = true;
-	/* Behind a fault every block is read once: what a condition would be is not known. */
+	/* After an error every block is read once, because the value of a condition is not known any more. */
 	if (!ends && !flow->interp->faulty)
 		return go(flow, &loop->start);
 	flow->sinumerik->loops.count--;
@@ -200,7 +203,7 @@ static bool close_of(enum sinumerik_loop_kind kind, enum sinumerik_close *close)
 	return true;
 }
 
-/* Loops that do not hold the line are left. */
+/* The jump leaves all loops that do not contain the line. */
 static bool leave_loops(const struct flow *flow, long line)
 {
 	struct sinumerik_loop *loop;
@@ -224,13 +227,13 @@ static bool leave_loops(const struct flow *flow, long line)
 struct jump {
 	bool given;	/* a word of a jump */
 	bool may_miss;	/* GOTOC */
-	bool to_start;	/* GOTOS, which has no target */
+	bool to_start;	/* GOTOS: it has no target */
 	enum sinumerik_direction direction;
 	char target[SINUMERIK_NAME + 1];
 	int column;
 };
 
-/* "GOTOF LABEL", if a jump comes next. False: reported. */
+/* Executes "GOTOF LABEL" if a jump comes next. False: an error was reported. */
 static bool read_jump(const struct flow *flow, struct jump *jump)
 {
 	static const struct {
@@ -309,7 +312,7 @@ static bool run_goto(struct flow *flow, size_t word)
 	return read_jump(flow, &jump) && at_end(flow) && make_jump(flow, &jump);
 }
 
-/* IF ... ENDIF, or IF condition GOTOF label, which may stand in a line several times. */
+/* IF ... ENDIF, or IF condition GOTOF label. A line may have several of the latter. */
 static bool run_if(struct flow *flow)
 {
 	struct position behind;

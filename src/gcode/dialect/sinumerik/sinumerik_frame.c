@@ -8,7 +8,7 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-/* Factors of a scale are equal, and directions are at right angles, within this much. */
+/* Two scale factors are equal, and two directions are perpendicular, within this tolerance. */
 #define SAME_SCALE 1e-12
 
 /* Degrees */
@@ -42,7 +42,7 @@ bool sinumerik_frame_resizes(const struct interp *interp)
 
 	if (!frame->on || !frame->distorts)
 		return false;
-	/* Of a matrix that keeps lengths the rows are unit vectors at right angles. */
+	/* The rows of a matrix that keeps lengths are perpendicular unit vectors. */
 	for (int i = 0; i < 3; i++) {
 		if (fabs(vec3_norm(rows[i]) - 1) > DIRECTION_TOLERANCE ||
 		    fabs(vec3_dot(rows[i], rows[(i + 1) % 3])) > DIRECTION_TOLERANCE)
@@ -135,11 +135,11 @@ const slot_values *sinumerik_frame_place(struct interp *interp)
 void sinumerik_frame_moved(struct interp *interp)
 {
 	sinumerik_of(interp)->place.known = false;
-	/* CT does not go on from such a motion. */
+	/* CT cannot continue such a motion. */
 	sinumerik_of(interp)->tangent.known = false;
 }
 
-/* What rotated_frame.h needs to know of a matrix that may mirror and scale. */
+/* The data that rotated_frame.h needs of a matrix that may mirror and scale. */
 static void describe_frame(struct rotated_frame *frame, const mat3 *matrix)
 {
 	const vec3 xyz[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -199,8 +199,9 @@ static mat3 turn_about(int slot, double angle)
 }
 
 /*
- * 840D sl, "Programmable rotation (ROT, AROT, RPL)": with several angles in a block the order is Z, Y, X by RPY (the
- * default of MD10600): about Z first, then about the new Y, then about the new X. RPL turns in the working plane.
+ * 840D sl, "Programmable rotation (ROT, AROT, RPL)": several angles in one block are executed in the order Z, Y, X by
+ * RPY (the default of MD10600): about Z, then about the new Y, then about the new X. RPL rotates in the working
+ * plane.
  */
 static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *turn)
 {
@@ -231,9 +232,9 @@ static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *w
 }
 
 /*
- * Function manual K2, "ROTS, AROTS, CROTS": the angle named Y turns X about Y into the line where the new plane meets
- * that of X and Z, the angle named X turns Y about X into the line where it meets that of Y and Z; X stays in its old
- * plane with Z. The same goes for Z and X, and for Y and Z.
+ * Function manual K2, "ROTS, AROTS, CROTS": the angle named Y rotates X about Y, into the line in which the new plane
+ * meets the plane of X and Z. The angle named X rotates Y about X, into the line in which the new plane meets the
+ * plane of Y and Z. X stays in its old plane with Z. The same holds for Z and X, and for Y and Z.
  */
 bool sinumerik_frame_solid(int third, vec3 angles, mat3 *matrix)
 {
@@ -278,7 +279,7 @@ static bool scale_by(struct interp *interp, const struct sinumerik_frame_words *
 	return true;
 }
 
-/* Naming an axis reverses it, whatever its value (MD10610 = 0, the default, reverses about the axis named). */
+/* MIRROR reverses each named axis, whatever its value is (MD10610=0, the default). */
 static mat3 mirror_of(const struct sinumerik_frame_words *words)
 {
 	return (mat3){{words->has[SLOT_X] ? -1 : 1, 0, 0},
@@ -314,8 +315,8 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 }
 
 /*
- * "Axial zero offset (G58, G59)": of the axes named, G58 replaces the shift of TRANS, and G59 what ATRANS has added;
- * the other part stays.
+ * "Axial zero offset (G58, G59)": for the named axes, G58 replaces the shift of TRANS, and G59 the shift that ATRANS
+ * has added. The other part remains.
  */
 static bool set_axial(struct interp *interp, const struct sinumerik_frame_words *words)
 {
@@ -337,8 +338,8 @@ static bool set_axial(struct interp *interp, const struct sinumerik_frame_words 
 }
 
 /*
- * 840D sl, "Frame instructions": TRANS, ROT, SCALE and MIRROR delete the whole programmable frame first; without words
- * that is all they do. The forms with A add to it, in its own coordinates.
+ * 840D sl, "Frame instructions": TRANS, ROT, SCALE and MIRROR first delete the whole programmable frame; without
+ * words they do nothing else. The forms with A are added to the frame, in its own coordinates.
  */
 bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_words *words)
 {

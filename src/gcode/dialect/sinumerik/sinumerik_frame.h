@@ -1,27 +1,27 @@
-/* sinumerik_frame.h - program coordinates and positions: frames (TRANS, ROT, SCALE, MIRROR) before the work offset. */
+/* sinumerik_frame.h - program coordinates and positions: frames (TRANS, ROT, SCALE, MIRROR) and the work offset. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FRAME_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FRAME_H
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
- * position = offset + shift + matrix p for X Y Z of the program coordinates p: `offset` is the work offset and the
- * tool length in force, matrix and shift are those of the frames. The whole is put into state.shift where the frames
- * only shift, and else into state.frame (rotated_frame.h), whose matrix may mirror and scale here.
+ * position = offset + shift + matrix p, for X Y Z and the program coordinates p. `offset` is the sum of the active
+ * work offset and tool length; matrix and shift are those of the frames. If the frames only shift, all of it is put
+ * into state.shift, else into state.frame (rotated_frame.h), whose matrix may mirror and scale here.
  */
 
-/* Program coordinates of the present position, mm and degrees. */
+/* The program coordinates of the present position, mm and degrees. */
 const slot_values *sinumerik_frame_place(struct interp *interp);
 
 /* The straight position (rotated_frame.h) of program coordinates. */
 slot_values sinumerik_frame_straight(const struct interp *interp, const slot_values *place);
 
-/* Call after the position was changed by other means than program coordinates. */
+/* Call after the position was changed in another way than by program coordinates. */
 void sinumerik_frame_moved(struct interp *interp);
 
 /*
- * Call after a change of frames, offsets or lengths, with sinumerik_frame_place before it: an increment may count from
- * the program coordinates of before. False: reported at the column.
+ * Call after a change of frames, offsets or lengths, and call sinumerik_frame_place before the change: an increment
+ * may be relative to the program coordinates before it. False: reported at the column.
  */
 bool sinumerik_frame_changed(struct interp *interp, int column);
 
@@ -35,20 +35,20 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
 /*
- * The same for the plane across one of X, Y and Z, which it keeps at right angles to that axis: a circle in it stays
- * one, whatever becomes of its height.
+ * The same for the plane perpendicular to one of X, Y and Z, if the frame keeps this axis perpendicular to it: a
+ * circle in the plane stays a circle, whatever the scale of its height is.
  */
 bool sinumerik_frame_scale_plane(const mat3 *matrix, enum axis_slot across, double *factor);
 
-/* Do the active frames change lengths in any direction (SCALE)? Rotation and mirroring do not. */
+/* Do the active frames change lengths in a direction (SCALE)? Rotation and mirroring do not. */
 bool sinumerik_frame_resizes(const struct interp *interp);
 
 struct sinumerik_frame sinumerik_frame_none(void);
 
 /*
- * The matrix of a plane by two solid angles in degrees, those about the two axes beside `third` (a slot): each turns
- * the other axis about its own into the plane, and the first of the two stays in its old plane with the third. False:
- * there is no such plane.
+ * The matrix of a plane by two solid angles in degrees, about the two axes other than `third` (a slot). Each angle
+ * rotates the other axis about its own axis into the plane, and the first axis stays in its old plane with the third.
+ * False: there is no such plane.
  */
 bool sinumerik_frame_solid(int third, vec3 angles, mat3 *matrix);
 
@@ -60,7 +60,7 @@ enum sinumerik_frame_code {
 /* The words of such a statement. */
 struct sinumerik_frame_words {
 	enum sinumerik_frame_code code;
-	bool added;	/* the A... form: behind what is in force; G59 */
+	bool added;	/* the A... form: added to the active frame; G59 */
 	bool has[SLOT_COUNT];
 	double value[SLOT_COUNT];	/* TRANS: mm and degrees */
 	bool has_plane_angle;	/* RPL */
@@ -68,7 +68,7 @@ struct sinumerik_frame_words {
 	int column;
 };
 
-/* Carries one out. False: reported. */
+/* Executes such a statement. False: reported. */
 bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_words *words);
 
 #endif

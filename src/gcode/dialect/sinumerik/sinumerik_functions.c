@@ -5,7 +5,7 @@
 
 enum own { OWN_NONE, OWN_SQUARE, OWN_TRUNC, OWN_ROUND, OWN_ROUND_UP, OWN_LEAST, OWN_MOST, OWN_ATAN2, OWN_BOUND };
 
-/* 840D sl, job planning, "Arithmetic functions". Those of function.h have no `own`. */
+/* 840D sl, job planning, "Arithmetic functions". Functions of function.h have OWN_NONE. */
 static const struct known {
 	struct function_name name;
 	enum own own;
@@ -83,7 +83,7 @@ static bool read_arguments(struct expr *expr, const struct known *known, double 
 	return true;
 }
 
-/* NOT and B_NOT stand before their value and bind more than any operator. */
+/* NOT and B_NOT stand before their value, and bind more strongly than any operator. */
 static bool negate(struct expr *expr, bool bits, int column, double *value)
 {
 	struct expr_operand operand;

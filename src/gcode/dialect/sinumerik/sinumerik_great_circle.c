@@ -7,7 +7,7 @@
 #include "gcode/execute/great_circle_pieces.h"
 #include "gcode/execute/motion_commands.h"
 
-/* The target's rotary positions, or those of the way where `rotary` is given, and the part `s` of its linear way. */
+/* The rotary positions of the target, or those on the path if `rotary` is given; `s` is the part of the linear path. */
 static bool go_to(struct interp *interp, const slot_values *start, const slot_values *target, double s,
 		  const axis_values *rotary, struct canon_move *move)
 {
@@ -49,7 +49,7 @@ static bool check_end(struct interp *interp, int column, const axis_values *rota
 	return true;
 }
 
-/* True: the block goes evenly, which its first piece finds out before anything has moved. */
+/* True: the axes turn evenly in this block. The first piece finds this out, before anything has moved. */
 static bool near_pole(struct interp *interp, int column, bool *pole)
 {
 	*pole = interp->config->controller.orientation_pole == ORIENTATION_POLE_AXES;
@@ -112,7 +112,10 @@ bool sinumerik_great_circle_go(struct interp *interp, int column, const slot_val
 		return true;
 	if (angle > GREAT_CIRCLE_SAME_DIRECTION)
 		return great_circle_pieces_go(interp, column, &way, go_piece, &follower);
-	/* The direction stays, and so do the axes, unless the block turns one that the tool lies along. */
+	/*
+	 * The direction does not change, and neither do the axes, unless the block turns an axis that is parallel to
+	 * the tool.
+	 */
 	if (!direction && !check_end(interp, column, &interp->state.canonical, &last))
 		return false;
 	return go_to(interp, &start, target, 1, &interp->state.canonical, &whole);

@@ -91,7 +91,7 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
 	return true;
 }
 
-/* "2,0]": the element, in one spelling. False: it is none of the array. */
+/* "2,0]": the element, in one spelling. False: the array has no such element. */
 static bool find_element(const struct sinumerik_variable *variable, const char *text, size_t *element)
 {
 	*element = 0;
@@ -108,7 +108,7 @@ static bool find_element(const struct sinumerik_variable *variable, const char *
 	return variable->dimensions > 0 && *text == '\0';
 }
 
-/* <variable name="NAME[2,0]" value=""/>, and a value of its own for a name that has its type elsewhere. */
+/* <variable name="NAME[2,0]" value=""/>, or the value of a variable that has its type in another element. */
 static bool set_element(struct interp *interp, const struct control_variable *from)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -131,7 +131,7 @@ static bool set_element(struct interp *interp, const struct control_variable *fr
 		       !find_element(&sinumerik->variables.items[found], from->name + length + 1, &element)))
 		return fault(&interp->at, 0, "<variable name=\"%s\"> is no element of that array",
 			     from->name);
-	/* Without a value the program has to assign one, whatever the name holds by its type elsewhere. */
+	/* Without a value, the program has to assign one first. */
 	if (!from->text)
 		sinumerik->variables.items[found].given[element] = false;
 	return !from->text || set_value(interp, &sinumerik->variables.items[found], element, from);
@@ -151,7 +151,10 @@ static bool check_parameter(struct interp *interp, const struct control_variable
 	       fault(&interp->at, 0, "%s: the value of its <variable> is no number", from->name);
 }
 
-/* Lengths and radii of tools come from the setup, and so do work offsets ($P_UIFR); the rest changes. */
+/*
+ * Tool lengths, radii, and work offsets ($P_UIFR) come from the setup; the other variables change while the program
+ * runs.
+ */
 static bool check_system(struct interp *interp, const char *name)
 {
 	const bool of_tool = !strncmp(name, "$TC_DP3[", 8) || !strncmp(name, "$TC_DP6[", 8);
@@ -162,7 +165,7 @@ static bool check_system(struct interp *interp, const char *name)
 		     name);
 }
 
-/* What needs no type of its own: elements, parameters and system variables. */
+/* Names that need no type: elements, R parameters and system variables. */
 static bool set_untyped(struct interp *interp, const struct control_variable *variable)
 {
 	if (variable->name[0] == '$')
@@ -176,7 +179,10 @@ bool sinumerik_gud_make(struct interp *interp)
 	const struct line_place program = interp->at;
 	bool good = true;
 
-	/* What has a type makes the variables; what has none names their elements. */
+	/*
+	 * Elements of the machine file with a type make the variables; those without a type give values to their
+	 * elements.
+	 */
 	for (int typed = 1; typed >= 0; typed--) {
 		for (size_t i = 0; i < controller->variable_count && good; i++) {
 			const struct control_variable *variable = &controller->variables[i];
@@ -203,7 +209,7 @@ double sinumerik_gud_r(const struct interp *interp, int number)
 
 /* -------------------------------------------------------------- what is missing */
 
-/* What stands behind '=', '==' and '<>' tells a text, and so does '<<'. */
+/* A text after '=', '==', '<>' or '<<' shows that the variable is a text. */
 static const char *type_of(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position;
@@ -218,7 +224,7 @@ static const char *type_of(struct lexer *lexer)
 	return *text == '"' ? "STRING" : "";
 }
 
-/* The dimensions of the array whose indices come next; 0: none come. */
+/* The number of dimensions of the array whose indices come next; 0: there are none. */
 static int dimensions_of(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position;

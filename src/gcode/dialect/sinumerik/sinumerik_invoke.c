@@ -49,7 +49,7 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	return true;
 }
 
-/* P=3 behind the arguments of a subprogram. */
+/* P=3 after the arguments of a subprogram. */
 static bool read_repeats(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block, int *repeats)
 {
 	const size_t position = lexer->position;
@@ -68,7 +68,7 @@ static bool read_repeats(struct interp *interp, struct lexer *lexer, const struc
 	return sinumerik_expr_whole(interp, lexer, "P", 1, 9999, repeats);
 }
 
-/* A cycle of the control that moves axes; drilling, patterns and regions have their own tables. */
+/* Cycles of the control that move axes. Drilling, patterns and regions have their own tables. */
 static bool is_other_cycle(const char *name)
 {
 	return !strncmp(name, "CYCLE8", 6) || !strcmp(name, "CYCLE62") || !strcmp(name, "CYCLE72");
@@ -139,8 +139,8 @@ bool sinumerik_invoke_modal(struct interp *interp)
 }
 
 /*
- * 840D sl, job planning, "Modal subprogram call (MCALL)": it is also called without a motion where F or S is given
- * while G0 or G1 holds, and where G0 or G1 stands without axes.
+ * 840D sl, job planning, "Modal subprogram call (MCALL)": the call is also executed without a motion, if the block
+ * has F or S while G0 or G1 is active, or G0 or G1 without axes.
  */
 bool sinumerik_invoke_check(struct interp *interp, const struct sinumerik_block *block)
 {

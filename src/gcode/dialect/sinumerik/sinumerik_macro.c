@@ -8,7 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/eval/expr.h"
 
-/* Macros of a program. */
+/* The maximum number of macros in a program. */
 #define MACROS_MAX 1000
 
 static struct sinumerik_macro *find(const struct sinumerik *sinumerik, const char *name, size_t length)
@@ -25,7 +25,7 @@ static struct sinumerik_macro *find(const struct sinumerik *sinumerik, const cha
 	return NULL;
 }
 
-/* The end of the text, before a comment and the blanks before it. */
+/* The end of the text, before a comment and the blanks that precede it. */
 static size_t text_length(const char *text)
 {
 	size_t length = 0;
@@ -40,7 +40,7 @@ static size_t text_length(const char *text)
 	return length;
 }
 
-/* A statement in the text would begin or end a structure that jumps do not find. False: reported. */
+/* Refuses a statement in the text: it would begin or end a structure, and jumps would not find it. False: reported. */
 static bool check_text(struct lexer text)
 {
 	char name[SINUMERIK_NAME + 1];
@@ -61,8 +61,8 @@ static bool check_text(struct lexer text)
 }
 
 /*
- * 840D sl, job planning, "Macro technique (DEFINE ... AS)". A name that the control knows itself would change what
- * other lines mean, and a part of a structure could not be found from elsewhere: both are refused.
+ * 840D sl, job planning, "Macro technique (DEFINE ... AS)". A name that the control itself knows would change the
+ * meaning of other lines, and a part of a structure could not be found from elsewhere: both are refused.
  */
 bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 {
@@ -113,7 +113,7 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 	size_t at = rest, kept = 0;
 	bool quoted = false;
 
-	/* DEFINE may give a name another text. */
+	/* A second DEFINE gives the name another text. */
 	if (sinumerik->macros.count == 0 || sinumerik_name_take(&lexer, "DEFINE"))
 		return;
 	strbuf_clear(&sinumerik->search.line);

@@ -4,12 +4,12 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* The line behind DEFINE. False: reported. */
+/* Reads the rest of the line after DEFINE. False: reported. */
 bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer);
 
 /*
- * Puts the line in hand with every macro's name replaced in place of it, from `rest` on; strings and comments stay as
- * they are, and names in a macro's text, too. The text lives until the next call.
+ * Replaces the names of macros in the current line, from `rest` on. Strings and comments do not change, and names in
+ * the text of a macro are not replaced. The new text lives until the next call.
  */
 void sinumerik_macro_expand(struct interp *interp, size_t rest);
 

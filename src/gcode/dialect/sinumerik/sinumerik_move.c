@@ -22,12 +22,12 @@
 #define CIRCLE_BITS (1U << SINUMERIK_CR | 1U << SINUMERIK_AR | 1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | \
 		     1U << SINUMERIK_J1 | 1U << SINUMERIK_K1)
 
-/* They stand for coordinates of the plane. */
+/* Words that give coordinates of the plane. */
 #define PLANE_BITS (SINUMERIK_POLAR_BITS | SINUMERIK_LINE_BIT)
 
 /* ------------------------------------------------------------------- lines */
 
-/* What the functions of the other dialects read of a block. */
+/* The data that functions shared with other dialects read of a block. */
 static void show_block(struct interp *interp, const struct sinumerik_block *block, int motion)
 {
 	static const struct {
@@ -50,7 +50,7 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 		shown->column[*letter - 'A'] = block->column[*letter - 'A'];
 	}
 	for (size_t i = 0; i < sizeof(corners) / sizeof(corners[0]); i++) {
-		/* RND=0 and the like are none. */
+		/* RND=0 and the like mean no rounding. */
 		if (!sinumerik_block_has_address(block, corners[i].address) ||
 		    !(block->address_value[corners[i].address] > 0))
 			continue;
@@ -122,9 +122,9 @@ bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool ra
 }
 
 /*
- * 840D sl, "Suppression of frames": SUPA, G53 and G153 leave the tool's offsets in force. While TRAORI is on, what
- * they count from is not certain. A swivelled head turns the tool's length, so that only D0 makes it plain; over a
- * swivelled table the tool stands along Z as before.
+ * 840D sl, "Suppression of frames": with SUPA, G53 and G153 the tool offsets stay active. While TRAORI is on, their
+ * zero is not certain. A swivelled head rotates the tool length, so it needs D0. Over a swivelled table the tool is
+ * parallel to Z, as before.
  */
 static bool go_in_machine(struct interp *interp, const struct sinumerik_block *block, struct canon_move *move)
 {
@@ -143,7 +143,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 		    &interp->at, column,
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
 		    "swivelled; write D0 beside it");
-	/* The machine's axes lie otherwise than those that a swivelled tool is guided along. */
+	/* The axes of the machine are not parallel to those along which a swivelled tool is guided. */
 	if (swivelled)
 		sinumerik_open_place_turned(interp);
 	if (!tool_length_suspend(interp, column, &suspended) ||
@@ -198,8 +198,8 @@ static bool is_thread(int motion)
 }
 
 /*
- * 840D sl, "Thread cutting (G33)" and "Rigid tapping (G331, G332)": straight along one axis, by its pitch (I, J, K) in
- * each turn of the spindle.
+ * 840D sl, "Thread cutting (G33)" and "Rigid tapping (G331, G332)": a straight move along one axis, by the pitch (I,
+ * J, K) in each revolution of the spindle.
  */
 static bool run_thread(struct interp *interp, const struct sinumerik_block *block, bool machine)
 {
@@ -223,7 +223,7 @@ static bool run_thread(struct interp *interp, const struct sinumerik_block *bloc
 	return sinumerik_target_find(interp, block, &target) && arrive(interp, &target, &move, NULL);
 }
 
-/* "Tapping with compensating chuck (G63)": straight at the programmed feed, for its block. */
+/* "Tapping with compensating chuck (G63)": a straight move with the programmed feed, in this block only. */
 bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true, .turn = TURN_OF_TAP};
@@ -323,8 +323,9 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 }
 
 /*
- * 840D sl, "Traverse positioning axes (POS)": the block ends when the axis is there. It goes by itself, so that beside
- * others in the block no common way is known; frames that turn make one axis of the program several of the machine.
+ * 840D sl, "Traverse positioning axes (POS)": the block ends when the axis has arrived. Each axis moves by itself, so
+ * the common path of several axes is not known. With frames that rotate, one axis of the program is several axes of
+ * the machine.
  */
 static bool run_position(struct interp *interp, const struct sinumerik_block *block)
 {

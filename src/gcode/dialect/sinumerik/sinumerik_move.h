@@ -5,15 +5,15 @@
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 /*
- * Carries out the motion that the block's words ask for. False: reported, or the sink wants no more. *moved: the
- * block has words of axes in program coordinates, after which a modal call is due.
+ * Executes the motion that the words of the block command. False: reported, or the sink wants no more. *moved: the
+ * block has axis words in program coordinates, so a modal call follows.
  */
 bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *block, bool *moved);
 
 /* G63 of the block. False: as above. */
 bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *block);
 
-/* A move to program coordinates, at the rapid rate or at the feed in force. False: as above. */
+/* Moves to program coordinates, at the rapid rate or with the active feed. False: as above. */
 bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool rapid);
 
 #endif

@@ -1,10 +1,10 @@
-/* sinumerik_name.h - names, and single bytes between them, in a line. */
+/* sinumerik_name.h - reads names, and single bytes between them, in a line. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 
 #include "gcode/text/lexer.h"
 
-/* 840D sl, NC programming: 32 bytes a name. */
+/* 840D sl, NC programming: a name has at most 32 bytes. */
 #define SINUMERIK_NAME 32
 
 /* An upper-case letter; other bytes stay as they are. */
@@ -18,7 +18,7 @@ static inline bool sinumerik_is_digit(char byte)
 	return byte >= '0' && byte <= '9';
 }
 
-/* Letters and '_': what a name starts with. */
+/* The bytes that a name starts with: letters and '_'. */
 static inline bool sinumerik_is_letter(char byte)
 {
 	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
@@ -29,24 +29,24 @@ static inline bool sinumerik_is_name(char byte)
 	return sinumerik_is_letter(byte) || sinumerik_is_digit(byte);
 }
 
-/* All of these read at the lexer's position. */
+/* All functions below read at the position of the lexer. */
 
 /*
- * A name in upper case: letters, digits and '_'; or with a '$' before it, a system variable. Its length, or 0 if none
- * comes next or it is too long; nothing was taken then. The name may have blanks before it.
+ * Reads a name, in upper case: letters, digits and '_'; with a '$' before it, a system variable. Blanks may precede
+ * it. Returns its length; 0: no name comes next, or it is too long, and nothing is consumed.
  */
 size_t sinumerik_name_read(struct lexer *lexer, char name[SINUMERIK_NAME + 1]);
 
-/* Takes this name, in upper case, if it comes next as a whole. */
+/* Consumes this upper-case name if it comes next as a whole. */
 bool sinumerik_name_take(struct lexer *lexer, const char *name);
 
-/* Takes the byte if it is the next that is no blank. */
+/* Consumes the byte if it is the next one that is no blank. */
 bool sinumerik_name_take_byte(struct lexer *lexer, char byte);
 
-/* Steps over "(...)", strings included, if '(' comes next. False: it is not closed, reported. */
+/* Skips "(...)", with the strings in it, if '(' comes next. False: it is not closed, which was reported. */
 bool sinumerik_name_step_over_call(struct lexer *lexer);
 
-/* The byte has to come next; `after` says in the message behind what. */
+/* Consumes this byte, which must come next; `after` names in the message what precedes it. False: reported. */
 bool sinumerik_name_need(struct lexer *lexer, char byte, const char *after);
 
 #endif

@@ -9,7 +9,7 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
 {
 	const double *loose = interp->comp.loose;
 
-	/* Cutter compensation, which leaves axes aside, too, does not begin before this has ended. */
+	/* Cutter compensation also makes positions uncertain; it does not start before this uncertainty has ended. */
 	if (!sinumerik_of(interp)->open.on || !(loose[SLOT_X] > 0 || loose[SLOT_Y] > 0 || loose[SLOT_Z] > 0))
 		return true;
 	return fault(&interp->at, column,
@@ -18,7 +18,7 @@ bool sinumerik_open_place_check(const struct interp *interp, int column, const c
 		     what);
 }
 
-/* What the box reaches along the controller's axes. */
+/* The extent of the box along the controller's axes. */
 static void set_loose(struct interp *interp)
 {
 	const vec3 *side = sinumerik_of(interp)->open.box.half;
@@ -29,7 +29,7 @@ static void set_loose(struct interp *interp)
 	loose[SLOT_Z] = fabs(side[0].z) + fabs(side[1].z) + fabs(side[2].z);
 }
 
-/* A box that reaches so far along the axes of the program, mm, as the controller sees it. */
+/* A box with this extent along the axes of the program (mm), in the coordinates of the controller. */
 static struct parallel_box box_about_place(const struct interp *interp, const double half[SLOT_Z + 1])
 {
 	const struct state *state = &interp->state;
@@ -45,7 +45,7 @@ void sinumerik_open_place_set(struct interp *interp, const double half[SLOT_Z + 
 
 	sinumerik->open.box = box_about_place(interp, half);
 	sinumerik->open.on = true;
-	/* In turned coordinates only the dialect knows what the words of a block take back. */
+	/* In rotated coordinates, only the dialect knows which uncertainty the words of a block end. */
 	interp->comp.keeps_loose = true;
 	set_loose(interp);
 }
@@ -59,7 +59,7 @@ void sinumerik_open_place_take_over(struct interp *interp)
 	sinumerik->open.on = interp->comp.keeps_loose = true;
 }
 
-/* How far the box reaches along the axes of the program that are in force now. */
+/* The extent of the box along the current axes of the program. */
 static void extent(const struct interp *interp, double along[SLOT_Z + 1])
 {
 	along[SLOT_X] = along[SLOT_Y] = along[SLOT_Z] = 0;
@@ -102,7 +102,10 @@ void sinumerik_open_place_settle_machine(struct interp *interp, uint32_t letters
 	sinumerik_of(interp)->open.box = parallel_moves_box(loose);
 }
 
-/* The tool lies along the machine's Z and stands on the plane, so that heights over the plane are heights along Z. */
+/*
+ * The tool is parallel to the Z axis of the machine and perpendicular to the plane, so heights above the plane are
+ * heights along Z.
+ */
 static void lay_upright(struct interp *interp)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -140,7 +143,7 @@ bool sinumerik_open_place_go(struct interp *interp, const slot_values *target, c
 	struct parallel_box about_it;
 	double all[SLOT_Z + 1];
 
-	/* From where another cycle has left the tool. */
+	/* The tool is where another cycle has left it. */
 	extent(interp, all);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		all[slot] += half[slot];

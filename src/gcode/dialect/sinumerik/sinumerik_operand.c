@@ -69,7 +69,7 @@ bool sinumerik_operand_r_number(struct expr *expr, const char *name, int *number
 	return true;
 }
 
-/* A variable of the type AXIS names the axis; else `slot` stays. */
+/* Takes the axis from a variable of the type AXIS; else `slot` does not change. */
 static bool axis_of_variable(struct expr *expr, const char *name, int column, int *slot)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(expr->context);
@@ -116,7 +116,7 @@ static bool tool_value(struct expr *expr, const char *name, int column, double *
 	       sinumerik_system_edge(interp, name, tool, edge, column, value);
 }
 
-/* $P_UIFR[n, axis, component]: of a settable work offset. */
+/* $P_UIFR[n, axis, component]: a value of a settable work offset. */
 static bool offset_value(struct expr *expr, int column, double *value)
 {
 	struct interp *interp = expr->context;
@@ -133,7 +133,7 @@ static bool offset_value(struct expr *expr, int column, double *value)
 	       sinumerik_system_offset(interp, n, slot, component, column, value);
 }
 
-/* Is the index of a system variable, which comes next, the name of an axis and nothing else? */
+/* Is the index of a system variable, which comes next, only the name of an axis? */
 static bool index_is_axis(struct lexer *lexer)
 {
 	const size_t position = lexer->position;
@@ -145,7 +145,7 @@ static bool index_is_axis(struct lexer *lexer)
 	return is;
 }
 
-/* "[1,X]": numbers and axes, as they are now. */
+/* Writes "[1,X]" with the present values of the indices. */
 static bool read_indices(struct expr *expr, char *text, size_t size)
 {
 	struct lexer *lexer = expr->lexer;
@@ -235,7 +235,7 @@ static bool tool_number(struct expr *expr, int column, double *value)
 	return tool || tool_table_lacks_name(at, column, name.bytes);
 }
 
-/* R1, R[R2], a variable of DEF, a system variable, a function, or one of the constants. */
+/* A variable of DEF, a system variable, a function, or a constant. */
 static bool named(struct expr *expr, const char *name, int column, struct expr_operand *value)
 {
 	struct interp *interp = expr->context;
@@ -277,7 +277,7 @@ static bool is_r(const char *name)
 	return name[1 + strspn(name + 1, "0123456789")] == '\0';
 }
 
-/* 'H1F', 'B101': whole numbers to the base of 16 or 2. */
+/* 'H1F', 'B101': whole numbers to the base 16 or 2. */
 static bool constant_value(struct lexer *lexer, double *value)
 {
 	static const char digits[] = "0123456789ABCDEF";
@@ -294,7 +294,7 @@ static bool constant_value(struct lexer *lexer, double *value)
 		if (!digit || digit - digits >= base)
 			return fault(lexer->at, column, "this is no whole number to the base of %d", base);
 		*value = *value * base + (double)(digit - digits);
-		/* INT has 32 bits: with the first one the number might be negative. */
+		/* INT has 32 bits: a number with the first bit set might be negative. */
 		if (*value > LARGEST_WHOLE)
 			return fault(lexer->at, column, "a number of more than 31 bits");
 	}
@@ -304,7 +304,7 @@ static bool constant_value(struct lexer *lexer, double *value)
 	return true;
 }
 
-/* 840D sl operating manual, "R variables": they keep their values, also while the control is off. */
+/* 840D sl, operating manual, "R variables": they keep their values, also while the control is off. */
 static bool r_value(struct expr *expr, const char *name, int column, double *value)
 {
 	struct interp *interp = expr->context;
@@ -319,7 +319,7 @@ static bool r_value(struct expr *expr, const char *name, int column, double *val
 	*value = *r;
 	if (!isnan(*r))
 		return true;
-	/* Told once. */
+	/* Reported once. */
 	*r = 0;
 	return fault(expr->lexer->at, column,
 		     "R%d keeps its value from one program to the next, and this one has given it none so far: "

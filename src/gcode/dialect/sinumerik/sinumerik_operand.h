@@ -1,4 +1,4 @@
-/* sinumerik_operand.h - what stands for a number in an expression: variables, R parameters, functions, constants. */
+/* sinumerik_operand.h - the operands of expressions: variables, R parameters, functions, constants. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_OPERAND_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_OPERAND_H
 

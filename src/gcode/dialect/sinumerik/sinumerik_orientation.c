@@ -10,7 +10,7 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-/* A direction shorter than this has no direction. */
+/* mm: a shorter vector has no direction. */
 #define LEAST_VECTOR 1e-9
 
 static bool has_programmable_frame(const struct interp *interp)
@@ -37,7 +37,7 @@ static bool has_frames(const struct interp *interp)
 	return false;
 }
 
-/* MD10602: TRAORI and TRAFOOF keep frames and work offset, or delete them. */
+/* MD10602: TRAORI and TRAFOOF keep the frames and the work offset, or delete them. */
 static bool outlive(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -65,7 +65,7 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct state *state = &interp->state;
 
-	/* No transformation is active that TRAFOOF would end. */
+	/* There is no active transformation that TRAFOOF would end. */
 	if (sinumerik->frames.swivelled && !on)
 		return true;
 	if (sinumerik->frames.swivelled)
@@ -100,7 +100,7 @@ bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_
 				     block->code_column[SINUMERIK_TRANSFORM]);
 }
 
-/* How far the rotary axes go to a solution: the axis with the longest way counts. */
+/* The distance to a solution: that of the rotary axis that turns the most. */
 static double way_to(const axis_values *from, const axis_values *to)
 {
 	double most = 0;
@@ -111,8 +111,8 @@ static double way_to(const axis_values *from, const axis_values *to)
 }
 
 /*
- * Of two solutions the one with the shorter way (840D sl, function manual F2, "Singular positions and how they are
- * handled": the solution nearest to where the axes are). An axis that any angle suits stays.
+ * Of two solutions, the nearer one is taken (840D sl, function manual F2, "Singular positions and how they are
+ * handled"). An axis for which any angle is right does not move.
  */
 static bool choose_nearest(struct interp *interp, int column, const struct kinematics_orientation *orientation,
 			   axis_values *rotary)
@@ -159,9 +159,10 @@ static double given_or_zero(const struct sinumerik_block *block, enum sinumerik_
 }
 
 /*
- * 840D sl, job planning, "Programming the tool orientation", A2= B2= C2=: by Euler's angles the direction of Z is
- * turned about Z by A2 and about the new X by B2 (C2 then turns the tool about itself); by RPY about Z by C2, about the
- * new Y by B2 and about the new X by A2; by ORIRPY2 about X by A2 and about the new Y by B2.
+ * 840D sl, job planning, "Programming the tool orientation", A2= B2= C2=. With Euler angles the direction of Z is
+ * rotated about Z by A2, and about the new X by B2 (C2 then turns the tool about itself). With RPY it is rotated
+ * about Z by C2, about the new Y by B2, and about the new X by A2. With ORIRPY2 it is rotated about X by A2, and
+ * about the new Y by B2.
  */
 static bool angles_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
 {
@@ -193,7 +194,7 @@ static bool angles_direction(struct interp *interp, const struct sinumerik_block
 	return true;
 }
 
-/* The direction of A3=, B3=, C3=, or of A2= B2= C2=, which frames turn, as a unit. False: reported. */
+/* The direction of A3=, B3=, C3=, or of A2= B2= C2=, as a unit vector; frames rotate it. False: reported. */
 static bool find_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
 {
 	const struct state *state = &interp->state;

@@ -1,10 +1,10 @@
-/* sinumerik_orientation.h - TRAORI: the tool's tip is guided, and the tool turns. */
+/* sinumerik_orientation.h - TRAORI: the tip of the tool is guided while the tool turns. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_ORIENTATION_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_ORIENTATION_H
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
-/* Carries out TRAORI, TRAFOOF, ORIWKS, ORIAXES and the like of the block. False: reported. */
+/* Executes TRAORI, TRAFOOF, ORIWKS, ORIAXES and the like of the block. False: reported. */
 bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_block *block);
 
 /* How a block turns the tool. */

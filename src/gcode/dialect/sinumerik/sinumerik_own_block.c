@@ -2,7 +2,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 
-/* Addresses of a motion. Those of a pole are not among them. */
+/* Addresses of a motion, without those of a pole. */
 #define MOTION_ADDRESSES (SINUMERIK_DIRECTION_BITS | SINUMERIK_LINE_BIT | 1U << SINUMERIK_CR | 1U << SINUMERIK_AR | \
 			  1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | 1U << SINUMERIK_J1 | 1U << SINUMERIK_K1 | \
 			  1U << SINUMERIK_CHF | 1U << SINUMERIK_CHR | 1U << SINUMERIK_RND)
@@ -17,7 +17,7 @@ static bool is_limit(int once)
 	return once == SINUMERIK_G(25) || once == SINUMERIK_G(26);
 }
 
-/* The column of the code that takes the words of this block, or 0: there is none but a motion. */
+/* The column of the code that takes the words of this block; 0: only a motion takes them. */
 static int taker_column(const struct sinumerik_block *block)
 {
 	const int once = block->code[SINUMERIK_ONCE];
@@ -35,7 +35,7 @@ static bool refuse(struct interp *interp, int column, int taker)
 		     taker);
 }
 
-/* Words of a motion, which nobody takes. */
+/* Words of a motion that no code takes. */
 static bool check_left(struct interp *interp, const struct sinumerik_block *block, int taker)
 {
 	const uint32_t polar = is_pole(block->code[SINUMERIK_ONCE]) ? 0 : SINUMERIK_POLAR_BITS;
@@ -62,7 +62,7 @@ bool sinumerik_own_block_check(struct interp *interp, const struct sinumerik_blo
 		return true;
 	if (block->positions)
 		return refuse(interp, block->positions_column, taker);
-	/* G0 to G3 only say what the next motion is; threads, CIP and CT need words of their own. */
+	/* G0 to G3 only select the next motion; threads, CIP and CT need words of their own. */
 	if (motion > G3 || (motion != CODE_NONE && is_limit(once) && (block->letters & AXIS_BITS)))
 		return refuse(interp, block->code_column[SINUMERIK_MOTION], taker);
 	if (once == G4 && sinumerik_block_has(block, 'F') && sinumerik_block_has(block, 'S'))

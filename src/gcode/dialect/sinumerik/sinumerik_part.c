@@ -16,7 +16,7 @@ static bool at_end(struct lexer *lexer)
 	return byte == '\0' || byte == ';' || fault(lexer->at, expr_column(lexer), "nothing can follow here");
 }
 
-/* "Program section repetition": the label is looked for towards the start of the program first. */
+/* "Program section repetition": the label is first searched towards the start of the program. */
 static bool find_first(struct interp *interp, const char *name, int column, struct position *to)
 {
 	bool found;
@@ -28,8 +28,8 @@ static bool find_first(struct interp *interp, const char *name, int column, stru
 }
 
 /*
- * Where the part ends: at the first label of the name from its start on. Posts end all of their parts with one name,
- * behind M30; of several before this line, which one counts is not certain.
+ * Finds the end of the part: the first label with this name after its start. Posts end all parts with one name after
+ * M30; if several precede this line, it is not certain which one counts.
  */
 static bool find_last(struct interp *interp, const struct position *first, const char *name, int column, long *last)
 {
@@ -52,7 +52,7 @@ static bool find_last(struct interp *interp, const struct position *first, const
 		     name, end.line, nearest.line);
 }
 
-/* Where a part ends that has a start label only: at the first ENDLABEL behind it, or before this REPEAT. */
+/* Finds the end of a part that has only a start label: the first ENDLABEL after it, or this REPEAT. */
 static bool find_own_end(struct interp *interp, const struct position *first, int column, long *last)
 {
 	struct position end;

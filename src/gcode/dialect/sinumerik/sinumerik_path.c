@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 
-/* CYCLE832, S_TOLM: _OFF, _FINISH, _SEMIFIN, _ROUGH, _PRECISION, and the same + 10 with a tolerance of orientation. */
+/* CYCLE832, S_TOLM: _OFF, _FINISH, _SEMIFIN, _ROUGH, _PRECISION; 10 more: with a tolerance of the orientation. */
 #define WITH_ORIENTATION 10
 #define MODES_END 20
 #define HUNDREDS 100
@@ -18,7 +18,7 @@ static void apply(struct interp *interp)
 
 	state->blend = path->compresses || path->smooths_orientation || path->code != SINUMERIK_G(60);
 	state->blend_turn = radians(path->orientation_tolerance);
-	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
+	/* With G64 and G644 the dynamics of the axes decide, so no tolerance of the program is a bound. */
 	if (path->code == SINUMERIK_G(64) || path->code == SINUMERIK_G(644))
 		state->blend_tolerance = 0;
 	else if (within_control)
@@ -28,9 +28,9 @@ static void apply(struct interp *interp)
 }
 
 /*
- * 840D sl, "Continuous-path mode": ADIS and ADISPOS are the distances from a corner of feeds and of rapids; a corner
- * between the two may be rounded by either. STOLF multiplies the tolerances of rapids. OTOL and ATOL bound the axes
- * that turn the tool. The largest of them holds for all moves here.
+ * 840D sl, "Continuous-path mode": ADIS and ADISPOS are the rounding distances of feeds and of rapids. Either may
+ * round a corner between a feed and a rapid. STOLF multiplies the tolerances of rapids. OTOL and ATOL limit the
+ * rotary axes. Here the largest of them is used for all moves.
  */
 void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *block)
 {
@@ -48,7 +48,7 @@ void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *blo
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]) && block->addresses; i++) {
 		const double value = block->address_value[words[i].address];
 
-		/* A negative tolerance is that of the control's own parameters again. */
+		/* A negative value selects the tolerance of the control's parameters again. */
 		if (sinumerik_block_has_address(block, words[i].address))
 			*words[i].value = fmax(0, words[i].is_length ? sinumerik_target_length(interp, value) : value);
 	}
@@ -67,23 +67,25 @@ static double argument(const struct sinumerik_passed *passed, size_t i, double o
 }
 
 /*
- * 840D sl, "High speed settings (CYCLE832)": the tolerance of the contour, the kind of machining, and with the kinds
- * of _ORI_... the tolerance of the orientation in degrees. _OFF, and no arguments, take the tolerances back. Which of
- * G64 and its like and which compressor it selects is set up by the machine's maker: it blends.
+ * 840D sl, "High speed settings (CYCLE832)": the arguments are the tolerance of the contour, the kind of machining,
+ * and for the kinds _ORI_... the tolerance of the orientation in degrees. _OFF, or no arguments, cancel the
+ * tolerances. The machine's builder decides which of G64 and the like and which compressor the cycle selects; all of
+ * them blend.
  */
 bool sinumerik_path_smooth(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const double tolerance = argument(&sinumerik->passed, 0, 0), given = argument(&sinumerik->passed, 1, 1);
 	/*
-	 * With three arguments it is the form of today, whose hundreds are Top Surface, which smooths within the same.
+	 * Three arguments are the present form. A mode of 100 to 199 is Top Surface, which smooths within the same
+	 * tolerance.
 	 */
 	const double mode =
 	    sinumerik->passed.count > 2 && given >= HUNDREDS && given < 2 * HUNDREDS ? given - HUNDREDS : given;
 	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;
 	const bool turns = on && mode >= WITH_ORIENTATION && mode < MODES_END;
 
-	/* Before software 4, six digits, of which the tens might switch TRAORI on. */
+	/* Before software 4 the mode has six digits; the tens may switch TRAORI on. */
 	if (fabs(mode) >= 100 && sinumerik_of(interp)->passed.count > 1 && fmod(floor(fabs(mode) / 10), 10) > 0)
 		return fault(&interp->at, column,
 			     "the tens of %.15g, the kind of machining of CYCLE832, may switch a transformation; write "

@@ -16,19 +16,19 @@
 #include "gcode/dialect/sinumerik/sinumerik_region.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 
-/* Of one CYCLE802. */
+/* The maximum number of positions of one CYCLE802. */
 #define POSITIONS 9
 
-/* Holes of a pattern, or of one side of a grid. */
+/* The maximum number of holes of a pattern, or of one side of a grid. */
 #define HOLES_MAX 9999
 
 struct pattern {
 	struct sinumerik_arguments of;
 	enum axis_slot a, b;	/* the plane */
-	const slot_values *from;	/* program coordinates of the tool before it */
-	struct sinumerik_pattern *left;	/* its `done` holes are passed over */
-	long holes;	/* come by so far */
-	bool called;	/* a subprogram runs at the last of them; the others wait */
+	const slot_values *from;	/* the place of the tool before the pattern, program coordinates */
+	struct sinumerik_pattern *left;	/* `done` holes of it are skipped */
+	long holes;	/* holes reached so far */
+	bool called;	/* a subprogram runs at the last hole; the other holes wait */
 };
 
 static double value(const struct pattern *p, size_t i)
@@ -52,7 +52,10 @@ bool sinumerik_pattern_modal(struct interp *interp)
 		   : sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
 }
 
-/* A subprogram that begins at the hole comes back to the pattern's line. The builder's own may be done already. */
+/*
+ * A subprogram that starts at the hole returns to the line of the pattern. A program that the machine file defines is
+ * already complete.
+ */
 static bool call_at(struct pattern *p)
 {
 	struct sinumerik *sinumerik = sinumerik_of(p->of.interp);
@@ -75,10 +78,10 @@ static bool drill_at(struct pattern *p, double at_a, double at_b)
 	p->left->done = p->holes;
 	target.v[p->a] = at_a;
 	target.v[p->b] = at_b;
-	/* Without a modal cycle it only goes there. */
+	/* Without a modal cycle the tool only moves there. */
 	if (!sinumerik_move_to(interp, &target, true))
 		return false;
-	/* Both axes of the plane were commanded. */
+	/* Both axes of the plane have been commanded. */
 	sinumerik_open_place_settle(interp, letter_bit(AXIS_LETTERS[p->a]) | letter_bit(AXIS_LETTERS[p->b]));
 	return !sinumerik_of(interp)->modal.on || call_at(p);
 }
@@ -94,7 +97,9 @@ static bool count(const struct pattern *p, size_t i, const char *name, int *hole
 	return true;
 }
 
-/* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
+/*
+ * HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row of holes. The control begins at the end that is nearer to the tool.
+ */
 static bool run_row(struct pattern *p)
 {
 	const double c = math_cos_degrees(value(p, 2)), s = math_sin_degrees(value(p, 2));
@@ -117,8 +122,8 @@ static bool run_row(struct pattern *p)
 }
 
 /*
- * HOLES2(CPA, CPO, RAD, STA1, INDA, NUM, _VARI): a circle; INDA 0 divides all of it. _VARI: the tens have the tool go
- * from hole to hole on the circle; the thousands say 1 all of the circle, 2 by INDA.
+ * HOLES2(CPA, CPO, RAD, STA1, INDA, NUM, _VARI): a circle of holes; INDA=0 divides the full circle. _VARI: with the
+ * tens the tool moves from hole to hole on the circle; thousands: 1 full circle, 2 by INDA.
  */
 static bool run_ring(struct pattern *p)
 {
@@ -144,8 +149,8 @@ static bool run_ring(struct pattern *p)
 }
 
 /*
- * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, turned by _STA. The tool
- * goes to and fro along the side with the smaller distance, and begins at the corner whose quarter it is in.
+ * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, rotated by _STA. The tool
+ * moves to and fro along the side with the smaller distance. It begins at the corner in whose quarter it is.
  */
 static bool run_grid(struct pattern *p)
 {
@@ -183,8 +188,8 @@ static bool run_grid(struct pattern *p)
 }
 
 /*
- * CYCLE802(XA, YA, X0, Y0, X1, Y1, ...): up to nine positions, in their order. XA and YA have a digit for each of them,
- * 1 if it is absolute.
+ * CYCLE802(XA, YA, X0, Y0, X1, Y1, ...): up to nine positions, in their order. XA and YA have a digit for each
+ * position; 1 means absolute.
  */
 static bool run_positions(struct pattern *p)
 {
@@ -211,7 +216,7 @@ static bool run_positions(struct pattern *p)
 	return true;
 }
 
-/* Where _HIDE, which leaves holes out, and _DMODE are; 0: it has none. */
+/* The indices of _HIDE, which skips holes, and of _DMODE; 0: there is none. */
 static const struct {
 	const char *name;
 	bool (*run)(struct pattern *p);
@@ -237,7 +242,7 @@ bool sinumerik_pattern_is(const char *name)
 	return find(name) < sizeof(patterns) / sizeof(patterns[0]);
 }
 
-/* From the first hole that is left. */
+/* Continues at the first hole that is left. */
 static bool run_left(struct interp *interp)
 {
 	struct sinumerik_pattern *left = &sinumerik_of(interp)->pattern;
@@ -309,7 +314,7 @@ bool sinumerik_pattern_go_on(struct interp *interp)
 		return fault(&interp->at, left->column, "%s has left tool radius compensation on at a hole of %s; G40 "
 							"first",
 			     sinumerik->modal.name, left->name);
-	/* The cycles of the control are subprograms with SAVE: what ran at the holes ran inside of one. */
+	/* The cycles of the control are subprograms with SAVE; everything at the holes has run inside of one. */
 	return sinumerik_target_check_cycle(interp, left->column) && run_left(interp) &&
 	       (left->on || sinumerik_save_restore(interp, &left->before, left->column));
 }

@@ -4,22 +4,22 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* Is it a pattern of holes? */
+/* Is it the name of a pattern of holes? */
 bool sinumerik_pattern_is(const char *name);
 
 /*
- * Goes to each hole of the pattern and carries out the modal cycle there, if there is one. A modal subprogram is called
- * at the first hole; sinumerik_pattern_go_on leads to the others. False: reported.
+ * Moves to each hole of the pattern, and executes the modal cycle there if there is one. A modal subprogram is called
+ * at the first hole; sinumerik_pattern_go_on continues with the other holes. False: reported.
  */
 bool sinumerik_pattern_run(struct interp *interp, const char *name, int column);
 
-/* Has the subprogram that was called at a hole come back to the line of the pattern? */
+/* Has the subprogram that was called at a hole returned to the line of the pattern? */
 bool sinumerik_pattern_waits(struct interp *interp);
 
-/* To the next hole, or behind the pattern. False: reported. */
+/* Moves to the next hole, or ends the pattern. False: reported. */
 bool sinumerik_pattern_go_on(struct interp *interp);
 
-/* Carries out the cycle that MCALL has given, where the tool is, or calls its subprogram. False: reported. */
+/* Executes the cycle of MCALL at the present place, or calls its subprogram. False: reported. */
 bool sinumerik_pattern_modal(struct interp *interp);
 
 #endif

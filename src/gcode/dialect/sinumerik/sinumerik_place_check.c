@@ -5,7 +5,7 @@
 
 #define LINEAR_BITS (letter_bit('X') | letter_bit('Y') | letter_bit('Z'))
 
-/* 840D sl, MD20270: which edge is in force after M6. */
+/* 840D sl, MD20270: the edge that is active after M6. */
 bool sinumerik_place_check_edge(const struct interp *interp, int column)
 {
 	if (!sinumerik_of(interp)->tool.edge_unsure)
@@ -16,8 +16,8 @@ bool sinumerik_place_check_edge(const struct interp *interp, int column)
 }
 
 /*
- * MD22550: T changes the tool by itself, or M6 does. A program that has M6, before or behind, means the second; else
- * T may have put another tool into the spindle.
+ * MD22550: either T changes the tool, or M6 does. If the program has an M6 anywhere, M6 does; else T may have changed
+ * the tool.
  */
 bool sinumerik_place_check_tool(const struct interp *interp, int column)
 {
@@ -31,7 +31,10 @@ bool sinumerik_place_check_tool(const struct interp *interp, int column)
 		     "itself: write M6, or say t_changes_tool=\"yes\" or \"no\" in the machine's <controller>");
 }
 
-/* Does any work offset of the setup shift an axis of these letters? X, Y and Z count as one: frames may turn them. */
+/*
+ * Does a work offset of the setup shift an axis of these letters? X, Y and Z count together, because frames may
+ * rotate them.
+ */
 static bool is_shifted(const struct interp *interp, uint32_t letters)
 {
 	const bool linear = letters & LINEAR_BITS;
@@ -47,7 +50,7 @@ static bool is_shifted(const struct interp *interp, uint32_t letters)
 	return false;
 }
 
-/* CYCLE800() may have deleted the programmable frame: does it move what the letters name? */
+/* CYCLE800() may have deleted the programmable frame: does this frame shift or rotate the axes of these letters? */
 static bool unsure_frame_counts(const struct sinumerik *sinumerik, uint32_t letters)
 {
 	if (!sinumerik->frames.programmed_unsure)
@@ -60,7 +63,7 @@ static bool unsure_frame_counts(const struct sinumerik *sinumerik, uint32_t lett
 	return (letters & LINEAR_BITS) || !(letters & AXIS_BITS);
 }
 
-/* A work offset of the setup may be in force at power-on, by a parameter. */
+/* A parameter may make a work offset of the setup active at power-on. */
 bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);

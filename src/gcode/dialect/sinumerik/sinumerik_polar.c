@@ -9,7 +9,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_place_check.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 
-/* Lines nearer to the other axis than this, as a slope, do not determine its coordinate. */
+/* A line whose slope to the other axis is less does not determine the coordinate. */
 #define LEAST_SLOPE 1e-9
 
 static char letter_a(const struct interp *interp)
@@ -22,7 +22,7 @@ static char letter_b(const struct interp *interp)
 	return AXIS_LETTERS[comp_slot_b(interp)];
 }
 
-/* The pole belongs to the plane that it was given in; the workpiece's zero is the first one of any plane. */
+/* A pole belongs to the plane in which it was given. In every plane the first pole is the workpiece zero. */
 struct plane_point sinumerik_polar_pole(const struct interp *interp)
 {
 	const struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
@@ -30,10 +30,7 @@ struct plane_point sinumerik_polar_pole(const struct interp *interp)
 	return polar->plane == interp->state.plane ? polar->pole : (struct plane_point){0, 0};
 }
 
-/*
- * RP stays in force to the end of the program; it is absolute, and not negative. AP counts from the first axis of the
- * plane, or with IC from the last AP.
- */
+/* RP is modal, absolute and not negative. AP is relative to the first axis of the plane, or with IC to the last AP. */
 static bool take_words(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
@@ -128,7 +125,7 @@ bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_blo
 	return true;
 }
 
-/* Does the block say where the pole is? False: reported. */
+/* Does the block give the position of the pole? False: reported. */
 static bool names_pole(const struct interp *interp, const struct sinumerik_block *block)
 {
 	const int code = block->code[SINUMERIK_ONCE], column = block->code_column[SINUMERIK_ONCE];
@@ -146,7 +143,7 @@ static bool names_pole(const struct interp *interp, const struct sinumerik_block
 	return true;
 }
 
-/* G110 counts from where the tool is, G111 from the workpiece's zero, G112 from the last pole. */
+/* G110 is relative to the position of the tool, G111 to the workpiece zero, G112 to the last pole. */
 bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;

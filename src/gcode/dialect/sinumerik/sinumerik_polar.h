@@ -1,4 +1,4 @@
-/* sinumerik_polar.h - polar coordinates: poles (G110, G111, G112), ends by RP= and AP=, and lines by ANG=. */
+/* sinumerik_polar.h - polar coordinates: poles (G110, G111, G112), end points by RP= and AP=, lines by ANG=. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_POLAR_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_POLAR_H
 
@@ -7,21 +7,21 @@
 #define SINUMERIK_POLAR_BITS (1U << SINUMERIK_AP | 1U << SINUMERIK_RP)
 #define SINUMERIK_LINE_BIT (1U << SINUMERIK_ANG)
 
-/* 840D sl, "Polar coordinates". What can fail reports why before it returns false. */
+/* 840D sl, "Polar coordinates". A function that can fail reports the reason and returns false. */
 
-/* G110, G111 or G112 of the block. */
+/* Executes G110, G111 or G112 of the block. */
 bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_block *block);
 
-/* The pole in force, in program coordinates. */
+/* The active pole, in program coordinates. */
 struct plane_point sinumerik_polar_pole(const struct interp *interp);
 
-/* Puts the end by RP= and AP= into the plane's coordinates of the target. */
+/* Puts the end point by RP= and AP= into the plane's coordinates of the target. */
 bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
 
 /*
- * Puts the coordinate that ANG= stands for into the target, which has the plane's other coordinate: "Contour
- * definition", one straight line. ANG counts from the first axis of the plane. `shifted`: offsets have changed since
- * the axes of the plane were programmed.
+ * Computes the coordinate that ANG= replaces; the target has the other coordinate of the plane ("Contour definition",
+ * one straight line). ANG is relative to the first axis of the plane. `shifted`: offsets have changed since the axes
+ * of the plane were programmed.
  */
 bool sinumerik_polar_find_line(struct interp *interp, const struct sinumerik_block *block, bool shifted,
 			       slot_values *target);

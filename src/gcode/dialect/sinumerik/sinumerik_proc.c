@@ -11,7 +11,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 
-/* The index of the first variable of the level, or the number of all. */
+/* The index of the first variable of the level, or the number of all variables. */
 static size_t first_of_level(const struct sinumerik *sinumerik)
 {
 	size_t first = sinumerik->variables.count;
@@ -21,7 +21,7 @@ static size_t first_of_level(const struct sinumerik *sinumerik)
 	return first;
 }
 
-/* Keeps what the parameters begin with, for sinumerik_proc_check_begun. */
+/* Keeps the initial values of the parameters for sinumerik_proc_check_begun. */
 static void keep_begun(struct sinumerik *sinumerik, size_t count)
 {
 	struct sinumerik_call *call = sinumerik_top_call(sinumerik);

@@ -38,7 +38,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 	return true;
 }
 
-/* Controls keep names in upper case; files on other computers have them in either. */
+/* Controls store names in upper case; files on other computers have either case. */
 static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
 {
 	static const char *const ends[] = {".SPF", ".spf", ".MPF", ".mpf", "_SPF", "_MPF", ""};

@@ -11,23 +11,23 @@
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 
-/* Slots of one call. */
+/* The maximum number of slots of one call. */
 #define PARTS_MAX 1000
 
-/* The units of _VARI of pockets and slots: 1 roughs, 2 finishes, 4 finishes the edge. */
+/* The units of _VARI of pockets and slots: 1 roughing, 2 finishing, 4 finishing of the edge. */
 enum { CHAMFER = 5 };
 
-/* A box in the plane: the centre of the tool is in it. Program coordinates, mm. */
+/* A box in the plane that contains the tool centre. Program coordinates, mm. */
 struct box {
 	double low[2], high[2];
 };
 
 struct milling {
 	struct sinumerik_arguments of;
-	enum axis_slot a, b, depth;	/* the plane, and the axis across it */
+	enum axis_slot a, b, depth;	/* the plane, and the axis perpendicular to it */
 	struct sinumerik_heights height;
-	double beyond;	/* mm: how far the tool may go under the depth and over the safe height */
-	double radius;	/* mm: of the tool; 0 where it is not known, which makes the region larger */
+	double beyond;	/* mm: how far the tool may be below the depth and above the safe height */
+	double radius;	/* mm: of the tool; 0 if it is not known, which makes the region larger */
 	double feed;	/* mm/s */
 };
 
@@ -36,7 +36,7 @@ static double length(const struct milling *m, size_t i)
 	return sinumerik_argument_length(&m->of, i);
 }
 
-/* A rectangle from low to high along axes that are turned by degrees about a point: the box about it. */
+/* The box around a rectangle from low to high, which is rotated by degrees about a point. */
 static struct box turned(double at_a, double at_b, double degrees, const struct box *along)
 {
 	const double c = math_cos_degrees(degrees), s = math_sin_degrees(degrees);
@@ -64,7 +64,7 @@ static struct box hull(const struct box *one, const struct box *other)
 	return both;
 }
 
-/* Half of a length of which the tool keeps its radius clear. */
+/* Half of a length, less the tool radius. */
 static double inside(const struct milling *m, double whole)
 {
 	return fmax(0, fabs(whole) / 2 - m->radius);
@@ -72,7 +72,10 @@ static double inside(const struct milling *m, double whole)
 
 /* ------------------------------------------------------------------- moves */
 
-/* To the middle of a box at a height, anywhere in the box about the way there. A feed of 0 is a rapid. */
+/*
+ * Moves to the middle of a box at a height; the tool may be anywhere in the box about the path. A feed of 0 is a
+ * rapid.
+ */
 static bool go(struct milling *m, const struct box *box, double height, double beyond, double feed)
 {
 	slot_values target = *sinumerik_frame_place(m->of.interp);
@@ -87,7 +90,7 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	return sinumerik_open_place_go(m->of.interp, &target, half, feed);
 }
 
-/* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
+/* From the present place to above the region, one axis after the other or all at once: anywhere between. */
 static bool approach(struct milling *m, const struct box *all)
 {
 	const slot_values *place = sinumerik_frame_place(m->of.interp);
@@ -101,13 +104,13 @@ static bool approach(struct milling *m, const struct box *all)
 	       go(m, all, m->height.safe, 0, 0);
 }
 
-/* Into one part and out of it. */
+/* Into one part of the region and out of it. */
 static bool mill_part(struct milling *m, const struct box *part)
 {
 	return go(m, part, m->height.bottom, m->beyond, m->feed) && go(m, part, m->height.safe, m->beyond, m->feed);
 }
 
-/* Over the region the tool may stand anywhere, until the axes of the plane are commanded. */
+/* Above the region the position is uncertain until the axes of the plane are commanded. */
 static bool retract(struct milling *m, const struct box *all)
 {
 	struct interp *interp = m->of.interp;
@@ -130,7 +133,7 @@ static bool mill(struct milling *m, const struct box *parts, int count)
 		all = hull(&all, &parts[i]);
 	if (!approach(m, &all))
 		return false;
-	/* Over the parts the tool is anywhere over all of them, which the approach has covered. */
+	/* Between the parts the tool may be anywhere above all of them; the approach has covered this. */
 	for (int i = 0; i < count; i++) {
 		if ((count > 1 && !go(m, &parts[i], m->height.safe, 0, 0)) || !mill_part(m, &parts[i]))
 			return false;
@@ -140,7 +143,7 @@ static bool mill(struct milling *m, const struct box *parts, int count)
 
 /* ------------------------------------------------------------------ cycles */
 
-/* "POCKET1": LENG by WID about CPA, CPO, turned by STA1. */
+/* "POCKET1": LENG by WID about CPA, CPO, rotated by STA1. */
 static bool rectangle(struct milling *m)
 {
 	const struct box along = about(0, 0, inside(m, length(m, 5)), inside(m, length(m, 6)));
@@ -151,8 +154,8 @@ static bool rectangle(struct milling *m)
 }
 
 /*
- * "POCKET3": as POCKET1, by its centre, or by a corner and the signs of _LENG and _WID: the thousands of _GMODE say
- * which; 0 leaves it to a setting of the control (_ZSD[2]).
+ * "POCKET3": like POCKET1, given by its centre, or by a corner and the signs of _LENG and _WID. The thousands of
+ * _GMODE select which; with 0 a setting of the control does (_ZSD[2]).
  */
 static bool rectangle_or_corner(struct milling *m)
 {
@@ -165,7 +168,7 @@ static bool rectangle_or_corner(struct milling *m)
 	return mill(m, &part, 1);
 }
 
-/* "POCKET2": PRAD about CPA, CPO. */
+/* "POCKET2": a circle of radius PRAD about CPA, CPO. */
 static bool disc(struct milling *m)
 {
 	const double radius = inside(m, 2 * length(m, 5));
@@ -174,7 +177,7 @@ static bool disc(struct milling *m)
 	return mill(m, &part, 1);
 }
 
-/* "POCKET4": a radius, or in newer versions a diameter: as a radius the region holds both. */
+/* "POCKET4": a radius, or in newer versions a diameter. Taken as a radius, the region contains both. */
 static bool disc_or_half(struct milling *m)
 {
 	const double radius = inside(m, 2 * length(m, 4));
@@ -183,15 +186,16 @@ static bool disc_or_half(struct milling *m)
 	return mill(m, &part, 1);
 }
 
-/* Where the arguments of LONGHOLE and SLOT1 are that both have. */
+/* The indices of the arguments that LONGHOLE and SLOT1 both have. */
 struct slots {
 	size_t number, length, at_a, at_b, radius, start, step, geometry;
 	double half_width;
 };
 
 /*
- * Slots that point away from a centre and begin at a radius, STA1 being the first one's angle and INDA the step, 0 for
- * all of the circle. _GMODE may have them measured otherwise: then from as far to the other side.
+ * Slots that point away from a centre and begin at a radius. STA1 is the angle of the first slot, and INDA the step;
+ * INDA=0 divides the full circle. _GMODE may select other dimensions: then the region begins as far on the other
+ * side.
  */
 static bool radial_slots(struct milling *m, const struct slots *at)
 {
@@ -224,7 +228,7 @@ static bool straight_slots(struct milling *m)
 	return radial_slots(m, &(struct slots){5, 6, 8, 9, 10, 11, 12, 28, inside(m, length(m, 7))});
 }
 
-/* "SLOT2": WID wide, on a circle of radius RAD about CPA, CPO. */
+/* "SLOT2": slots of width WID on a circle of radius RAD about CPA, CPO. */
 static bool circular_slots(struct milling *m)
 {
 	const double radius = fabs(length(m, 10)) + inside(m, length(m, 7));
@@ -234,8 +238,8 @@ static bool circular_slots(struct milling *m)
 }
 
 /*
- * "CYCLE71": from a corner, turned by _STA; the tool overruns the edges by _FDP and _FDP1, at most by its diameter
- * more.
+ * "CYCLE71": a face from a corner, rotated by _STA. The tool passes its edges by _FDP and _FDP1, and by at most its
+ * diameter more.
  */
 static bool turned_face(struct milling *m)
 {
@@ -248,8 +252,8 @@ static bool turned_face(struct milling *m)
 }
 
 /*
- * "CYCLE61": from one corner to another, which _AMODE has as a position or as a length: both are in the region. The
- * tool begins and ends beside the face, at most by its diameter and the safety distance.
+ * "CYCLE61": a face from one corner to another. _AMODE says whether the second corner is a position or a length: the
+ * region contains both. The tool begins and ends beside the face, at most by its diameter and the safety distance.
  */
 static bool face(struct milling *m)
 {
@@ -263,7 +267,7 @@ static bool face(struct milling *m)
 	return mill(m, &part, 1);
 }
 
-/* A thread from within: the tool's ends of the helix may lie over and under the thread. */
+/* An internal thread: the helix may begin and end above and below the thread. */
 static bool thread(struct milling *m, size_t diameter, size_t pitch, size_t outside, size_t at_a)
 {
 	const double radius = inside(m, length(m, diameter));
@@ -292,14 +296,14 @@ static bool thread_90(struct milling *m)
 	return thread(m, 5, 7, 10, 11);
 }
 
-/* 840D sl, "Milling cycles": where their arguments are. */
+/* 840D sl, "Milling cycles": the indices of their arguments. */
 static const struct cycle {
 	const char *name;
 	bool (*mill)(struct milling *m);
 	size_t feed;	/* in the plane */
 	struct sinumerik_modes modes;
-	size_t machining;	/* _VARI of a cycle that can make a chamfer; 0: it cannot */
-	size_t place;	/* of its two coordinates, behind each other; 0: no MCALL calls it at positions */
+	size_t machining;	/* _VARI, if the cycle can make a chamfer; 0: it cannot */
+	size_t place;	/* of the two coordinates of its place; 0: MCALL cannot call it at positions */
 } cycles[] = {
 	{"POCKET1", rectangle, 12, {0, 0, 0, true}, 0, 8},
 	{"POCKET2", disc, 9, {0, 0, 0, true}, 0, 6},
@@ -328,7 +332,7 @@ bool sinumerik_region_is(const char *name)
 	return find(name) != NULL;
 }
 
-/* The cycle's own feed, or else the one in force. */
+/* The feed of the cycle, or else the active one. */
 static bool find_feed(struct milling *m, size_t i)
 {
 	const struct interp *interp = m->of.interp;
@@ -339,7 +343,7 @@ static bool find_feed(struct milling *m, size_t i)
 	return m->feed > 0 || fault(&interp->at, m->of.column, "%s without a feed rate", m->of.cycle);
 }
 
-/* A pointed tool comes nearer to the edge of a pocket than by its radius: units of _VARI. */
+/* A pointed tool comes nearer to the edge of a pocket than its radius: units of _VARI. */
 static bool check_machining(const struct milling *m, const struct cycle *cycle)
 {
 	return !cycle->machining || sinumerik_argument_digit(&m->of, cycle->machining, 0) != CHAMFER ||
@@ -355,7 +359,7 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 	const int plane = interp->state.plane;
 	struct milling m = {.of = {interp, name, column, arguments, count}, .radius = sinumerik_tool_radius(interp)};
 
-	/* The tool's radius keeps its size. */
+	/* Scaling does not change the radius of the tool. */
 	if (sinumerik_frame_resizes(interp))
 		return fault(&interp->at, column, "%s while SCALE is in force is not supported", name);
 	m.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
@@ -369,7 +373,7 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 	       find_feed(&m, cycle->feed) && cycle->mill(&m);
 }
 
-/* "Machining position, position pattern (MCALL)": then the cycle's own place is left out. */
+/* "Machining position, position pattern (MCALL)": then the place of the cycle itself is omitted. */
 bool sinumerik_region_check_modal(struct interp *interp, const char *name, const double *arguments, size_t count,
 				  int column)
 {

@@ -4,13 +4,13 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* Pockets, slots, long holes, faces, and threads that are milled from within. */
+/* Is it the name of a pocket, slot, long hole, face, or internal thread? */
 bool sinumerik_region_is(const char *name);
 
 /*
- * Carries out such a cycle: the tool moves to the retraction plane above the region, may be anywhere in the region
- * down to its depth, and returns to the retraction plane; its position above the region is then not known.
- * `arguments` as for sinumerik_cycle_drill. False: reported.
+ * Executes such a cycle: the tool moves to the retraction plane above the region, may be anywhere in the region down
+ * to its depth, and returns to the retraction plane. After it the position above the region is uncertain. `arguments`
+ * as for sinumerik_cycle_drill. False: reported.
  */
 bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
 
@@ -18,7 +18,7 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 bool sinumerik_region_check_modal(struct interp *interp, const char *name, const double *arguments, size_t count,
 				  int column);
 
-/* As sinumerik_region_mill, at the place where the tool is over the plane. */
+/* The same, at the present place of the tool in the plane. */
 bool sinumerik_region_mill_here(struct interp *interp, const char *name, const double *arguments, size_t count,
 				int column);
 

@@ -31,7 +31,7 @@ static bool set_feed(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct state *state = &interp->state;
 	const int given = block->code[SINUMERIK_FEED];
-	/* "Constant cutting rate": G97 has feeds as with G95 from then on, and G971 as with G94. */
+	/* "Constant cutting rate": from G97 on feeds are like those of G95, from G971 on like those of G94. */
 	const int code = given == SINUMERIK_G(97) ? G95 : given == SINUMERIK_G(971) ? G94 : given;
 	const double feed = block->value['F' - 'A'];
 
@@ -164,7 +164,7 @@ static void set_units(struct interp *interp, int code)
 	sinumerik_frame_place(interp);
 	interp->state.unknown_modes &= ~(1U << G_UNITS);
 	interp->state.scale = inch ? MM_PER_INCH : 1;
-	/* G70 and G71 are for lengths alone: feeds stay in the control's own system. */
+	/* G70 and G71 concern only lengths: feeds stay in the basic unit of the control. */
 	if (code == SINUMERIK_G(700) || code == SINUMERIK_G(710))
 		sinumerik->feed_scale = interp->state.scale;
 	else
@@ -203,7 +203,10 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 	if (sinumerik->frames.swivelled && system == interp->state.system && sinumerik->frames.work_selected &&
 	    !interp->state.work_assigned)
 		return true;
-	/* Posts select it and then swivel anew: only a move in between would ask what becomes of the plane. */
+	/*
+	 * Posts select an offset and then swivel anew: only a move in between would need to know what happens to the
+	 * plane.
+	 */
 	sinumerik->frames.plane_unsure = sinumerik->frames.swivelled;
 	if (system != SYSTEM_NONE && !work_offset_use_require(interp, system, column))
 		return false;
@@ -373,7 +376,7 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 			     block->code[SINUMERIK_ONCE] / 10, sinumerik_of(interp)->modal.name);
 	if (block->code[SINUMERIK_ONCE] == SINUMERIK_G(63))
 		return sinumerik_move_tap(interp, block);
-	/* G25 and G26: limits that no axis moves for. */
+	/* G25 and G26: limits; no axis moves. */
 	if (is_limit(block->code[SINUMERIK_ONCE]))
 		return true;
 	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110) && sinumerik_of(interp)->frames.tool_frame)
@@ -388,8 +391,8 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 }
 
 /*
- * M30 in a subprogram goes back to its caller as M17 does (from memory of the manual, "End of program"): where a
- * control ended the program there, less would move than is checked.
+ * M30 in a subprogram returns to its caller, like M17 (from memory of the manual, "End of program"). A control that
+ * ended the program there would move less than is checked.
  */
 static bool finish(struct interp *interp, const struct ending *ending)
 {
@@ -409,7 +412,7 @@ static bool finish(struct interp *interp, const struct ending *ending)
 	return interp->ended;
 }
 
-/* Anything beside a move, which cannot stand behind a chamfer or rounding that waits for the move. */
+/* Anything besides a move. It cannot follow a chamfer or rounding that waits for the next move. */
 static bool has_more(const struct sinumerik_block *block)
 {
 	bool more = block->m_count > 0 || block->call[0] || block->modal || sinumerik_block_has(block, 'S') ||
@@ -422,8 +425,8 @@ static bool has_more(const struct sinumerik_block *block)
 }
 
 /*
- * Behind a fault only the words are read on, to report other faults. Where the block would have led is taken, so that
- * the next circle has its start.
+ * After an error, blocks are only read, to report other errors. The end of the block is taken as the position, so
+ * that the next circle has its start.
  */
 static void take_end(struct interp *interp, const struct sinumerik_block *block)
 {
@@ -459,14 +462,14 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) ||
 	    !run_once(interp, block, &done))
 		return false;
-	/* It holds from the next motion on. */
+	/* The code is active from the next motion on. */
 	if (done && block->code[SINUMERIK_MOTION] != CODE_NONE)
 		interp->state.motion = block->code[SINUMERIK_MOTION];
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;
 	if (!sinumerik_invoke_call(interp, lexer, block))
 		return false;
-	/* CT does not go on from a cycle or a subprogram. */
+	/* CT cannot continue a cycle or a subprogram. */
 	if (block->call[0] || (moved && sinumerik_modal_acts(sinumerik_of(interp))))
 		sinumerik_of(interp)->tangent.known = false;
 	if (moved ? !sinumerik_invoke_modal(interp) : !done && !sinumerik_invoke_check(interp, block))

@@ -1,12 +1,12 @@
-/* sinumerik_run.h - carries out one block, its words in the control's order. */
+/* sinumerik_run.h - executes one block, its words in the order of the control. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_RUN_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_RUN_H
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 /*
- * Carries out the block that has been read; the arguments of its call come next in the lexer. Sets interp->ended at
- * the end of the program. False: reported, or the sink wants no more.
+ * Executes the block that has been read; the arguments of its call come next in the lexer. Sets interp->ended at the
+ * end of the program. False: reported, or the sink wants no more.
  */
 bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block);
 

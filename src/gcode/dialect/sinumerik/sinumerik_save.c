@@ -28,7 +28,10 @@ static bool same_frame(const struct sinumerik_frame *a, const struct sinumerik_f
 	return same;
 }
 
-/* What the manual does not say of SAVE, and what moves axes or tools where it comes back. */
+/*
+ * Refuses changes that move axes or tools when they are restored, and those of which the manual does not say whether
+ * SAVE restores them.
+ */
 static bool check_restored(struct interp *interp, const struct sinumerik_saved *saved, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);

@@ -1,4 +1,4 @@
-/* sinumerik_save.h - PROC ... SAVE: G-codes and the programmable frame come back with the return. */
+/* sinumerik_save.h - PROC ... SAVE: the return restores G-codes and the programmable frame. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SAVE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SAVE_H
 
@@ -6,7 +6,7 @@
 
 void sinumerik_save_modes(const struct interp *interp, struct sinumerik_saved *saved);
 
-/* Brings the modes back at the return. False: reported at the column. */
+/* Restores the modes at the return. False: reported at the column. */
 bool sinumerik_save_restore(struct interp *interp, const struct sinumerik_saved *saved, int column);
 
 #endif

@@ -5,7 +5,7 @@
 #include "base/callbacks.h"
 #include "gcode/program.h"
 
-/* Lines between two questions whether to go on. */
+/* Lines read between two queries of the cancel callback. */
 #define ASK_LINES 4096
 
 static size_t skip_blanks(const char *text, size_t at)
@@ -15,7 +15,7 @@ static size_t skip_blanks(const char *text, size_t at)
 	return at;
 }
 
-/* Copies an upper-case name of digits, letters and '_'; too long a one is none. */
+/* Copies a name of digits, letters and '_' in upper case; a name that is too long becomes empty. */
 static size_t copy_name(const char *text, size_t at, char name[SINUMERIK_NAME + 1])
 {
 	size_t length = 0;
@@ -74,7 +74,7 @@ static bool is_word(const char *text, size_t at, const char *word)
 	return !sinumerik_is_name(text[at + length]);
 }
 
-/* Is the line a condition with a jump in it, which has no ENDIF? */
+/* Is the line a condition with a jump? Such an IF has no ENDIF. */
 static bool has_jump(const char *words)
 {
 	static const char *const jumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
@@ -92,13 +92,13 @@ static bool has_jump(const char *words)
 	return false;
 }
 
-/* "%_N_NAME_SPF": the head of a program among others in a file. */
+/* "%_N_NAME_SPF": the head of a program in a file with several programs. */
 static bool is_head(const char *text)
 {
 	return text[skip_blanks(text, 0)] == '%';
 }
 
-/* Is it the head of the program with this upper-case name? */
+/* Is the line the head of the program with this upper-case name? */
 static bool heads(const char *text, const char *name)
 {
 	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
@@ -163,7 +163,7 @@ static void remember(struct interp *interp, const char *target, long long from, 
 
 /* ------------------------------------------------------------------ search */
 
-/* Reading on overwrites the text of the line in hand, which messages and the lexer need. */
+/* Further reading overwrites the text of the current line, which messages and the lexer need: copies it. */
 static void keep_line(struct interp *interp)
 {
 	struct strbuf *line = &sinumerik_of(interp)->search.line;
@@ -175,7 +175,7 @@ static void keep_line(struct interp *interp)
 	interp->at.text = strbuf_text(line);
 }
 
-/* Goes back to the line behind the one in hand. */
+/* Returns to the line after the current one. */
 static bool come_back(struct interp *interp, const struct position *next, int column)
 {
 	return program_jump(&interp->program, next, &interp->at, column);
@@ -191,7 +191,7 @@ static bool label_matches(const struct sinumerik_head *head, const char *name)
 	return !strcmp(head->label, name) || !strcmp(head->number, name);
 }
 
-/* From the reader's position up to the line `last` (0: all); the first match, or the last one. */
+/* Searches from the reader's position to the line `last` (0: to the end); the first match, or the last one. */
 static bool scan(struct interp *interp, const char *name, long last, bool first, struct position *to, bool *found)
 {
 	struct source *source = interp->program.source;
@@ -290,7 +290,7 @@ bool sinumerik_seek_program(struct interp *interp, const char *name, int column,
 	return come_back(interp, &next, column);
 }
 
-/* Is it the head of a program of this type, "_MPF" or "_SPF"? */
+/* Is the line the head of a program of this type, "_MPF" or "_SPF"? */
 static bool is_head_of(const char *text, const char *type)
 {
 	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
@@ -328,14 +328,14 @@ bool sinumerik_seek_main(struct interp *interp)
 	return come_back(interp, &next, 1);
 }
 
-/* What a line means to who looks for a tool change. */
+/* The meaning of a line in the search for a tool change. */
 enum ahead {
 	AHEAD_NOTHING,
-	AHEAD_END,	/* of the program: what stands behind it is not run, or after a jump alone */
+	AHEAD_END,	/* the end of the program: the lines after it do not run, or only after a jump */
 	AHEAD_CHANGE,
 };
 
-/* The M-code with these digits. */
+/* Has the block the M-code with these digits? */
 static enum ahead ahead_of(const char *digits, size_t length)
 {
 	static const struct {
@@ -352,7 +352,7 @@ static enum ahead ahead_of(const char *digits, size_t length)
 	return AHEAD_NOTHING;
 }
 
-/* Letters with numbers, as T1M06D1. *at moves behind them, or behind the name that is none. */
+/* Letters with numbers, such as T1M06D1. Moves *at behind them, or behind the name, if it is a name. */
 static enum ahead look_at_run(const char *words, size_t *at)
 {
 	enum ahead ahead = AHEAD_NOTHING;
@@ -421,7 +421,7 @@ static const struct structure structures[] = {
 	[SINUMERIK_ENDLOOP] = {"LOOP", "ENDLOOP"},	   [SINUMERIK_UNTIL] = {"REPEAT", "UNTIL"},
 };
 
-/* REPEAT with a label repeats a part of the program, and IF with a jump is complete. */
+/* REPEAT with a label repeats a part of the program, and IF with a jump is complete: neither opens a structure. */
 static bool opens(const char *words, const struct structure *structure)
 {
 	size_t at;
@@ -434,7 +434,7 @@ static bool opens(const char *words, const struct structure *structure)
 	return structure->open[0] != 'I' || !has_jump(words);
 }
 
-/* From the reader's position on, which is inside of the structure. */
+/* Searches from the reader's position on, which is inside the structure. */
 static bool scan_close(struct interp *interp, enum sinumerik_close close, struct position *behind, bool *found)
 {
 	struct source *source = interp->program.source;

@@ -13,8 +13,8 @@
 
 /*
  * 840D sl, "Detailed description of the machine data", setting data, and system variables of outputs: none of these
- * decides where an axis goes. A name that ends in '_' stands for all that begin with it. The tolerances of compressor
- * and smoothing (42465, 42475 and the like) are not here.
+ * changes the path of an axis. A name that ends in '_' stands for all names that begin with it. The tolerances of
+ * compressor and smoothing (42465, 42475 and the like) are not in this list.
  */
 static const char *const idle[] = {
 	"$A_OUT", "$A_OUTA", "$A_DBB", "$A_DBW", "$A_DBD", "$A_DBR", "$A_DBSB", "$A_DBSW", "$A_DBSD",
@@ -34,7 +34,7 @@ static const char *const idle[] = {
 	"$SC_MAX_BLOCKS_IN_IPOBUFFER",	/* 42990 */
 	"$SA_SPIND_S", "$SA_SPIND_CONSTCUT_S",	/* 43200, 43202 */
 	"$SA_SPIND_MIN_VELO_G25", "$SA_SPIND_MAX_VELO_G26", "$SA_SPIND_MAX_VELO_LIMS",	/* 43210 to 43230 */
-	"$SA_WORKAREA_",	/* 43400 to 43430: they stop the axis */
+	"$SA_WORKAREA_",	/* 43400 to 43430: they only stop the axis */
 	"$TC_MOP", "$TC_TP8", "$TC_TP9",	/* monitoring and state of tools */
 };
 
@@ -80,7 +80,7 @@ static bool step_over_value(struct interp *interp, struct lexer *lexer, const ch
 						     : sinumerik_expr_number(interp, lexer, &value);
 }
 
-/* What the machine file tells of it would no longer hold. */
+/* The value that the machine file gives would no longer be valid. */
 static bool check_untold(struct interp *interp, const char *name, int column)
 {
 	const struct controller *controller = &interp->config->controller;
@@ -100,7 +100,7 @@ static bool check_untold(struct interp *interp, const char *name, int column)
 
 /* ------------------------------------------------------------ data of tools */
 
-/* 840D sl, "Tool parameters": lengths beside the first one, wear and adapter, which the setup does not have. */
+/* 840D sl, "Tool parameters": the other lengths, wear, and adapter; the setup does not have them. */
 static bool adds_to_tool(long parameter)
 {
 	static const long adding[] = {4, 5, 12, 13, 14, 15, 21, 22, 23};

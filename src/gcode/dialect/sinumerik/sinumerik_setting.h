@@ -1,12 +1,12 @@
-/* sinumerik_setting.h - outputs, settings, machine data and data of tools that a program writes. */
+/* sinumerik_setting.h - a program writes outputs, settings, machine data, and data of tools. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SETTING_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SETTING_H
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
- * Reads the rest of "$SC_CONTPREC=0.01" after its name. A setting that changes no path has no effect; data of tools
- * must equal those of the setup. False: reported.
+ * Reads the rest of "$SC_CONTPREC=0.01" after the name. A setting that changes no path has no effect; data of tools
+ * must be equal to those of the setup. False: reported.
  */
 bool sinumerik_setting_write(struct interp *interp, struct lexer *lexer, const char *name, int column);
 

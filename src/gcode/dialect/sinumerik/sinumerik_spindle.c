@@ -5,10 +5,10 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 
-/* 840D sl: spindles of one channel. */
+/* 840D sl: the maximum number of spindles of a channel. */
 #define SPINDLES_MAX 20
 
-/* "Spindle speed (S), master spindle (SETMS)": without a number the first one is the master again. */
+/* "Spindle speed (S), master spindle (SETMS)": SETMS without a number makes the first spindle the master again. */
 bool sinumerik_spindle_take_master(struct interp *interp, struct lexer *lexer)
 {
 	int number = 1;

@@ -15,10 +15,10 @@
 #include "gcode/execute/work_offset_use.h"
 #include "geom/tolerance.h"
 
-/* Degrees: a program that turns the axes itself gives three decimals. */
+/* Degrees: programs that turn the axes themselves give three decimals. */
 #define STANDS_ON_PLANE 0.001
 
-/* mm in 1 mm along the tool. */
+/* mm per mm along the tool. */
 #define UPRIGHT 1e-9
 
 /* FR */
@@ -37,7 +37,7 @@ static bool whole(const struct sinumerik_swivel *s, size_t i, const char *name, 
 
 /* --------------------------------------------------------------- positions */
 
-/* Where the tool stands on the plane for any angle of an axis: does this axis go to zero, or stay? */
+/* If the tool is perpendicular to the plane for any angle of an axis: does this axis move to zero, or stay? */
 static bool settle_free(const struct sinumerik_swivel *s, struct kinematics_solution *solution)
 {
 	const struct controller *controller = &s->interp->config->controller;
@@ -59,7 +59,7 @@ static bool settle_free(const struct sinumerik_swivel *s, struct kinematics_solu
 	return true;
 }
 
-/* In degrees: the axis can stand at both only if they are different positions of it. */
+/* The axis can have either of two positions (degrees) only if they are different positions of the axis. */
 static bool differ(double a, double b)
 {
 	return fabs(a - b) > radians(SAME_DEGREES);
@@ -79,9 +79,9 @@ static bool ask_for_axis(const struct sinumerik_swivel *s)
 }
 
 /*
- * "Swivel plane", "Direction (minus/plus)": DIR takes the solution with the lower or the higher value of the axis that
- * the swivel data name (swivel_axis); where limits leave one solution, that one is taken whatever DIR says. An axis
- * that counts modulo 360 degrees has lower and higher values by the way they are written: there the signs must differ.
+ * "Swivel plane", "Direction (minus/plus)": DIR takes the solution with the smaller or the larger value of the axis
+ * that the swivel data name (swivel_axis). If the limits leave one solution, it is taken for any DIR. The values of a
+ * modulo axis depend on how they are written: there the signs must differ.
  */
 static bool choose_by_direction(const struct sinumerik_swivel *s, struct kinematics_solutions *found, long direction,
 				size_t *chosen)
@@ -121,7 +121,7 @@ static bool refuse_present(const struct sinumerik_swivel *s)
 		     "axes first, or give DIR 1 or -1");
 }
 
-/* "Swivel plane", direct: the rotary axes go to the positions given, which are all 0. */
+/* "Swivel plane", direct: the rotary axes move to the given positions, which are all 0. */
 static bool find_zero(const struct sinumerik_swivel *s, long direction, axis_values *rotary)
 {
 	*rotary = s->interp->state.canonical;
@@ -133,7 +133,7 @@ static bool find_zero(const struct sinumerik_swivel *s, long direction, axis_val
 	return true;
 }
 
-/* DIR=0 moves no axis: the tool must stand on the plane already. */
+/* DIR=0 moves no axis: the tool must already be perpendicular to the plane. */
 static bool choose_present(const struct sinumerik_swivel *s, struct kinematics_solutions *found, size_t *chosen)
 {
 	for (*chosen = 0; *chosen < found->count; ++*chosen) {
@@ -150,7 +150,7 @@ static bool choose_present(const struct sinumerik_swivel *s, struct kinematics_s
 	return refuse_present(s);
 }
 
-/* The rotary positions for the plane; a machine without a second solution needs no DIR to choose. */
+/* The rotary positions for the plane. A machine without a second solution needs no DIR. */
 static bool find_position(const struct sinumerik_swivel *s, const struct sinumerik_frame *plane, long direction,
 			  axis_values *rotary)
 {
@@ -162,7 +162,7 @@ static bool find_position(const struct sinumerik_swivel *s, const struct sinumer
 	struct kinematics_solutions found;
 	size_t chosen;
 
-	/* Programs are scanned without a machine: on most, the limits leave both positions. */
+	/* fivecheck scan knows no machine. On most machines the limits allow both solutions. */
 	if (interp->config->any_tool && direction && !interp->config->controller.swivel_axis &&
 	    vec3_norm(vec3_cross(plane->matrix.z, (vec3){0, 0, 1})) > UPRIGHT)
 		return ask_for_axis(s);
@@ -197,7 +197,7 @@ static bool go_rapid(struct interp *interp, const slot_values *target)
 	return motion_commands_go(interp, target, &move);
 }
 
-/* FR 4 and 5: along the tool, as far as an axis goes, or by FR_I. */
+/* FR 4 and 5: along the tool, up to the limit of an axis, or by FR_I. */
 static bool retract_along_tool(const struct sinumerik_swivel *s, long way)
 {
 	struct interp *interp = s->interp;
@@ -215,7 +215,7 @@ static bool retract_along_tool(const struct sinumerik_swivel *s, long way)
 	return go_rapid(interp, &target);
 }
 
-/* FR: 1, Z of the machine goes to its retracted position; 2, and then X and Y. */
+/* FR: 1, Z of the machine moves to its retracted position; 2, then X and Y also do. */
 static bool retract(const struct sinumerik_swivel *s, long way)
 {
 	struct interp *interp = s->interp;
@@ -259,7 +259,7 @@ static bool is_none(const struct sinumerik_frame *frame)
 	return same;
 }
 
-/* Positions are those of the machine's axes from here on, without any plane. */
+/* From here on, positions are those of the machine's axes, without a plane. */
 static bool lay_flat(const struct sinumerik_swivel *s, bool deletes_frames)
 {
 	const enum answer outlive = s->interp->config->controller.frames_outlive_cycle800;
@@ -279,8 +279,8 @@ static bool lay_flat(const struct sinumerik_swivel *s, bool deletes_frames)
 }
 
 /*
- * Angles and shifts of zero, with which programs take a plane back and turn the axes home: the plane is that of the
- * machine, and nothing is swivelled. The rotary axes then stand at zero exactly.
+ * All angles and shifts are zero. Programs use this to cancel a plane and to turn the axes home: the plane is that of
+ * the machine, and nothing is swivelled. The rotary axes are then at exactly zero.
  */
 static bool is_home(const struct sinumerik_frame *plane, axis_values *rotary)
 {
@@ -312,9 +312,9 @@ static bool refuse(const struct sinumerik_swivel *s, const char *what)
 }
 
 /*
- * ST: 1 adds the plane to the one in force; the tens guide the tip; the hundreds set the tool up. Thousands and ten
- * thousands are for the masks of the editor; the hundred thousands say that DIR is an optimised direction, which
- * matters where both solutions are one (settle_free). The units of DMODE: the plane of the cycle, 0 the one in force.
+ * ST: 1 adds the plane to the active one. The tens guide the tip, the hundreds align the tool. Thousands and ten
+ * thousands are for the editor. The hundred thousands select an optimised direction, which matters only if both
+ * solutions are equal (settle_free). The units of DMODE: the plane of the cycle; 0 is the active one.
  */
 static bool check(const struct sinumerik_swivel *s, long status, long direction)
 {
@@ -348,7 +348,7 @@ static bool check(const struct sinumerik_swivel *s, long status, long direction)
 	return true;
 }
 
-/* Does the tool lie along Z, as on a table that turns? Positions are those of the machine's axes here. */
+/* Is the tool parallel to Z, as on a machine whose table turns? Positions are those of the machine's axes here. */
 static bool look_at_tool(const struct sinumerik_swivel *s)
 {
 	struct interp *interp = s->interp;
@@ -371,7 +371,7 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	axis_values rotary;
 	bool home;
 
-	/* Without arguments, or with the swivel data "0", it takes the plane back and moves no axis. */
+	/* Without arguments, or with the swivel data "0", CYCLE800 cancels the plane and moves no axis. */
 	if (sinumerik->frames.tool_frame)
 		return refuse(&s, "CYCLE800 while TOROT or TOFRAME is in force; TOROTOF first");
 	if (s.count == 0 || (s.count > TC && !strcmp(sinumerik->passed.texts[TC].bytes, "0") &&

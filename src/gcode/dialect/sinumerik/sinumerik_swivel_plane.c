@@ -38,9 +38,9 @@ static struct sinumerik_frame shift_by(vec3 by)
 }
 
 /*
- * MODE, axis by axis: bits 0 and 1, 2 and 3, 4 and 5 name the axes of the first, second and third turn (1 X, 2 Y, 3 Z),
- * each about the axis as the turns before have left it; A, B and C are the angles in the order of the turns. By solid
- * angles: A turns about Z, and then B about the new Y.
+ * MODE, axis by axis: bits 0 and 1, 2 and 3, 4 and 5 name the axes of the first, second and third rotation (1 X, 2 Y,
+ * 3 Z). Each rotation is about the axis as the rotations before have left it. A, B and C are the angles in the order
+ * of the rotations. With solid angles, A rotates about Z, and then B about the new Y.
  */
 static bool find_turn(const struct sinumerik_swivel *s, long mode, mat3 *turn)
 {
@@ -61,9 +61,7 @@ static bool find_turn(const struct sinumerik_swivel *s, long mode, mat3 *turn)
 	return true;
 }
 
-/*
- * "Swivel plane": two projection angles lay the plane as ROTS does, and the third angle turns in it about Z.
- */
+/* "Swivel plane": two projection angles define the plane like ROTS; the third angle rotates in the plane, about Z. */
 static bool find_projection(const struct sinumerik_swivel *s, long mode, mat3 *turn)
 {
 	const long first = mode & 3, second = mode >> 2 & 3, last = mode >> 4 & 3;
@@ -91,8 +89,8 @@ static bool has_no_angle(const struct sinumerik_swivel *s)
 }
 
 /*
- * "Swivel plane", new and additive: a new plane deletes the planes and the programmable frames before it; an added one
- * takes them into the plane.
+ * "Swivel plane", new and additive: a new plane deletes the active planes and programmable frames; an added plane
+ * includes them.
  */
 bool sinumerik_swivel_plane(const struct sinumerik_swivel *s, long mode, bool added, struct sinumerik_frame *plane)
 {

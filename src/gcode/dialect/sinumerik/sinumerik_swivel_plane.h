@@ -1,4 +1,4 @@
-/* sinumerik_swivel_plane.h - the arguments of CYCLE800, and the plane that they say. */
+/* sinumerik_swivel_plane.h - the arguments of CYCLE800, and the plane that they define. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SWIVEL_PLANE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SWIVEL_PLANE_H
 
@@ -14,13 +14,13 @@ struct sinumerik_swivel {
 	size_t count;
 };
 
-/* An argument; one that is left out is 0. */
+/* The value of an argument; an omitted one is 0. */
 double sinumerik_swivel_value(const struct sinumerik_swivel *s, size_t i);
 
-/* Does this MODE give the positions of the rotary axes? */
+/* Does this MODE give positions of the rotary axes? */
 bool sinumerik_swivel_is_direct(long mode);
 
-/* The plane in the coordinates of the work offset; added: behind the one in force. False: reported. */
+/* The plane in the coordinates of the work offset; `added`: behind the active plane. False: reported. */
 bool sinumerik_swivel_plane(const struct sinumerik_swivel *s, long mode, bool added, struct sinumerik_frame *plane);
 
 #endif

@@ -24,7 +24,7 @@ static size_t skip_blanks(const char *text, size_t at)
 	return at;
 }
 
-/* Where the word DO stands from `at` on, outside of strings; or the end. */
+/* The index of the word DO from `at` on, outside of strings; or the end. */
 static size_t find_do(const char *text, size_t at)
 {
 	bool quoted = false;
@@ -43,15 +43,15 @@ static bool is_operator(char byte)
 	return byte != '\0' && strchr("+-*/<>=,", byte);
 }
 
-/* The '=' of an assignment, and not one of ==, <= and >=. */
+/* The '=' of an assignment, not that of ==, <= or >=. */
 static bool assigns(const char *text, size_t at)
 {
 	return text[at] == '=' && text[at + 1] != '=' && !strchr("<>=", text[at - 1]);
 }
 
 /*
- * Behind a value: at a blank that no operator is beside and no bracket is around, or at the end of the block; or at the
- * '=' of a further action that stands right behind it ("1POS[X]=5"), which is no action by itself.
+ * The end of a value: a blank that is beside no operator and inside no bracket; or the end of the block; or the '='
+ * of a further action that follows directly ("1POS[X]=5").
  */
 static size_t skip_value(const char *text, size_t at)
 {
@@ -71,7 +71,7 @@ static size_t skip_value(const char *text, size_t at)
 	return at;
 }
 
-/* Coolant and gears, and what the machine file says of the builder's. */
+/* M-codes of coolant and gears, and those that the machine file declares to move nothing. */
 static bool is_idle_m(const struct interp *interp, const char *name)
 {
 	const struct controller *controller = &interp->config->controller;

@@ -32,13 +32,13 @@ int sinumerik_system_of_offset(int n)
 	return n <= 4 ? n - 1 : SYSTEM_SETTABLE + n - 5;
 }
 
-/* "Inch or metric (G70, G700, G71, G710)": with G70 and G71 variables of the control stay in its own unit. */
+/* "Inch or metric (G70, G700, G71, G710)": with G70 and G71, variables of the control keep its basic unit. */
 static double in_unit(const struct interp *interp, int slot, double value)
 {
 	return slot_is_rotary(slot) ? value : value / sinumerik_of(interp)->feed_scale;
 }
 
-/* 840D sl, system variables: actual positions; the program is never ahead of the axes here. */
+/* 840D sl, system variables: actual positions. Here the program is never ahead of the axes. */
 static bool read_position(struct interp *interp, const char *name, int slot, int column, double *value)
 {
 	struct state *state = &interp->state;
@@ -66,7 +66,7 @@ static bool is_position(const char *name)
 	return !strcmp(name, "$AA_IW") || !strcmp(name, "$P_EP") || !strcmp(name, "$AA_IM");
 }
 
-/* A program is checked as it runs: no search for a block, no simulation, no dry run. */
+/* A program is checked as it runs: no block search, no simulation, no dry run. */
 static bool is_zero(const char *name)
 {
 	static const char *const zero[] = {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN", "$P_SIMUL"};
@@ -138,7 +138,7 @@ bool sinumerik_system_tool(struct interp *interp, int length, int column, double
 	if (!sinumerik_place_check_edge(interp, column))
 		return false;
 	*value = 0;
-	/* The setup has the length along the tool, and no others. */
+	/* The setup has the length along the tool, and no other lengths. */
 	if (length > 1 || sinumerik->tool.edge == 0 || interp->state.tool == 0)
 		return true;
 	return sinumerik_system_edge(interp, length ? "$TC_DP3" : "$TC_DP6", interp->state.tool,

@@ -20,13 +20,13 @@ static bool set_component(struct interp *interp, int system, int slot, double va
 	return true;
 }
 
-/* What a part of a frame says of each axis, as it is written. */
+/* The values of a part of a frame for each axis, as they are written. */
 struct part_values {
 	bool has[SLOT_COUNT];
 	double value[SLOT_COUNT];
 };
 
-/* (X,1,Y,2) behind the name of a part, or (X,Y) where it has no values. */
+/* (X,1,Y,2) after the name of a part, or (X,Y) if it has no values. */
 static bool read_values(struct interp *interp, struct lexer *lexer, const char *name, bool valued,
 			struct part_values *values)
 {
@@ -49,7 +49,7 @@ static bool read_values(struct interp *interp, struct lexer *lexer, const char *
 	return true;
 }
 
-/* Does every value that is given leave the coordinates as they are? */
+/* Do all given values leave the coordinates unchanged? */
 static bool all_are(const struct part_values *values, double nothing)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -59,7 +59,7 @@ static bool all_are(const struct part_values *values, double nothing)
 	return true;
 }
 
-/* One part of $P_UIFR, of which CTRANS and the fine shift CFINE are added up. */
+/* One part of $P_UIFR: CTRANS and the fine shift CFINE are added. */
 static bool read_offset_part(struct interp *interp, struct lexer *lexer, slot_values *shift)
 {
 	static const struct {
@@ -86,7 +86,7 @@ static bool read_offset_part(struct interp *interp, struct lexer *lexer, slot_va
 		     "offset can say it");
 }
 
-/* CTRANS(X,1,Y,2):CROT(Z,0): what is not named is 0. */
+/* CTRANS(X,1,Y,2):CROT(Z,0): an axis that is not named has 0. */
 static bool read_offset_frame(struct interp *interp, struct lexer *lexer, int system)
 {
 	slot_values shift = {{0}};
@@ -101,8 +101,8 @@ static bool read_offset_frame(struct interp *interp, struct lexer *lexer, int sy
 }
 
 /*
- * 840D sl, system variables, $P_UIFR: a settable work offset; TR is its shift, FI the fine one, RT its turn. It takes
- * effect where the program selects the offset the next time.
+ * 840D sl, system variables, $P_UIFR: a settable work offset. TR is its shift, FI the fine shift, RT its rotation. A
+ * new value has an effect when the program selects the offset the next time.
  */
 static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 {
@@ -114,7 +114,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n))
 		return false;
 	system = sinumerik_system_of_offset(n);
-	/* No move comes before then (sinumerik_place_check.h). */
+	/* No move can come before that (sinumerik_place_check.h). */
 	if (system == interp->state.system) {
 		sinumerik_frame_place(interp);
 		interp->state.work_assigned = true;
@@ -136,7 +136,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		     component[0] ? component : "no component");
 }
 
-/* $P_IFRAME=$P_UIFR[1]: a new value of the work offset that is in force takes effect. */
+/* $P_IFRAME=$P_UIFR[1]: a new value of the active work offset gets its effect. */
 static bool renew_offset(struct interp *interp, struct lexer *lexer, int column)
 {
 	int n;
@@ -159,9 +159,7 @@ static bool renew_offset(struct interp *interp, struct lexer *lexer, int column)
 	return sinumerik_frame_changed(interp, column);
 }
 
-/*
- * One part of $P_PFRAME: the frame itself, where it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X).
- */
+/* One part of $P_PFRAME: the frame itself, if it comes first; CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X). */
 static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 {
 	static const struct {
@@ -204,7 +202,7 @@ static bool check_frame(struct interp *interp, int column)
 	return true;
 }
 
-/* $P_PFRAME[X,TR]=5: its shift along one axis. */
+/* $P_PFRAME[X,TR]=5: the shift of the frame along one axis. */
 static bool write_shift(struct interp *interp, struct lexer *lexer, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -230,7 +228,7 @@ static bool write_shift(struct interp *interp, struct lexer *lexer, int column)
 	return sinumerik_frame_changed(interp, column);
 }
 
-/* The programmable frame: parts that ':' chains, each in the coordinates of those before it. */
+/* The programmable frame: ':' chains its parts, each in the coordinates of those before it. */
 static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 {
 	bool first = true;
@@ -249,7 +247,7 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 	return true;
 }
 
-/* Base frames, which programs take back at their start, are none here. */
+/* Base frames: programs cancel them at their start; here there are none. */
 static bool is_base_frame(const char *name)
 {
 	static const char *const frames[] = {"$P_UBFR", "$P_BFRAME", "$P_CHBFR", "$P_CHBFRAME",

@@ -4,7 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* "$P_UIFR[1,X,TR]=5" behind its name; what has no geometry is read and forgotten. False: reported. */
+/*
+ * Reads "$P_UIFR[1,X,TR]=5" after its name. A variable without effect on the geometry is read and ignored. False:
+ * reported.
+ */
 bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column);
 
 #endif

@@ -50,7 +50,7 @@ static bool has_modal_word(const struct sinumerik_block *block)
 	return false;
 }
 
-/* MD20150 sets the modes at power-on; what G-codes the program gives itself needs no answer. */
+/* MD20150 sets the modes at power-on; a mode that the program sets itself needs no answer. */
 static bool check_modes(const struct interp *interp, const struct sinumerik_block *block, bool arc, int column)
 {
 	const bool lengths = arc || (block->letters & LINEAR_BITS);
@@ -71,7 +71,7 @@ static bool check_modes(const struct interp *interp, const struct sinumerik_bloc
 	return true;
 }
 
-/* SD42940: in which direction the length acts in G18 and G19. */
+/* SD42940: the direction in which the tool length acts with G18 and G19. */
 static bool check_length_axis(const struct interp *interp, int column)
 {
 	const struct state *state = &interp->state;
@@ -88,8 +88,8 @@ static bool check_length_axis(const struct interp *interp, int column)
 }
 
 /*
- * $MC_TRAFO5_ROT_OFFSET_FROM_FRAME_1: TRAORI takes the rotary axes' offsets of the work offset as their zero, or counts
- * from the machine's. With "offset", what becomes of offsets by TRANS is not certain.
+ * $MC_TRAFO5_ROT_OFFSET_FROM_FRAME_1: TRAORI takes the rotary values of the work offset as the zero of the axes, or
+ * the zero of the machine. With "offset", the effect of TRANS on rotary axes is not certain.
  */
 bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column)
 {
@@ -146,7 +146,7 @@ bool sinumerik_target_check_cycle(struct interp *interp, int column)
 
 /* -------------------------------------------------------------- coordinates */
 
-/* SD42440 and SD42442: does an increment after a change of offsets count from the program coordinate of before? */
+/* SD42440 and SD42442: is an increment after a change of offsets relative to the program coordinate of before? */
 static bool start_increment(struct interp *interp, int slot, int column, double *coordinate)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -183,7 +183,7 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 	return true;
 }
 
-/* DC, ACP, ACN: modulo a turn, in degrees from where the axis is. */
+/* DC, ACP, ACN: within one turn, degrees from the present position of the axis. */
 static bool way_of_turn(struct interp *interp, int slot, enum sinumerik_way sort, double from, double aim, int column,
 			double *way)
 {
@@ -228,7 +228,7 @@ static bool find_turned(struct interp *interp, int slot, enum sinumerik_way way,
 	return true;
 }
 
-/* An angle from 0 on and below 360; what rounding leaves below a whole turn is 0. */
+/* An angle of at least 0 and below 360; a value that rounding puts just below a full turn is 0. */
 static double reduced(double angle)
 {
 	const double rest = angle - 360 * floor(angle / 360);
@@ -237,9 +237,9 @@ static double reduced(double angle)
 }
 
 /*
- * Function manual R2, "Modulo rotary axes", AC and G90: the axis turns forward to a larger position of its display and
- * back to a smaller one, and so never passes 0. False: an offset, or a position that is no reading of the display,
- * leaves it open what is compared.
+ * Function manual R2, "Modulo rotary axes", AC and G90: the axis turns forward to a larger displayed position and
+ * backward to a smaller one, so it never passes 0. False: because of an offset, or of a position outside the display,
+ * the comparison is not certain.
  */
 static bool find_plain_way(const struct interp *interp, int slot, double value, double offset, double *way)
 {
@@ -251,9 +251,9 @@ static bool find_plain_way(const struct interp *interp, int slot, double value, 
 }
 
 /*
- * MD30455, bit 2: which way the axis turns where the program writes neither DC, ACP nor ACN. wrap="shortest" says the
- * shorter way, but a machine file may say it for DC alone: without rotary_way the verdict carries a caution where the
- * plain way is another one.
+ * MD30455, bit 2: the direction in which the axis turns if the program writes neither DC, ACP nor ACN.
+ * wrap="shortest" means the shorter way, but a machine file may mean it for DC only: without rotary_way the verdict
+ * has a caution if the plain way is a different one.
  */
 static bool check_rotary_way(struct interp *interp, int slot, double shortest, double plain, bool sure, int column)
 {
@@ -277,7 +277,7 @@ static bool check_rotary_way(struct interp *interp, int slot, double shortest, d
 	return true;
 }
 
-/* An absolute position of a rotary axis that counts modulo 360; `offset` is between it and the axis' own. */
+/* An absolute position of a modulo rotary axis; `offset` is the difference to the axis' own position. */
 static bool find_wrapped(struct interp *interp, int slot, double value, double offset, int column, double *target)
 {
 	const double here = interp->state.position.v[slot], shortest = remainder(value + offset - here, 360);

@@ -5,12 +5,12 @@
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
 /*
- * Is everything known that the words need: units, G90 or G91, the plane, the work offset, the tool's edge, the frames?
- * False: reported, with what says it.
+ * Is everything known that the words need: units, G90 or G91, the plane, the work offset, the edge of the tool, the
+ * frames? False: it is not; the report names what would tell it.
  */
 bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc);
 
-/* The same for a cycle, whose coordinates are absolute lengths in the plane in force. */
+/* The same for a cycle, whose coordinates are absolute lengths in the active plane. */
 bool sinumerik_target_check_cycle(struct interp *interp, int column);
 
 /* Program coordinates at the end of the block's motion, mm and degrees. Other axes stay. False: reported. */
@@ -27,8 +27,8 @@ double sinumerik_target_centre(const struct interp *interp, double value, enum s
 			       double start);
 
 /*
- * Does it matter, and is it not known, whether TRAORI and CYCLE800 count rotary axes from their offsets? False:
- * reported.
+ * Is it unknown whether TRAORI and CYCLE800 count rotary axes from their offsets, and does it matter? False: both,
+ * which was reported.
  */
 bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column);
 

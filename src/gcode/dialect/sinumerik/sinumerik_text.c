@@ -8,7 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/text/number.h"
 
-/* 840D sl, job planning, "String operations". Positions count from 0; what is not found is -1. */
+/* 840D sl, job planning, "String operations". Positions count from 0; -1 means not found. */
 static const char *const makers[] = {"TOUPPER", "TOLOWER", "SUBSTR"};
 static const char *const measures[] = {"STRLEN", "INDEX", "RINDEX", "MINDEX", "NUMBER", "ISNUMBER"};
 
@@ -49,7 +49,10 @@ static bool quoted(struct lexer *lexer, struct sinumerik_text *text)
 	return true;
 }
 
-/* The name that comes next, which stays: a text variable, whose index is given, or a function; else NULL and false. */
+/*
+ * Looks at the next name: returns a text variable; or NULL, and *function tells whether it is a function of text.
+ * Nothing is consumed.
+ */
 static const struct sinumerik_variable *look(struct interp *interp, struct lexer *lexer, bool *function)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -114,7 +117,7 @@ static bool read_variable(struct expr *expr, const struct sinumerik_variable *va
 	return sinumerik_variables_check(expr->lexer->at, variable, element, column);
 }
 
-/* SUBSTR(text, first) and SUBSTR(text, first, length): positions behind the end are left out. */
+/* SUBSTR(text, first) and SUBSTR(text, first, length): positions after the end are omitted. */
 static bool cut(struct expr *expr, struct sinumerik_text *text)
 {
 	int first, length = SINUMERIK_TEXT;
@@ -233,7 +236,7 @@ static bool number_of(const char *text, double *value)
 	       text[position + strspn(text + position, " ")] == '\0';
 }
 
-/* Where `what` stands in the text: INDEX finds the first such byte, RINDEX the last, MINDEX the first of several. */
+/* The position of `what` in the text: INDEX finds the first such byte, RINDEX the last, MINDEX the first of several. */
 static double find(const char *name, const char *text, const char *what)
 {
 	const char *place = !strcmp(name, "RINDEX")   ? strrchr(text, what[0])
@@ -270,7 +273,7 @@ bool sinumerik_text_measure(struct expr *expr, const char *name, double *value)
 	if (!strcmp(name, "STRLEN")) {
 		*value = (double)strlen(text.bytes);
 	} else if (!strcmp(name, "NUMBER") || !strcmp(name, "ISNUMBER")) {
-		/* What else is a number to the control (1EX3, 'HFF') is not settled here. */
+		/* It is not certain which other texts are numbers to the control (1EX3, 'HFF'). */
 		const bool number = number_of(text.bytes, value);
 
 		if (!number && (name[0] == 'N' || strpbrk(text.bytes, "0123456789")))

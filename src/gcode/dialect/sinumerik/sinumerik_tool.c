@@ -11,10 +11,10 @@
 #include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
 
-/* Names of tools without any setup. */
+/* The maximum number of tool names without a setup. */
 #define NAMES_MAX 10000
 
-/* Without a setup a name stands for a number of its own, in the order of the program. */
+/* Without a setup, each name gets a number of its own, in the order of the program. */
 static bool number_name(struct interp *interp, const char *name, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -47,7 +47,7 @@ static bool select_by_name(struct interp *interp, const char *name, int column)
 	}
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
-	/* M6 is no second fault. */
+	/* M6 does not report the error again. */
 	interp->state.selected = 0;
 	return tool_table_lacks_name(&interp->at, column, name);
 }
@@ -80,7 +80,7 @@ static bool find_length(struct interp *interp, int edge, int column, double *len
 	if (!tool && !interp->config->has_setup)
 		return fault(&interp->at, column,
 			     "D%d of the tool in the spindle: its length is not known without a setup", edge);
-	/* That the setup lacks the tool has been reported; every tool of a setup has an edge D1. */
+	/* It was reported that the setup lacks the tool; every tool of a setup has an edge D1. */
 	if (!tool && edge == 1 && interp->faulty)
 		return true;
 	if (tool && (edge == 1 || tool == interp->config->any_tool)) {
@@ -131,7 +131,7 @@ static bool set_programmed_edge(struct interp *interp, const struct sinumerik_bl
 	return set_edge(interp, (int)value, block->column[index]);
 }
 
-/* MD20270: the edge that M6 puts in force. */
+/* MD20270: the edge that M6 makes active. */
 static bool edge_of_change(struct interp *interp, const struct sinumerik_block *block, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -171,7 +171,7 @@ static bool change_tool(struct interp *interp, const struct sinumerik_block *blo
 	return edge_of_change(interp, block, column);
 }
 
-/* T waits for M6 where the program has one, sooner or later. Each file is searched once. */
+/* If the program has an M6 anywhere, T waits for it. Each file is searched once. */
 static bool look_for_change(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -187,7 +187,7 @@ static bool look_for_change(struct interp *interp, const struct sinumerik_block 
 	return true;
 }
 
-/* MD22550: T changes the tool by itself, or M6 does. */
+/* MD22550: either T changes the tool, or M6 does. */
 bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block)
 {
 	const bool by_t = interp->config->controller.t_changes_tool == ANSWER_YES;

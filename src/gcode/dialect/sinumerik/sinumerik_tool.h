@@ -4,10 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
-/* Carries out the block's T, M6 and D, in this order. False: reported, or the sink wants no more. */
+/* Executes T, M6 and D of the block, in this order. False: reported, or the sink wants no more. */
 bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block);
 
-/* mm: of the edge in force; 0 where it is not known, and for D0. */
+/* The radius of the active edge, mm; 0 if it is not known, and for D0. */
 double sinumerik_tool_radius(const struct interp *interp);
 
 #endif

@@ -8,7 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/tool_length.h"
 
-/* The tool lies along Y within this much: no X at right angles to both comes from them. */
+/* A tool that deviates from Y by less than this defines no X perpendicular to both. */
 #define ALONG_Y 1e-6
 
 static bool has_frame(const struct sinumerik *sinumerik)
@@ -25,8 +25,8 @@ static bool has_frame(const struct sinumerik *sinumerik)
 }
 
 /*
- * Z along the tool; of the rest only that it is at right angles: MD21110 and SD42980 say where X points, and a move of
- * Z alone does not depend on it.
+ * Z is along the tool. Of X and Y it is only known that they are perpendicular to it: MD21110 and SD42980 define
+ * their directions, and a move of Z alone does not depend on them.
  */
 static mat3 frame_of(vec3 tool)
 {
@@ -47,10 +47,10 @@ static bool change(struct interp *interp, int column, const struct sinumerik_fra
 	sinumerik->frames.tool_frame = on;
 	if (!sinumerik_frame_changed(interp, column))
 		return false;
-	/* An increment of Z counts from where the tool is: the retraction that TOROT is for. */
+	/* An increment of Z is relative to the present position: this is the retraction for which TOROT exists. */
 	if (on)
 		memcpy(sinumerik->place.shifted, shifted, sizeof(shifted));
-	/* Which coordinates X, Y and Z had in the frame is not known. */
+	/* The coordinates of X, Y and Z in the frame are not known. */
 	for (int slot = SLOT_X; slot <= SLOT_Z && !on; slot++) {
 		sinumerik->place.shifted[slot] = true;
 		sinumerik->place.programmed.v[slot] = NAN;
@@ -59,8 +59,8 @@ static bool change(struct interp *interp, int column, const struct sinumerik_fra
 }
 
 /*
- * Function manual K2, "Frame rotation in tool direction": TOFRAME makes the programmable frame a pure rotation, TOROT
- * replaces its rotation alone, by the same one; without a frame before they are one.
+ * Function manual K2, "Frame rotation in tool direction": TOFRAME makes the programmable frame a pure rotation; TOROT
+ * replaces only its rotation, by the same one. Without a frame before, both are the same.
  */
 static APART bool select_frame(struct interp *interp, const struct sinumerik_block *block)
 {

@@ -4,10 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
-/* Carries out TOROT, TOROTOF and the like of the block. False: reported. */
+/* Executes TOROT, TOROTOF and the like of the block. False: reported. */
 bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_block *block);
 
-/* While such a frame is in force: does the block need its X or Y, which are not known? False: reported. */
+/* Does the block need X or Y of such an active frame, which are not known? False: it does, which was reported. */
 bool sinumerik_tool_frame_check(struct interp *interp, const struct sinumerik_block *block, bool arc);
 
 #endif

@@ -5,8 +5,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /*
- * What stands behind TRAORI: nothing and (1) are the first transformation that the machine's maker has set up, whose
- * tool lies along Z; others are refused. False: reported.
+ * Reads what follows TRAORI. Nothing and (1) select the first transformation that the builder has configured, whose
+ * tool is parallel to Z; others are refused. False: reported.
  */
 bool sinumerik_traori_read(struct interp *interp, struct lexer *lexer);
 

@@ -1,17 +1,17 @@
-/* sinumerik_values.h - texts, variables and macros, as the program in hand has them. */
+/* sinumerik_values.h - texts, variables, macros and arguments of the program. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_VALUES_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_VALUES_H
 
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 
-/* 840D sl, NC programming: strings of 200 bytes. */
+/* 840D sl, NC programming: a string has at most 200 bytes. */
 #define SINUMERIK_TEXT 200
 
 struct sinumerik_text {
 	char bytes[SINUMERIK_TEXT + 1];
 };
 
-/* 840D sl, NC programming: arrays of three dimensions, R0 to R999. */
+/* 840D sl, NC programming: arrays have up to three dimensions; R0 to R999. */
 #define SINUMERIK_DIMENSIONS 3
 #define SINUMERIK_R_COUNT 1000
 
@@ -20,7 +20,7 @@ enum sinumerik_type { SINUMERIK_INT, SINUMERIK_REAL, SINUMERIK_BOOL, SINUMERIK_C
 /* Variables of the machine's maker and of users (GUD) belong to no program. */
 #define SINUMERIK_LEVEL_OF_CONTROL (-1)
 
-/* Made by DEF, as a parameter of PROC, or by the machine file. */
+/* A variable that DEF, PROC (a parameter), or the machine file has made. */
 struct sinumerik_variable {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
 	enum sinumerik_type type;
@@ -32,17 +32,17 @@ struct sinumerik_variable {
 	struct sinumerik_text *texts;	/* owned */
 	bool *given;	/* owned: the known values of a variable of the control; NULL: all are known */
 	int refers_to;	/* a VAR parameter: the variable of the caller; or -1 */
-	int level;	/* of the call whose program has made it */
+	int level;	/* the level of calls of its program */
 };
 
 struct sinumerik_variables {
-	struct sinumerik_variable *items;	/* owned; those of the control come first */
+	struct sinumerik_variable *items;	/* owned; variables of the control come first */
 	size_t count, capacity;
-	size_t elements;	/* of all of them */
+	size_t elements;	/* elements of all variables */
 	double r[SINUMERIK_R_COUNT];	/* NAN: the program has not assigned it */
 };
 
-/* Made by DEFINE. */
+/* A macro that DEFINE has made. */
 struct sinumerik_macro {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
 	char *text;	/* owned */
@@ -54,13 +54,13 @@ struct sinumerik_macros {
 	size_t count, capacity;
 };
 
-/* The operators that the current expression has: the order of some of them must be certain. */
+/* Which operators the current expression has; the order of comparisons and AND must be certain. */
 struct sinumerik_logic {
 	bool compares;	/* ==, <, and so on */
 	bool joins;	/* AND, OR or XOR */
 };
 
-/* Parameters of a subprogram or of a cycle. */
+/* The maximum number of parameters of a subprogram or a cycle. */
 #define SINUMERIK_ARGUMENTS_MAX 40
 
 /* The arguments of the current call, as they were read. */

@@ -7,7 +7,7 @@
 
 #include "base/mem.h"
 
-/* Storage of one program's variables; controls have less. */
+/* Limits of the variables of one program; controls have less. */
 #define VARIABLES_MAX 10000
 #define ELEMENTS_MAX 1000000
 #define TEXTS_MAX 20000
@@ -23,7 +23,7 @@ int sinumerik_variables_find_own(const struct sinumerik *sinumerik, const char *
 	return -1;
 }
 
-/* They are the first ones. */
+/* Variables of the control are the first ones. */
 static int find_of_control(const struct sinumerik *sinumerik, const char *name)
 {
 	for (size_t i = 0; i < sinumerik->variables.count; i++) {
@@ -93,7 +93,10 @@ void sinumerik_variables_leave(struct sinumerik *sinumerik, int level)
 	}
 }
 
-/* 840D sl, job planning, "Type conversions": REAL to INT rounds, from 0.5 on up; to BOOL, all but 0 is TRUE. */
+/*
+ * 840D sl, job planning, "Type conversions": from REAL to INT, 0.5 and more is rounded up; to BOOL, every value
+ * except 0 is TRUE.
+ */
 bool sinumerik_variables_set(struct interp *interp, struct sinumerik_variable *variable, size_t element, double value,
 			     int column)
 {
@@ -137,7 +140,7 @@ bool sinumerik_variables_check(const struct line_place *at, const struct sinumer
 
 	if (!variable->given || variable->given[element])
 		return true;
-	/* Told once. */
+	/* Reported once. */
 	variable->given[element] = true;
 	write_name(variable, element, name, sizeof(name));
 	return fault(at, column,
