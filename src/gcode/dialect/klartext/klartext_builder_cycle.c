@@ -120,16 +120,16 @@ static bool go_around(struct interp *interp, const double around[3], bool ends_t
 	/* Its parameters say at which height it ends, which is the same each time. */
 	loose[SLOT_X] += both[0];
 	loose[SLOT_Y] += both[1];
-	loose[SLOT_Z] = larger(both[2], klartext_of(interp)->left_open ? loose[SLOT_Z] : 0);
-	klartext_of(interp)->left_open = false;
-	klartext_of(interp)->height_open = both[2] > 0;
+	loose[SLOT_Z] = larger(both[2], klartext_of(interp)->open.aside ? loose[SLOT_Z] : 0);
+	klartext_of(interp)->open.aside = false;
+	klartext_of(interp)->open.height = both[2] > 0;
 	return true;
 }
 
 /* What moves around its place cannot do so here. False: reported. */
 static bool check_place(struct interp *interp, const char *kind, const char *name, int column)
 {
-	if (interp->state.tcp == TCP_OFF && !klartext_comp_is_selected(interp) && !klartext_of(interp)->waits &&
+	if (interp->state.tcp == TCP_OFF && !klartext_comp_is_selected(interp) && !klartext_of(interp)->stay.waits &&
 	    !klartext_frame_is_scaled(interp))
 		return true;
 	return fault(&interp->at, column,
@@ -150,7 +150,7 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 	snprintf(name, sizeof(name), "%d", cycle->number);
 	if (!check_place(interp, "cycle", name, cycle->column))
 		return false;
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	klartext_of(interp)->last.known = false;
 	/*
 	 * The control's own cycles end over what they have milled, and not where they are called; those of the touch
@@ -212,7 +212,7 @@ bool klartext_builder_program_run(struct interp *interp, const char *path, int c
 		return true;
 	if (!check_place(interp, "program", name, column))
 		return false;
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	klartext_of(interp)->last.known = false;
 	return go_around(interp, macro->around, true, column);
 }

@@ -53,7 +53,7 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 static bool check_kept(struct interp *interp, const struct klartext_words *words)
 {
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z;
-	const unsigned kept = plane & ~words->axes & ~(1U << klartext_of(interp)->across);
+	const unsigned kept = plane & ~words->axes & ~(1U << klartext_of(interp)->pole.across);
 
 	return (words->axes & (words->axes - 1)) || klartext_pole_check(interp, kept, words->first_column);
 }
@@ -66,7 +66,7 @@ static bool check_kept(struct interp *interp, const struct klartext_words *words
 bool klartext_circle_pole(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_pole *pole = &klartext_of(interp)->pole;
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z;
 	vec3 here = klartext_frame_point(interp);
 	struct klartext_words words;
@@ -81,16 +81,16 @@ bool klartext_circle_pole(struct lexer *lexer)
 		if (!klartext_frame_check_increment(interp, SLOT_X, words.first_column) ||
 		    !klartext_frame_check_increment(interp, SLOT_Y, words.first_column))
 			return false;
-		klartext->pole = here;
-		klartext->across = SLOT_Z;
-		klartext->has_pole[SLOT_X] = klartext->has_pole[SLOT_Y] = true;
-		klartext->spatial_pole = false;
-		klartext->pole_place = klartext_frame_place_of(interp, klartext->pole);
+		pole->point = here;
+		pole->across = SLOT_Z;
+		pole->has[SLOT_X] = pole->has[SLOT_Y] = true;
+		pole->spatial = false;
+		pole->place = klartext_frame_place_of(interp, pole->point);
 		return true;
 	}
 	if (!check_kept(interp, &words))
 		return false;
-	klartext->spatial_pole = words.axes == plane;
+	pole->spatial = words.axes == plane;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool increment = words.increments & 1U << slot;
 		double from = increment ? klartext_pole_coordinate(here, slot) : 0;
@@ -98,19 +98,19 @@ bool klartext_circle_pole(struct lexer *lexer)
 		if (increment && !klartext_frame_check_increment(interp, slot, words.column[slot]))
 			return false;
 		if (klartext_words_has(&words, slot)) {
-			klartext_pole_set_coordinate(&klartext->pole, slot, words.value[slot] + from);
-			klartext->has_pole[slot] = true;
+			klartext_pole_set_coordinate(&pole->point, slot, words.value[slot] + from);
+			pole->has[slot] = true;
 		}
 	}
 	if (words.axes == plane)
-		klartext->across = SLOT_Z;
+		pole->across = SLOT_Z;
 	else if (klartext_words_has(&words, SLOT_Z))
-		klartext->across = klartext_words_has(&words, SLOT_X)	? SLOT_Y
-				   : klartext_words_has(&words, SLOT_Y) ? SLOT_X
-									: klartext->across;
+		pole->across = klartext_words_has(&words, SLOT_X)   ? SLOT_Y
+			       : klartext_words_has(&words, SLOT_Y) ? SLOT_X
+								    : pole->across;
 	else if (klartext_words_has(&words, SLOT_X) && klartext_words_has(&words, SLOT_Y))
-		klartext->across = SLOT_Z;
-	klartext->pole_place = klartext_frame_place_of(interp, klartext->pole);
+		pole->across = SLOT_Z;
+	pole->place = klartext_frame_place_of(interp, pole->point);
 	return true;
 }
 
@@ -141,7 +141,7 @@ static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end
 /* Does a circle from start to end about the pole lie in the plane across this axis? */
 static bool fits(const struct klartext *klartext, const struct klartext_path *path, vec3 end, int across)
 {
-	const struct plane_point centre = klartext_pole_flat(klartext->pole, across);
+	const struct plane_point centre = klartext_pole_flat(klartext->pole.point, across);
 	const struct plane_point from = klartext_pole_flat(path->start, across), to = klartext_pole_flat(end, across);
 	const double r0 = math_hypot(from.a - centre.a, from.b - centre.b),
 		     r1 = math_hypot(to.a - centre.a, to.b - centre.b);
@@ -154,13 +154,13 @@ static bool fits(const struct klartext *klartext, const struct klartext_path *pa
 /* In any plane in which it fits, it lies in this cube about the pole: how far that is from the straight line. */
 static void bound_circle(const struct klartext *klartext, struct klartext_path *path, vec3 end)
 {
-	const double radius = vec3_norm(vec3_sub(path->start, klartext->pole)) + RADIUS_TOLERANCE;
+	const double radius = vec3_norm(vec3_sub(path->start, klartext->pole.point)) + RADIUS_TOLERANCE;
 
 	path->open = true;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		const double from = klartext_pole_coordinate(path->start, slot),
 			     to = klartext_pole_coordinate(end, slot),
-			     pole = klartext_pole_coordinate(klartext->pole, slot);
+			     pole = klartext_pole_coordinate(klartext->pole.point, slot);
 
 		path->half[slot] = fmax(pole + radius - fmin(from, to), fmax(from, to) - (pole - radius));
 	}
@@ -190,21 +190,21 @@ static bool shape_about_pole(struct interp *interp, const struct klartext_words 
 			     struct klartext_path *path)
 {
 	const struct klartext *klartext = klartext_of(interp);
-	bool whole = klartext->has_pole[SLOT_X] && klartext->has_pole[SLOT_Y] && klartext->has_pole[SLOT_Z];
-	int across = klartext->across;
+	bool whole = klartext->pole.has[SLOT_X] && klartext->pole.has[SLOT_Y] && klartext->pole.has[SLOT_Z];
+	int across = klartext->pole.across;
 	struct plane_point centre;
 
 	if (!check_direction(interp, words, "C") || !klartext_pole_find(interp, words->first_column, &centre))
 		return false;
-	if (whole && across == SLOT_Z && (klartext->spatial_pole || klartext_words_has(words, SLOT_Z)) &&
+	if (whole && across == SLOT_Z && (klartext->pole.spatial || klartext_words_has(words, SLOT_Z)) &&
 	    !fits(klartext, path, target->point, SLOT_Z)) {
 		if (!find_plane(klartext, path, target->point, &across))
 			return fault(
 			    &interp->at, words->first_column,
 			    "the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or "
 			    "it leaves the plane; a helix is written as CP");
-		centre = klartext_pole_flat(klartext->pole, across);
-	} else if (!klartext->spatial_pole && !check_across(interp, words, across, "circle")) {
+		centre = klartext_pole_flat(klartext->pole.point, across);
+	} else if (!klartext->pole.spatial && !check_across(interp, words, across, "circle")) {
 		return false;
 	}
 	return path->open ||
@@ -310,7 +310,7 @@ bool klartext_circle_polar_line(struct lexer *lexer)
 static bool shape_polar(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			struct klartext_path *path)
 {
-	int across = klartext_of(interp)->across;
+	int across = klartext_of(interp)->pole.across;
 	struct plane_point centre;
 
 	if (!check_direction(interp, words, "CP") || !klartext_pole_find(interp, words->first_column, &centre))

@@ -26,14 +26,14 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 		return fault(&interp->at, column,
 			     "the radius of T%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
 			     number);
-	if (tool != interp->config->any_tool && klartext->defined_tool == number &&
-	    fabs(klartext->defined_radius - tool->diameter / 2) > SAME_POINT)
+	if (tool != interp->config->any_tool && klartext->tool.defined == number &&
+	    fabs(klartext->tool.defined_radius - tool->diameter / 2) > SAME_POINT)
 		return fault(&interp->at, column,
 			     "TOOL DEF gives T%d a radius of %.6g mm, and the setup %.6g mm: which of them the control "
 			     "takes depends on whether its tool table is active; make them agree, or "
 			     "say tool_def=\"ignored\" in the machine's <controller> if the table counts",
-			     number, klartext->defined_radius, tool->diameter / 2);
-	*radius = tool->diameter / 2 + klartext->delta_radius;
+			     number, klartext->tool.defined_radius, tool->diameter / 2);
+	*radius = tool->diameter / 2 + klartext->tool.delta_radius;
 	return *radius >= 0 || fault(&interp->at, column,
 				     "the radius of T%d with DR is %.6g mm: compensation by a negative radius is not "
 				     "supported",
@@ -65,7 +65,7 @@ static void leave(struct interp *interp)
 {
 	interp->comp.side = 0;
 	interp->comp.entered = interp->comp.leaving = interp->comp.starting = false;
-	klartext_of(interp)->looks_ahead = false;
+	klartext_of(interp)->crossing.looks_ahead = false;
 	interp->state.frame = (struct rotated_frame){.on = false};
 }
 
@@ -85,12 +85,12 @@ static bool check_start(struct interp *interp, int column)
 		return fault(&interp->at, column,
 			     "radius compensation while M128 is in force is not supported; post the path of the tool's "
 			     "centre with R0");
-	if (klartext->looks_ahead)
+	if (klartext->crossing.looks_ahead)
 		return fault(
 		    &interp->at, column,
 		    "radius compensation with M120: it leaves out what the tool cannot reach, which is not supported "
 		    "yet; post the path of the tool's centre with R0");
-	if (klartext->waits)
+	if (klartext->stay.waits)
 		return fault(&interp->at, column,
 			     "radius compensation before the rotary axes stand where PLANE ... STAY needs them");
 	if (fabs(frame->scale.x - 1) + fabs(frame->scale.y - 1) > 0)
@@ -104,7 +104,7 @@ static void begin(struct interp *interp, int side, double radius)
 	comp_lookahead_begin(&interp->comp, side, radius);
 	interp->comp.start_type = COMP_START_A;
 	interp->comp.corner_form = COMP_CORNER_CIRCULAR;
-	klartext_of(interp)->open_crossing = klartext_of(interp)->left_open = false;
+	klartext_of(interp)->crossing.open = klartext_of(interp)->open.aside = false;
 	enter_frame(interp);
 }
 
@@ -123,8 +123,7 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	double radius = 0;
 
 	if (!check_start(interp, column) || !find_radius(interp, column, &radius) ||
-	    (klartext_of(interp)->height_open &&
-	     !klartext_comp_check_known(interp, column, "radius compensation")))
+	    (klartext_of(interp)->open.height && !klartext_comp_check_known(interp, column, "radius compensation")))
 		return false;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
@@ -261,12 +260,12 @@ static void describe_block(struct interp *interp, const struct klartext_path *pa
 /* "Machining small contour steps: M97": at the end of its block the two paths are drawn out to where they cross. */
 static void choose_corner(struct interp *interp, const struct klartext_path *path)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_crossing *crossing = &klartext_of(interp)->crossing;
 
 	if (!moves_in_plane(path))
 		return;
-	interp->comp.corner_form = klartext->open_crossing ? COMP_CORNER_CROSSING : COMP_CORNER_CIRCULAR;
-	klartext->open_crossing = path->crossing;
+	interp->comp.corner_form = crossing->open ? COMP_CORNER_CROSSING : COMP_CORNER_CIRCULAR;
+	crossing->open = path->crossing;
 }
 
 static bool check_arc_plane(struct interp *interp, const struct klartext_path *path)
@@ -285,7 +284,7 @@ bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *
 	straight.v[SLOT_X] = offset[SLOT_X] + path->end.x;
 	straight.v[SLOT_Y] = offset[SLOT_Y] + path->end.y;
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext_of(interp)->frame.scale.z * path->end.z;
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	return motion_commands_go(interp, &straight, &move);
 }
 
@@ -304,7 +303,7 @@ static bool go_beside(struct interp *interp, const struct klartext_target *targe
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext->frame.scale.z * target->point.z;
 	describe_block(interp, path);
 	choose_corner(interp, path);
-	klartext->moved = true;
+	klartext->tool.moved = true;
 	klartext->programmed = target->point;
 	if (path->arc) {
 		struct plane_point centre = {offset[SLOT_X] + path->centre.x, offset[SLOT_Y] + path->centre.y};
@@ -334,14 +333,14 @@ void klartext_comp_settle(struct interp *interp, const struct klartext_words *wo
 	struct klartext *klartext = klartext_of(interp);
 	double *loose = interp->comp.loose;
 
-	if (klartext->height_open && given & 1U << SLOT_Z && (!klartext->frame.tilted || (given & plane) == plane)) {
-		klartext->height_open = false;
+	if (klartext->open.height && given & 1U << SLOT_Z && (!klartext->frame.tilted || (given & plane) == plane)) {
+		klartext->open.height = false;
 		loose[SLOT_Z] = 0;
 	}
-	if ((given & plane) == plane && !(klartext->height_open && klartext->frame.tilted)) {
+	if ((given & plane) == plane && !(klartext->open.height && klartext->frame.tilted)) {
 		loose[SLOT_X] = loose[SLOT_Y] = 0;
-		loose[SLOT_Z] = klartext->height_open ? loose[SLOT_Z] : 0;
-		klartext->left_open = false;
+		loose[SLOT_Z] = klartext->open.height ? loose[SLOT_Z] : 0;
+		klartext->open.aside = false;
 	}
 }
 
@@ -351,14 +350,14 @@ void klartext_comp_turn_open(struct interp *interp)
 	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
 	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
-	klartext_of(interp)->left_open = false;
+	klartext_of(interp)->open.aside = false;
 }
 
 bool klartext_comp_check_known(struct interp *interp, int column, const char *what)
 {
 	const double *loose = interp->comp.loose;
 
-	if (klartext_of(interp)->height_open)
+	if (klartext_of(interp)->open.height)
 		return fault(&interp->at, column,
 			     "%s while it is not known at which height a cycle has left the tool; move X and Y, and Z "
 			     "first",

@@ -19,7 +19,7 @@
 bool klartext_contour_labels(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_contour *contour = &klartext_of(interp)->contour;
 	char word[KLARTEXT_WORD];
 
 	while (!klartext_ends(lexer)) {
@@ -34,9 +34,9 @@ bool klartext_contour_labels(struct lexer *lexer)
 			continue;
 		if (!klartext_integer(lexer, "a label", 1, 65535, &label))
 			return false;
-		if (klartext->contour_count == KLARTEXT_CONTOURS_MAX)
+		if (contour->count == KLARTEXT_CONTOURS_MAX)
 			return fault(lexer->at, column, "CYCL DEF 14 has at most %d labels", KLARTEXT_CONTOURS_MAX);
-		klartext->contours[klartext->contour_count++] = label;
+		contour->labels[contour->count++] = label;
 	}
 	return true;
 }
@@ -63,27 +63,27 @@ static bool read_contour(struct lexer *lexer, int *label)
 /* TNC 640 user's manual, "CONTOUR DEF": what CYCL DEF 14 names, with pockets told from islands. */
 bool klartext_contour_define(struct lexer *lexer)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_contour *contour = &klartext_of(lexer->context)->contour;
 
 	if (!klartext_take(lexer, "DEF"))
 		return fault(lexer->at, klartext_column(lexer), "CONTOUR needs DEF");
-	klartext->contour_count = 0;
+	contour->count = 0;
 	while (!klartext_ends(lexer)) {
 		const int column = klartext_column(lexer);
 		int label;
 
 		if (!read_contour(lexer, &label))
 			return false;
-		if (klartext->contour_count == KLARTEXT_CONTOURS_MAX)
+		if (contour->count == KLARTEXT_CONTOURS_MAX)
 			return fault(lexer->at, column, "CONTOUR DEF has at most %d contours", KLARTEXT_CONTOURS_MAX);
-		klartext->contours[klartext->contour_count++] = label;
+		contour->labels[contour->count++] = label;
 	}
 	return true;
 }
 
 bool klartext_contour_data(struct interp *interp, const struct klartext_cycle *cycle)
 {
-	klartext_of(interp)->contour_data = *cycle;
+	klartext_of(interp)->contour.data = *cycle;
 	return true;
 }
 
@@ -234,17 +234,17 @@ static bool take_block(void *context, struct lexer *lexer)
 
 static bool find_outline(const struct klartext_call_of *call, struct outline *outline)
 {
-	const struct klartext *klartext = klartext_of(call->interp);
+	const struct klartext_contour *contour = &klartext_of(call->interp)->contour;
 
 	*outline = (struct outline){.begun = false};
-	if (!klartext->contour_count)
+	if (!contour->count)
 		return fault(&call->interp->at, call->column, "CYCL DEF %d, but no CYCL DEF 14 has named contours",
 			     call->cycle->number);
-	for (int i = 0; i < klartext->contour_count; i++) {
+	for (int i = 0; i < contour->count; i++) {
 		char name[16];
 
 		outline->has[0] = outline->has[1] = outline->has_pole = false;
-		snprintf(name, sizeof(name), "%d", klartext->contours[i]);
+		snprintf(name, sizeof(name), "%d", contour->labels[i]);
 		if (!klartext_flow_read_label(call->interp, name, call->column, take_block, outline))
 			return false;
 	}
@@ -307,12 +307,12 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 {
 	struct interp *interp = call->interp;
 	const struct klartext_call_of data = {
-	    .interp = interp, .cycle = &klartext_of(interp)->contour_data, .column = call->column};
+	    .interp = interp, .cycle = &klartext_of(interp)->contour.data, .column = call->column};
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 	/* Cycle 21 drills where the mill of Q13 plunges, which may be smaller than the drill. */
 	const bool mills = call->cycle->number != 21;
 	const double radius =
-	    tool && mills ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->delta_radius)) : 0;
+	    tool && mills ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->tool.delta_radius)) : 0;
 	const double more =
 	    fmax(0, -klartext_parameter_length_or(&data, 3, 0)) + fmax(0, -klartext_parameter_length_or(call, 14, 0));
 	struct klartext_region region = {.centre = klartext_frame_point(interp), .fixed = true};

@@ -35,7 +35,7 @@ static bool begins_corner(const char *text, size_t length)
 
 bool klartext_corner_follows(struct interp *interp)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_lines *lines = &klartext_of(interp)->lines;
 	struct reader *reader = &interp->program.source->reader;
 	const struct position next = source_next(interp->program.source);
 	const long furthest = reader->furthest;
@@ -45,9 +45,9 @@ bool klartext_corner_follows(struct interp *interp)
 	if (reader_peek(reader, LOOK_AHEAD, &text))
 		return begins_corner(text, LOOK_AHEAD);
 	/* The next line is not in the buffer: reading it moves the one in hand. */
-	strbuf_clear(&klartext->line);
-	strbuf_addf(&klartext->line, "%s", interp->at.text);
-	interp->at.text = strbuf_text(&klartext->line);
+	strbuf_clear(&lines->text);
+	strbuf_addf(&lines->text, "%s", interp->at.text);
+	interp->at.text = strbuf_text(&lines->text);
 	corner = reader_next(reader, &text) == READER_LINE && begins_corner(text, strlen(text));
 	reader_seek(reader, next.offset, next.line);
 	reader->furthest = furthest;
@@ -87,7 +87,7 @@ bool klartext_corner_hold(struct interp *interp, const struct klartext_words *wo
 	corner->spindle = interp->state.spindle;
 	corner->speed_is_zero = interp->state.speed_is_zero;
 	klartext_move_put(interp, target->point);
-	klartext->moved = true;
+	klartext->tool.moved = true;
 	klartext->programmed = target->point;
 	return true;
 }

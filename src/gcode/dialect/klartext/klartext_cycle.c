@@ -298,9 +298,10 @@ bool klartext_cycle_check_values(struct interp *interp, int column, bool heights
 
 	const struct klartext *klartext = klartext_of(interp);
 
-	if (klartext_contour_is(klartext->cycle.number) && !check_values(interp, column, &klartext->contour_data, all))
+	if (klartext_contour_is(klartext->cycles.active.number) &&
+	    !check_values(interp, column, &klartext->contour.data, all))
 		return false;
-	return check_values(interp, column, &klartext->cycle, heights ? all : but_heights);
+	return check_values(interp, column, &klartext->cycles.active, heights ? all : but_heights);
 }
 
 bool klartext_cycle_call(struct interp *interp, int column)
@@ -325,8 +326,8 @@ void klartext_cycle_set(struct klartext_cycle *cycle, const char *name, double v
 
 bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift)
 {
-	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_cycle defined = klartext->cycle;
+	struct klartext_cycles *cycles = &klartext_of(interp)->cycles;
+	const struct klartext_cycle defined = cycles->active;
 	const struct klartext_call_of call = {.interp = interp, .cycle = &defined, .column = column};
 	double surface;
 	bool good;
@@ -339,18 +340,18 @@ bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift
 		return fault(&interp->at, column,
 			     "a Z other than 0 in CYCL CALL POS shifts the cycle: of a cycle without Q203 that is "
 			     "not supported yet");
-	klartext_cycle_set(&klartext->cycle, "Q203", surface + shift / interp->state.scale);
+	klartext_cycle_set(&cycles->active, "Q203", surface + shift / interp->state.scale);
 	good = klartext_cycle_carry_out(interp, column);
-	klartext->cycle = defined;
+	cycles->active = defined;
 	return good;
 }
 
 /* "PROGRAM CALL (Cycle 12)". Behind another M-function of the block the rest of it would come before the program. */
 static bool call_program(struct interp *interp, int column)
 {
-	const char *name = klartext_of(interp)->cycle_program;
+	const char *name = klartext_of(interp)->cycles.program;
 
-	if (klartext_of(interp)->modal_call)
+	if (klartext_of(interp)->cycles.modal)
 		return fault(&interp->at, column, "CYCL DEF 12 with M89 is not supported yet");
 	return name[0] != '\0' ? klartext_flow_call_program(interp, name, column)
 			       : fault(&interp->at, column, "CYCL DEF 12 has not named a program");
@@ -372,17 +373,17 @@ static bool check_along_z(struct interp *interp, int column)
 bool klartext_cycle_carry_out(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycles.active, .column = column};
 
-	if (klartext->cycle.number == 0)
+	if (klartext->cycles.active.number == 0)
 		return fault(&interp->at, column, "no cycle has been defined that could be called");
-	if (klartext->cycle.refused)
+	if (klartext->cycles.active.refused)
 		return true;
 	if (klartext_comp_is_selected(interp))
 		return fault(&interp->at, column, "a cycle under radius compensation is not supported; R0 comes first");
 	if (!check_along_z(interp, column))
 		return false;
-	if (klartext->waits)
+	if (klartext->stay.waits)
 		return fault(&interp->at, column,
 			     "a cycle before the rotary axes stand where PLANE ... STAY needs them");
 	if (!klartext_preset_check_plane(interp, column) ||
@@ -391,20 +392,21 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->corner.waits)
 		return fault(&interp->at, column, "RND and CHF need a straight line behind them");
 	klartext->last.known = false;
-	if (klartext->cycle.number == 12)
+	if (klartext->cycles.active.number == 12)
 		return call_program(interp, column);
-	klartext->moved = true;
-	if (klartext_builder_cycle_is_called(klartext->cycle.number))
-		return klartext_builder_cycle_run(interp, &klartext->cycle);
-	if (klartext->cycle.by_q)
+	klartext->tool.moved = true;
+	if (klartext_builder_cycle_is_called(klartext->cycles.active.number))
+		return klartext_builder_cycle_run(interp, &klartext->cycles.active);
+	if (klartext->cycles.active.by_q)
 		return by_q(&call);
-	return klartext->cycle.number >= 3 && klartext->cycle.number <= 5 ? klartext_pocket_make_old(&call)
-									  : by_parts(&call);
+	return klartext->cycles.active.number >= 3 && klartext->cycles.active.number <= 5
+		   ? klartext_pocket_make_old(&call)
+		   : by_parts(&call);
 }
 
 bool klartext_cycle_start(struct interp *interp, double *height)
 {
-	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext_of(interp)->cycle};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext_of(interp)->cycles.active};
 	double clearance, surface;
 
 	if (!call.cycle->by_q || !klartext_parameter_find(&call, 200, &clearance) ||
@@ -416,14 +418,14 @@ bool klartext_cycle_start(struct interp *interp, double *height)
 
 bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words, bool moves)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_cycles *cycles = &klartext_of(interp)->cycles;
 	const struct klartext_m *m = words->m_count ? klartext_words_m(words, 99) : NULL;
 
-	if (!klartext->modal_call)
+	if (!cycles->modal)
 		return true;
 	/* The block with M99 is the last one. */
 	if (m) {
-		klartext->modal_call = false;
+		cycles->modal = false;
 		return true;
 	}
 	return !moves || klartext_cycle_call(interp, words->first_column);

@@ -142,18 +142,18 @@ static const struct cycle_row *find_row(int number)
 
 static bool finish(struct interp *interp)
 {
-	struct klartext *klartext = klartext_of(interp);
-	struct klartext_cycle *definition = &klartext->definition;
+	struct klartext_cycles *cycles = &klartext_of(interp)->cycles;
+	struct klartext_cycle *definition = &cycles->definition;
 	const struct cycle_row *row = find_row(definition->number);
 
 	definition->open = false;
 	if (definition->refused) {
-		klartext->cycle = *definition;
+		cycles->active = *definition;
 		return true;
 	}
 	if (row ? row->use == USE_CALLED : klartext_builder_cycle_is_called(definition->number)) {
-		klartext->cycle = *definition;
-		klartext->modal_call = false;
+		cycles->active = *definition;
+		cycles->modal = false;
 		return true;
 	}
 	if (!row)
@@ -164,7 +164,7 @@ static bool finish(struct interp *interp)
 
 bool klartext_define_end(struct interp *interp)
 {
-	return !klartext_of(interp)->definition.open || finish(interp);
+	return !klartext_of(interp)->cycles.definition.open || finish(interp);
 }
 
 /* ------------------------------------------------------------------- words */
@@ -214,7 +214,7 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	if (!strcmp(text, "FMAX") || !strcmp(text, "MAX"))
 		word->value = FMAX_VALUE;
 	else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO"))
-		word->value = klartext_of(interp)->call_feed_bare;
+		word->value = klartext_of(interp)->tool.feed_bare;
 	else
 		return fault(lexer->at, column, "Q%d=%s is not supported yet: give a number", number, text);
 	word->given = true;
@@ -310,7 +310,7 @@ bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double 
 bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 {
 	const struct interp *interp = lexer->context;
-	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	const struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
 
 	/* QS500="TEXT" of cycle 225. */
 	if (definition->open && definition->by_q && !numbered && klartext_string_follows(lexer))
@@ -325,7 +325,7 @@ bool klartext_define_line(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 
 	return klartext_string_follows(lexer) ? klartext_string_assign(lexer)
-					      : read_words(lexer, &klartext_of(interp)->definition);
+					      : read_words(lexer, &klartext_of(interp)->cycles.definition);
 }
 
 /* The name of a cycle, which says nothing that its number does not say. */
@@ -363,14 +363,15 @@ static bool begin(struct lexer *lexer, int number, int column)
 
 	/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
 	if (!row)
-		klartext_of(interp)->cycle.number = 0;
-	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
-								  .number = number,
-								  .open = true,
-								  .refused = !known,
-								  .by_q = is_by_q(number),
-								  .line = lexer->at->line,
-								  .column = column};
+		klartext_of(interp)->cycles.active.number = 0;
+	klartext_of(interp)->cycles.definition =
+	    (struct klartext_cycle){.numbered = klartext_of(interp)->lines.numbered,
+				    .number = number,
+				    .open = true,
+				    .refused = !known,
+				    .by_q = is_by_q(number),
+				    .line = lexer->at->line,
+				    .column = column};
 	return known || klartext_builder_cycle_refuse(lexer, number, column);
 }
 
@@ -381,7 +382,7 @@ static bool read_program(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "PGM"))
 		return fault(lexer->at, klartext_column(lexer), "CYCL DEF 12.1 needs PGM and a name");
-	return klartext_name(lexer, "a program's name", klartext->cycle_program, KLARTEXT_NAME) &&
+	return klartext_name(lexer, "a program's name", klartext->cycles.program, KLARTEXT_NAME) &&
 	       klartext_expect_end(lexer);
 }
 
@@ -389,16 +390,16 @@ static bool read_program(struct lexer *lexer)
 static bool read_part(struct lexer *lexer, int number, int part, int column)
 {
 	struct interp *interp = lexer->context;
-	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
 	int count;
 
 	if (part == 0) {
 		if (!begin(lexer, number, column))
 			return false;
 		if (number == 14)
-			klartext_of(interp)->contour_count = 0;
+			klartext_of(interp)->contour.count = 0;
 		if (number == 12)
-			klartext_of(interp)->cycle_program[0] = '\0';
+			klartext_of(interp)->cycles.program[0] = '\0';
 		return skip_name_of_lines(lexer);
 	}
 	if (!definition->open || definition->number != number || definition->by_q)
@@ -429,7 +430,7 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 bool klartext_define_probe(struct lexer *lexer)
 {
 	const int column = klartext_column(lexer);
-	struct klartext_cycle *definition = &klartext_of(lexer->context)->definition;
+	struct klartext_cycle *definition = &klartext_of(lexer->context)->cycles.definition;
 	double value;
 	int number;
 
@@ -454,7 +455,7 @@ bool klartext_define_probe(struct lexer *lexer)
 	if (!klartext_define_end(lexer->context) || !begin(lexer, number, column))
 		return false;
 	skip_name(lexer);
-	return read_words(lexer, &klartext_of(lexer->context)->definition);
+	return read_words(lexer, &klartext_of(lexer->context)->cycles.definition);
 }
 
 bool klartext_define_read(struct lexer *lexer)
@@ -478,9 +479,9 @@ bool klartext_define_read(struct lexer *lexer)
 	}
 	if (!klartext_define_end(interp) || !begin(lexer, number, column))
 		return false;
-	if (!klartext_of(interp)->definition.by_q)
+	if (!klartext_of(interp)->cycles.definition.by_q)
 		return fault(lexer->at, column, "CYCL DEF %d is written in lines %d.0, %d.1 and on", number, number,
 			     number);
 	skip_name(lexer);
-	return read_words(lexer, &klartext_of(interp)->definition);
+	return read_words(lexer, &klartext_of(interp)->cycles.definition);
 }

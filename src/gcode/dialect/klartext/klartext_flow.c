@@ -66,18 +66,18 @@ static bool label_of_line(struct interp *interp, const char *text, char name[KLA
 
 static bool add_label(struct interp *interp, const char *name)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_calls *calls = &klartext_of(interp)->calls;
 	struct source *source = interp->program.source;
 	struct label *label;
 	char key[KEY];
 
 	make_key(key, &interp->program.sources, source, name);
-	label = labels_find(&klartext->labels, key);
+	label = labels_find(&calls->labels, key);
 	if (label) {
 		label->kind = label->at.line == source->reader.line ? label->kind : LABEL_TWICE;
 		return true;
 	}
-	label = labels_add(&klartext->labels, key, LABEL_FOUND);
+	label = labels_add(&calls->labels, key, LABEL_FOUND);
 	if (!label)
 		return fault(&interp->at, 1, "more than %d labels", LABELS_MAX);
 	label->at = source_here(source);
@@ -88,13 +88,13 @@ static bool add_label(struct interp *interp, const char *name)
 /* Keeps the text of the line in hand, as the reader goes elsewhere. */
 static void keep_line(struct interp *interp)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_lines *lines = &klartext_of(interp)->lines;
 
-	if (interp->at.text == klartext->line.text)
+	if (interp->at.text == lines->text.text)
 		return;
-	strbuf_clear(&klartext->line);
-	strbuf_addf(&klartext->line, "%s", interp->at.text);
-	interp->at.text = strbuf_text(&klartext->line);
+	strbuf_clear(&lines->text);
+	strbuf_addf(&lines->text, "%s", interp->at.text);
+	interp->at.text = strbuf_text(&lines->text);
 }
 
 /* Reads the whole file in hand once and notes its labels; the line in hand stays. False: reported. */
@@ -109,7 +109,7 @@ static bool scan_labels(struct interp *interp, int column)
 	bool good = true;
 
 	make_key(key, &interp->program.sources, source, "");
-	if (labels_find(&klartext_of(interp)->labels, key))
+	if (labels_find(&klartext_of(interp)->calls.labels, key))
 		return true;
 	keep_line(interp);
 	if (!reader_seek(reader, source == interp->program.start.source ? interp->program.start.offset : 0, 1))
@@ -121,7 +121,7 @@ static bool scan_labels(struct interp *interp, int column)
 			good = add_label(interp, name);
 	}
 	reader->furthest = furthest;
-	if (!good || !labels_add(&klartext_of(interp)->labels, key, LABEL_FOUND))
+	if (!good || !labels_add(&klartext_of(interp)->calls.labels, key, LABEL_FOUND))
 		return false;
 	return program_jump(&interp->program, &next, &interp->at, column);
 }
@@ -138,7 +138,7 @@ static struct label *find_label(struct interp *interp, const char *name, int col
 	if (!scan_labels(interp, column))
 		return NULL;
 	make_key(key, &interp->program.sources, interp->program.source, name);
-	label = labels_find(&klartext_of(interp)->labels, key);
+	label = labels_find(&klartext_of(interp)->calls.labels, key);
 	if (!label)
 		fault_report(&interp->at, column, "the program has no LBL %s", name);
 	else if (label->kind == LABEL_TWICE)
@@ -199,41 +199,41 @@ static bool enter(struct interp *interp, enum klartext_call_kind kind, const cha
 	struct klartext_call *call;
 	const struct position back = source_next(interp->program.source);
 
-	if (klartext->level == KLARTEXT_CALLS_MAX)
+	if (klartext->calls.level == KLARTEXT_CALLS_MAX)
 		return fault(&interp->at, column, "more than %d calls inside each other", KLARTEXT_CALLS_MAX);
-	call = &klartext->calls[++klartext->level];
+	call = &klartext->calls.items[++klartext->calls.level];
 	*call = (struct klartext_call){
 	    .kind = kind, .back = back, .file = interp->at.file, .line = interp->at.line, .column = column};
 	snprintf(call->title, sizeof(call->title), "%s", title);
-	klartext->jumped = true;
+	klartext->calls.jumped = true;
 	if (kind == KLARTEXT_PROGRAM) {
-		klartext->programs++;
-		memset(klartext->ql[klartext->programs], 0, sizeof(klartext->ql[0]));
+		klartext->calls.programs++;
+		memset(klartext->values.ql[klartext->calls.programs], 0, sizeof(klartext->values.ql[0]));
 	}
 	return program_jump(&interp->program, to, &interp->at, column);
 }
 
 static bool leave(struct interp *interp, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_call *call = &klartext->calls[klartext->level--];
+	struct klartext_calls *calls = &klartext_of(interp)->calls;
+	const struct klartext_call *call = &calls->items[calls->level--];
 
-	klartext->programs -= call->kind == KLARTEXT_PROGRAM;
-	while (klartext->repeat_count && klartext->repeats[klartext->repeat_count - 1].level > klartext->level)
-		klartext->repeat_count--;
+	calls->programs -= call->kind == KLARTEXT_PROGRAM;
+	while (calls->repeat_count && calls->repeats[calls->repeat_count - 1].level > calls->level)
+		calls->repeat_count--;
 	return program_jump(&interp->program, &call->back, &interp->at, column);
 }
 
 bool klartext_flow_label(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_calls *calls = &klartext_of(interp)->calls;
 	int column = klartext_column(lexer);
 	char name[KLARTEXT_NAME];
 
 	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
 		return false;
-	if (strcmp(name, "0") != 0 || klartext->level == 0 || klartext->calls[klartext->level].kind != KLARTEXT_LABEL)
+	if (strcmp(name, "0") != 0 || calls->level == 0 || calls->items[calls->level].kind != KLARTEXT_LABEL)
 		return true;
 	return leave(interp, column);
 }
@@ -251,24 +251,24 @@ static bool same_place(const struct position *a, const struct position *b)
  */
 static bool repeat(struct interp *interp, const struct position here, const struct label *label, int count, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_calls *calls = &klartext_of(interp)->calls;
 	struct klartext_repeat *item = NULL;
 
 	if (label->at.source == here.source && label->at.offset > here.offset)
 		return fault(&interp->at, column,
 			     "REP repeats the section from the label to this block, but the label stands behind it: a "
 			     "subprogram is called without REP, once for each time that it runs");
-	for (int i = 0; i < klartext->repeat_count; i++) {
-		if (klartext->repeats[i].level == klartext->level && same_place(&klartext->repeats[i].at, &here))
-			item = &klartext->repeats[i];
+	for (int i = 0; i < calls->repeat_count; i++) {
+		if (calls->repeats[i].level == calls->level && same_place(&calls->repeats[i].at, &here))
+			item = &calls->repeats[i];
 	}
-	if (!item && klartext->repeat_count == KLARTEXT_REPEATS_MAX)
+	if (!item && calls->repeat_count == KLARTEXT_REPEATS_MAX)
 		return fault(&interp->at, column, "more than %d program section repeats at a time",
 			     KLARTEXT_REPEATS_MAX);
 	if (!item) {
-		item = &klartext->repeats[klartext->repeat_count++];
+		item = &calls->repeats[calls->repeat_count++];
 		*item = (struct klartext_repeat){
-		    .at = here, .level = klartext->level, .left = count, .start = label->at.offset};
+		    .at = here, .level = calls->level, .left = count, .start = label->at.offset};
 	}
 	if (item->left_by_jump)
 		return fault(&interp->at, column,
@@ -276,11 +276,11 @@ static bool repeat(struct interp *interp, const struct position here, const stru
 			     "counted anew is "
 			     "not known here");
 	if (item->left == 0) {
-		*item = klartext->repeats[--klartext->repeat_count];
+		*item = calls->repeats[--calls->repeat_count];
 		return true;
 	}
 	item->left--;
-	klartext->jumped = true;
+	calls->jumped = true;
 	return program_jump(&interp->program, &label->body, &interp->at, column);
 }
 
@@ -350,7 +350,7 @@ bool klartext_flow_select(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "PGM"))
 		return fault(lexer->at, 1, "SEL other than SEL PGM, SEL TABLE and SEL PATTERN is not supported yet");
-	return klartext_string_name(lexer, "a program's name", klartext_of(interp)->selected) &&
+	return klartext_string_name(lexer, "a program's name", klartext_of(interp)->calls.selected) &&
 	       klartext_expect_end(lexer);
 }
 
@@ -361,8 +361,8 @@ static bool call_selected(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "PGM") || !klartext_expect_end(lexer))
 		return fault(lexer->at, column, "CALL SELECTED needs PGM");
-	return klartext_of(interp)->selected[0] != '\0'
-		   ? klartext_flow_call_program(interp, klartext_of(interp)->selected, column)
+	return klartext_of(interp)->calls.selected[0] != '\0'
+		   ? klartext_flow_call_program(interp, klartext_of(interp)->calls.selected, column)
 		   : fault(lexer->at, column, "CALL SELECTED PGM, but no SEL PGM has named a program");
 }
 
@@ -382,12 +382,12 @@ bool klartext_flow_call(struct lexer *lexer)
 /* Notes which program section repeats the jump leaves unfinished. */
 static void leave_sections(struct klartext *klartext, const struct position *to)
 {
-	for (int i = 0; i < klartext->repeat_count; i++) {
-		struct klartext_repeat *item = &klartext->repeats[i];
+	for (int i = 0; i < klartext->calls.repeat_count; i++) {
+		struct klartext_repeat *item = &klartext->calls.repeats[i];
 		bool inside =
 		    to->source == item->at.source && to->offset >= item->start && to->offset <= item->at.offset;
 
-		if (item->level == klartext->level && !inside)
+		if (item->level == klartext->calls.level && !inside)
 			item->left_by_jump = true;
 	}
 }
@@ -412,7 +412,7 @@ bool klartext_flow_jump(struct lexer *lexer, int number)
 	label = find_label(interp, name, column);
 	if (!label)
 		return false;
-	klartext_of(interp)->jumped = true;
+	klartext_of(interp)->calls.jumped = true;
 	leave_sections(klartext_of(interp), &label->at);
 	return program_jump(&interp->program, &label->body, &interp->at, column);
 }
@@ -423,9 +423,9 @@ bool klartext_flow_end(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_call *call = &klartext->calls[klartext->level];
+	const struct klartext_call *call = &klartext->calls.items[klartext->calls.level];
 
-	if (klartext->behind_end || klartext->level == 0) {
+	if (klartext->lines.behind_end || klartext->calls.level == 0) {
 		interp->ended = true;
 		return klartext_comp_end(interp, 1) && motion_commands_spindle_stops(interp) &&
 		       klartext_rest_check(interp);
@@ -441,11 +441,11 @@ bool klartext_flow_end_of_file(struct interp *interp)
 	const struct klartext *klartext = klartext_of(interp);
 	const struct srcloc loc = {interp->program.source->name, interp->program.source->reader.line, 0};
 
-	if (klartext->behind_end) {
+	if (klartext->lines.behind_end) {
 		interp->ended = true;
 		return true;
 	}
-	if (!klartext->begun && klartext->level == 0)
+	if (!klartext->lines.begun && klartext->calls.level == 0)
 		return true;
 	diag_error(interp->diag, loc, "the file ends without END PGM: is it complete?");
 	return false;
@@ -455,12 +455,12 @@ _Static_assert(KLARTEXT_CALLS_MAX <= CALLS_MAX, "every call has its place in a c
 
 bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_calls *calls = &klartext_of(interp)->calls;
 	const struct klartext_call *call;
 
-	if ((size_t)klartext->level <= level)
+	if ((size_t)calls->level <= level)
 		return false;
-	call = &klartext->calls[klartext->level - (int)level];
+	call = &calls->items[calls->level - (int)level];
 	*at = (struct srcloc){call->file, call->line, call->column};
 	if (title)
 		strbuf_addf(title, "%s", call->title);

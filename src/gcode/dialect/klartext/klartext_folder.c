@@ -46,7 +46,7 @@ static bool may_be_same(const char *a, size_t a_length, const char *b, size_t b_
 static bool check(struct interp *interp, const char *path, const struct source *source, int column)
 {
 	const struct sources *sources = &interp->program.sources;
-	struct strbuf *folders = &klartext_of(interp)->folders;
+	struct strbuf *folders = &klartext_of(interp)->calls.folders;
 	const size_t length = (size_t)(bare_of(path) - path);
 	size_t index = 0;
 	const char *first;

@@ -188,7 +188,7 @@ static bool assign(struct lexer *lexer, struct klartext_q *q, int number, int co
 {
 	struct interp *interp = lexer->context;
 
-	if (q == &klartext_of(interp)->q[number] && number >= 100 && number < 120)
+	if (q == &klartext_of(interp)->values.q[number] && number >= 100 && number < 120)
 		return fault(lexer->at, column, "Q%d belongs to the control: a program cannot assign it", number);
 	*q = (struct klartext_q){.value = value, .given = true};
 	return true;

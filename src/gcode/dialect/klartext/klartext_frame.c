@@ -180,7 +180,7 @@ bool klartext_frame_check_zero(struct interp *interp, int column)
 bool klartext_frame_check_shift(const struct interp *interp, unsigned axes, int column)
 {
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (axes & klartext_of(interp)->shift_open & 1U << slot)
+		if (axes & klartext_of(interp)->shift.open & 1U << slot)
 			return fault(&interp->at, column,
 				     "the datum of %c was shifted before a tilted plane, and in it again: whether the "
 				     "first shift counts behind the plane is not known here; write CYCL DEF 7 with %c "

@@ -121,9 +121,9 @@ static void note_order(struct klartext *klartext, int slot, bool increment)
 	const double outer[] = {before.x, before.y, before.z};
 
 	if (klartext->frame.tilted && !same_double(outer[slot], 0))
-		klartext->shift_in_plane |= 1U << slot;
+		klartext->shift.in_plane |= 1U << slot;
 	if (!klartext->frame.tilted && !increment)
-		klartext->shift_open &= ~(1U << slot);
+		klartext->shift.open &= ~(1U << slot);
 }
 
 /*
@@ -168,7 +168,7 @@ static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 			    "turned with them is not known here; shift the datum first");
 	}
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
-		klartext_of(interp)->shifted[slot] |= !same_double(shift.v[slot], interp->state.shift.v[slot]);
+		klartext_of(interp)->rotary.shifted[slot] |= !same_double(shift.v[slot], interp->state.shift.v[slot]);
 	*linear = (vec3){values[0], values[1], values[2]};
 	interp->state.shift = shift;
 	klartext_frame_update(interp);

@@ -73,7 +73,7 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 {
 	if (on && !klartext_comp_check_known(interp, column, "TCPM"))
 		return false;
-	if (klartext_of(interp)->waits)
+	if (klartext_of(interp)->stay.waits)
 		return fault(&interp->at, column, "TCPM before the rotary axes stand where PLANE ... STAY needs them");
 	if (on == (interp->state.tcp == TCP_BY_MCODE))
 		return true;
@@ -134,9 +134,9 @@ static bool read_tcpm(struct lexer *lexer)
 		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS or SPAT, and PATHCTRL AXIS or VECTOR");
 	if (!switch_tcpm(interp, true, column))
 		return false;
-	klartext_of(interp)->spatial = spatial;
-	klartext_of(interp)->by_vector = vector;
-	memset(klartext_of(interp)->spatial_given, 0, sizeof(klartext_of(interp)->spatial_given));
+	klartext_of(interp)->tcpm.spatial = spatial;
+	klartext_of(interp)->tcpm.by_vector = vector;
+	memset(klartext_of(interp)->tcpm.given, 0, sizeof(klartext_of(interp)->tcpm.given));
 	return true;
 }
 
@@ -201,7 +201,7 @@ bool klartext_function_mode(struct lexer *lexer)
 		if (klartext_take(lexer, "S-PULSE") || klartext_take(lexer, "FEED"))
 			return true;
 		if (klartext_take(lexer, "TCPM")) {
-			klartext_of(lexer->context)->spatial = false;
+			klartext_of(lexer->context)->tcpm.spatial = false;
 			return switch_tcpm(lexer->context, false, column);
 		}
 	}

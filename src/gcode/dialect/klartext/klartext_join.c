@@ -14,7 +14,7 @@ static enum joined kind_of_line(struct interp *interp)
 	const char *text = interp->at.text;
 	char word[KLARTEXT_WORD];
 
-	if (klartext_of(interp)->definition.open || !klartext_continues(text))
+	if (klartext_of(interp)->cycles.definition.open || !klartext_continues(text))
 		return JOINED_NOT;
 	/* A block number, and the mark of a block that may be left out, before or behind it. */
 	lexer.position += strspn(text + lexer.position, " \t0123456789/");
@@ -67,14 +67,14 @@ static void add_part(struct strbuf *line, const char *text)
 /* The reader has given up the first line: what was joined so far stands for it. */
 static bool fault_joined(struct interp *interp, const char *message)
 {
-	interp->at.text = strbuf_text(&klartext_of(interp)->joined);
+	interp->at.text = strbuf_text(&klartext_of(interp)->lines.joined);
 	return fault(&interp->at, 1, "%s", message);
 }
 
 /* It would fill the memory, and is too long to be shown. */
 static bool fault_long(struct interp *interp)
 {
-	interp->at.text = strbuf_text(&klartext_of(interp)->joined);
+	interp->at.text = strbuf_text(&klartext_of(interp)->lines.joined);
 	diag_error(interp->diag, (struct srcloc){interp->at.file, interp->at.line, 0},
 		   "'~' continues this block over more than %d bytes; is this an NC program?", LINE_LENGTH_MAX);
 	return false;
@@ -82,7 +82,7 @@ static bool fault_long(struct interp *interp)
 
 bool klartext_join(struct interp *interp, bool (*begins_block)(const char *word))
 {
-	struct strbuf *line = &klartext_of(interp)->joined;
+	struct strbuf *line = &klartext_of(interp)->lines.joined;
 	const enum joined kind = kind_of_line(interp);
 	const char *text = interp->at.text;
 

@@ -28,7 +28,7 @@ static bool changes(long number)
 
 static bool load(struct lexer *lexer, const struct control_variable *variable)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_values *values = &klartext_of(lexer->context)->values;
 	const char *name = variable->name;
 	const bool text = name[1] == 'S';
 	const size_t letters = text || name[1] == 'R' ? 2 : 1;
@@ -46,7 +46,7 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 		return klartext_string_set(lexer, 0, (int)number, variable->text);
 	if (isnan(variable->number))
 		return fault(lexer->at, 0, "%s: the value of its <variable> is no number", name);
-	(name[1] == 'R' ? klartext->qr : klartext->q)[number] =
+	(name[1] == 'R' ? values->qr : values->q)[number] =
 	    (struct klartext_q){.value = variable->number, .given = true};
 	return true;
 }

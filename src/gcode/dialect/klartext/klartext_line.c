@@ -56,15 +56,15 @@ static bool begin(struct lexer *lexer)
 	while (unit > text && unit[-1] != ' ' && unit[-1] != '\t')
 		unit--;
 	length = (size_t)(text + length - unit);
-	if (klartext->begun && klartext->programs == 0)
+	if (klartext->lines.begun && klartext->calls.programs == 0)
 		return fault(lexer->at, column, "a second BEGIN PGM before END PGM");
 	if (length == 2 && !strncmp(unit, "MM", 2)) {
-		if (klartext->programs && klartext->inch)
+		if (klartext->calls.programs && klartext->inch)
 			return fault(lexer->at, column,
 				     "a program in mm that one in inches calls is not supported yet");
 		klartext->inch = false;
 	} else if ((length == 4 && !strncmp(unit, "INCH", 4)) || (length == 2 && !strncmp(unit, "IN", 2))) {
-		if (klartext->programs && !klartext->inch)
+		if (klartext->calls.programs && !klartext->inch)
 			return fault(lexer->at, column,
 				     "a program in inches that one in mm calls is not supported yet");
 		klartext->inch = true;
@@ -72,11 +72,11 @@ static bool begin(struct lexer *lexer)
 		return fault(lexer->at, (int)(unit - text) + 1,
 			     "BEGIN PGM ends with the unit of the program, MM or INCH");
 	}
-	klartext->begun = true;
+	klartext->lines.begun = true;
 	interp->state.scale = klartext->inch ? state_unit(G20) : state_unit(G21);
-	if (klartext->programs == 0)
+	if (klartext->calls.programs == 0)
 		klartext->programmed = klartext_frame_point(interp);
-	return klartext->programs > 0 || klartext_kept_load(lexer);
+	return klartext->calls.programs > 0 || klartext_kept_load(lexer);
 }
 
 static bool end(struct lexer *lexer)
@@ -122,11 +122,11 @@ static bool cycle(struct lexer *lexer)
 /* As some posts write it; a control that does not take it stops there, and nothing moves. */
 static bool cycle_in_full(struct lexer *lexer)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_lines *lines = &klartext_of(lexer->context)->lines;
 
-	if (!klartext->cycle_in_full)
+	if (!lines->cautioned_cycle)
 		caution(lexer->at, 1, "CYCLE is read as CYCL, which is how this control writes it");
-	klartext->cycle_in_full = true;
+	lines->cautioned_cycle = true;
 	return cycle(lexer);
 }
 
@@ -282,7 +282,7 @@ static bool refuse_iso(struct lexer *lexer)
 /* Blocks of loops and calls are counted. */
 static bool count_block(struct interp *interp)
 {
-	return !klartext_of(interp)->jumped ||
+	return !klartext_of(interp)->calls.jumped ||
 	       program_count(&interp->program, interp->config->read.max_blocks, &interp->at);
 }
 
@@ -298,7 +298,7 @@ static bool check_begun(struct lexer *lexer)
 	const struct klartext *klartext = klartext_of(interp);
 	char byte = lexer_peek(lexer);
 
-	if (klartext->begun || klartext_take(lexer, "BEGIN"))
+	if (klartext->lines.begun || klartext_take(lexer, "BEGIN"))
 		return true;
 	if (byte == '%')
 		return refuse_iso(lexer);
@@ -339,11 +339,11 @@ static bool is_like_block(const struct lexer *before)
  */
 static bool is_comment(struct lexer *lexer, bool numbered)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_lines *lines = &klartext_of(lexer->context)->lines;
 	const char byte = lexer_peek(lexer);
-	const bool begins = byte == ';' || byte == '*', goes_on = klartext->comment_goes_on && !numbered;
+	const bool begins = byte == ';' || byte == '*', goes_on = lines->comment_goes_on && !numbered;
 
-	klartext->comment_goes_on = (goes_on || (begins && numbered)) && klartext_continues(lexer->at->text);
+	lines->comment_goes_on = (goes_on || (begins && numbered)) && klartext_continues(lexer->at->text);
 	return byte == '\0' || begins || goes_on;
 }
 
@@ -355,14 +355,15 @@ static bool may_belong_before(struct lexer *lexer, bool numbered)
 {
 	struct klartext *klartext = klartext_of(lexer->context);
 	const char *text = lexer->at->text;
-	const bool behind = klartext->tail_goes_on && !numbered;
+	const bool behind = klartext->lines.tail_goes_on && !numbered;
 	struct lexer look = *lexer;
 	char word[KLARTEXT_WORD];
 
-	klartext->tail_goes_on = strchr(text, ';') && klartext_continues(text);
+	klartext->lines.tail_goes_on = strchr(text, ';') && klartext_continues(text);
 	if (behind)
 		klartext_word(&look, word);
-	return behind && !klartext->definition.open && !find_statement(word) && starts_word(word, text[look.position]);
+	return behind && !klartext->cycles.definition.open && !find_statement(word) &&
+	       starts_word(word, text[look.position]);
 }
 
 static bool take_line(struct lexer *lexer, bool *bare)
@@ -372,21 +373,21 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	const size_t start = lexer->position;
 	char byte = lexer_peek(lexer);
 
-	klartext_of(interp)->numbered = numbered;
+	klartext_of(interp)->lines.numbered = numbered;
 	*bare = true;
-	if (klartext_of(interp)->comment_goes_on && !numbered && is_like_block(lexer))
+	if (klartext_of(interp)->lines.comment_goes_on && !numbered && is_like_block(lexer))
 		return fault(lexer->at, klartext_column(lexer),
 			     "'~' has this line belong to the comment before it, but it reads like a block: take the "
 			     "'~' away, or begin the line with ';'");
 	if (is_comment(lexer, numbered)) {
-		klartext_of(interp)->tail_goes_on = false;
+		klartext_of(interp)->lines.tail_goes_on = false;
 		return true;
 	}
 	if (may_belong_before(lexer, numbered))
 		return fault(lexer->at, klartext_column(lexer),
 			     "'~' behind the comment of the block before leaves open whether this line belongs to it: "
 			     "take the '~' away, or write it before the comment's ';' and without the comment");
-	if (klartext_of(interp)->behind_end)
+	if (klartext_of(interp)->lines.behind_end)
 		return pass_by(lexer);
 	if (!count_block(interp) || !check_begun(lexer))
 		return false;
@@ -396,7 +397,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 		return true;
 	if (byte == '/') {
 		lexer_take(lexer);
-		klartext_of(interp)->numbered |= klartext_skip_number(lexer);
+		klartext_of(interp)->lines.numbered |= klartext_skip_number(lexer);
 		if (klartext_ends(lexer) || lexer_peek(lexer) == '*')
 			return true;
 	}
@@ -415,7 +416,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 static bool end_definition(struct interp *interp, const struct lexer *before)
 {
 	struct lexer lexer = *before;
-	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
 	bool numbered, slash;
 
 	numbered = klartext_skip_head(&lexer, &slash);
@@ -438,7 +439,7 @@ static bool says_nothing(const char *text)
 /* A definition in one line, or the last line of one with '~'. */
 static bool ends_definition(const struct interp *interp)
 {
-	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	const struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
 	const bool in_one = definition->count > 0 && definition->line == interp->at.line;
 
 	return definition->open && definition->by_q && !klartext_continues(interp->at.text) &&
@@ -447,7 +448,7 @@ static bool ends_definition(const struct interp *interp)
 
 bool klartext_line_run(struct interp *interp, bool *done)
 {
-	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
 	struct lexer lexer;
 	bool bare, good;
 
@@ -464,7 +465,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 		return false;
 	if (!take_line(&lexer, &bare) || !good)
 		return false;
-	klartext_of(interp)->synchronised &= interp->moves == 0;
+	klartext_of(interp)->sync.holds &= interp->moves == 0;
 	definition->continued |= definition->open && definition->count > 0 && klartext_continues(interp->at.text);
 	if (ends_definition(interp) && !klartext_define_end(interp))
 		return false;

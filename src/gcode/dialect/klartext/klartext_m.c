@@ -173,7 +173,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 {
 	struct klartext *klartext = klartext_of(interp);
 
-	klartext->spatial = klartext->by_vector = false;
+	klartext->tcpm.spatial = klartext->tcpm.by_vector = false;
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
 	if (klartext->corner.waits)
@@ -181,7 +181,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 			     "M128 in the block behind RND or CHF is not supported: write it into a block of its own");
 	if (!klartext_comp_check_known(interp, m->column, "M128"))
 		return false;
-	if (klartext->waits)
+	if (klartext->stay.waits)
 		return fault(&interp->at, m->column,
 			     "M128 before the rotary axes stand where PLANE ... STAY needs them");
 	return klartext_preset_check(interp, m->column) && klartext_frame_check_zero(interp, m->column) &&
@@ -237,7 +237,7 @@ static bool retract(struct interp *interp, const struct klartext_words *words, c
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		target.v[slot] = way.position.v[slot];
 	klartext_of(interp)->last.known = false;
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	return motion_commands_go(interp, &target, &move);
 }
 
@@ -259,14 +259,14 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	case M_TURN_LEFT:
 		return turn_spindle(interp, SPINDLE_COUNTERCLOCKWISE);
 	case M_SHORTEST:
-		klartext_of(interp)->shortest = true;
+		klartext_of(interp)->rotary.shortest = true;
 		return true;
 	case M_TCP_START:
 		return start_tcp(interp, m);
 	case M_REDUCE:
 		return reduce(interp, m);
 	case M_LOOK_AHEAD:
-		klartext_of(interp)->looks_ahead = m->way > 0;
+		klartext_of(interp)->crossing.looks_ahead = m->way > 0;
 		return true;
 	case M_PER_REVOLUTION:
 	case M_PER_MINUTE:
@@ -311,7 +311,7 @@ static bool stand(struct interp *interp)
 
 static bool stop_tcp(struct interp *interp, const struct klartext_m *m)
 {
-	klartext_of(interp)->spatial = false;
+	klartext_of(interp)->tcpm.spatial = false;
 	return interp->state.tcp != TCP_BY_MCODE || klartext_move_end_tcp(interp, m->column);
 }
 
@@ -320,11 +320,11 @@ static bool end_program(struct interp *interp, const struct klartext_m *m)
 {
 	struct klartext *klartext = klartext_of(interp);
 
-	if (klartext->programs > 0)
+	if (klartext->calls.programs > 0)
 		return fault(&interp->at, m->column,
 			     "M%d in a program that CALL PGM has called: a called program ends with END PGM",
 			     m->number);
-	klartext->behind_end = true;
+	klartext->lines.behind_end = true;
 	return klartext_comp_end(interp, m->column) && motion_commands_spindle_stops(interp);
 }
 
@@ -346,10 +346,10 @@ static bool end(struct interp *interp, const struct klartext_m *m)
 	case M_CALL:
 		return klartext_cycle_call(interp, m->column);
 	case M_CALL_MODAL:
-		klartext_of(interp)->modal_call = true;
+		klartext_of(interp)->cycles.modal = true;
 		return klartext_cycle_call(interp, m->column);
 	case M_PLAIN:
-		klartext_of(interp)->shortest = false;
+		klartext_of(interp)->rotary.shortest = false;
 		return true;
 	case M_TCP_STOP:
 		return stop_tcp(interp, m);

@@ -38,12 +38,12 @@ static double reduced(double value)
  */
 static bool check_way(struct interp *interp, int slot, double value, double target, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_rotary *rotary = &klartext_of(interp)->rotary;
 	enum wrap wrap = interp->config->wrap[slot];
 
-	if (klartext->shortest && wrap == WRAP_NONE && !klartext->cautioned_wrap &&
+	if (rotary->shortest && wrap == WRAP_NONE && !rotary->cautioned &&
 	    fabs(target - interp->state.position.v[slot]) > 180) {
-		klartext->cautioned_wrap = true;
+		rotary->cautioned = true;
 		caution(&interp->at, column,
 			"M126 is in force, but %c counts as a plain number: if its display is reduced to 360 degrees, "
 			"wrap=\"shortest\" of the axis in the machine file says so",
@@ -54,7 +54,7 @@ static bool check_way(struct interp *interp, int slot, double value, double targ
 		    &interp->at, column,
 		    "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
 		    AXIS_LETTERS[slot]);
-	if (klartext->shortest || wrap == WRAP_NONE || interp->config->controller.rotary_way == ROTARY_WAY_SHORTER ||
+	if (rotary->shortest || wrap == WRAP_NONE || interp->config->controller.rotary_way == ROTARY_WAY_SHORTER ||
 	    (fabs(difference_target(interp, slot, value) - target) < SAME_DEGREES &&
 	     fabs(difference_target(interp, slot, reduced(value)) - target) < SAME_DEGREES))
 		return true;
@@ -77,8 +77,8 @@ static bool goes_plain(const struct interp *interp, int slot, double value, doub
 {
 	const struct controller *controller = &interp->config->controller;
 
-	if (!slot_is_rotary(slot) || interp->config->wrap[slot] != WRAP_SHORTEST || klartext_of(interp)->shortest ||
-	    controller->rotary_way != ROTARY_WAY_PLAIN ||
+	if (!slot_is_rotary(slot) || interp->config->wrap[slot] != WRAP_SHORTEST ||
+	    klartext_of(interp)->rotary.shortest || controller->rotary_way != ROTARY_WAY_PLAIN ||
 	    (controller->rotary_angle == ROTARY_ANGLE_UNKNOWN && !(value >= 0 && value < 360)))
 		return false;
 	*target = difference_target(interp, slot,
@@ -92,7 +92,7 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 	double value = words->value[slot];
 
 	if (words->increments & 1U << slot) {
-		if (klartext_of(interp)->shifted[slot] &&
+		if (klartext_of(interp)->rotary.shifted[slot] &&
 		    interp->config->controller.increments_after_shift != INCREMENTS_FROM_POSITION)
 			return fault(
 			    &interp->at, words->column[slot],
@@ -104,7 +104,7 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 		others->v[slot] += value;
 		return true;
 	}
-	klartext_of(interp)->shifted[slot] = false;
+	klartext_of(interp)->rotary.shifted[slot] = false;
 	if (goes_plain(interp, slot, value, &others->v[slot]))
 		return true;
 	return endpoint_absolute(interp, slot, value, state->offset.v[slot], words->column[slot], &others->v[slot]) &&
@@ -163,10 +163,10 @@ bool klartext_move_feed(struct interp *interp, const struct klartext_words *word
 		state->feed_linear = words->feed_value;
 		state->feed_angular = words->feed_bare;
 	} else if (words->feed == KLARTEXT_FEED_AUTO) {
-		if (!(klartext_of(interp)->call_feed > 0))
+		if (!(klartext_of(interp)->tool.feed > 0))
 			return fault(&interp->at, column, "F AUTO, but TOOL CALL has given no F");
-		state->feed_linear = klartext_of(interp)->call_feed;
-		state->feed_angular = klartext_of(interp)->call_feed_bare;
+		state->feed_linear = klartext_of(interp)->tool.feed;
+		state->feed_angular = klartext_of(interp)->tool.feed_bare;
 	}
 	if (*rapid)
 		return true;
@@ -221,12 +221,12 @@ void klartext_move_put(struct interp *interp, vec3 point)
 
 bool klartext_move_in_plane(const struct interp *interp, const slot_values *others)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_stay *stay = &klartext_of(interp)->stay;
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double off = remainder(others->v[slot] - state_from_canonical(slot, klartext->rotary.v[slot]), 360);
+		double off = remainder(others->v[slot] - state_from_canonical(slot, stay->rotary.v[slot]), 360);
 
-		if (klartext->rotary_needed[slot] && fabs(off) > ROUNDED_ANGLE)
+		if (stay->needed[slot] && fabs(off) > ROUNDED_ANGLE)
 			return false;
 	}
 	return true;
@@ -234,15 +234,14 @@ bool klartext_move_in_plane(const struct interp *interp, const slot_values *othe
 
 bool klartext_move_refuse_waiting(struct interp *interp, int column)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_stay *stay = &klartext_of(interp)->stay;
 	char needed[64] = "";
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		const size_t length = strlen(needed);
-		const double angle =
-		    state_from_canonical(slot, klartext->rotary.v[slot]) - interp->state.offset.v[slot];
+		const double angle = state_from_canonical(slot, stay->rotary.v[slot]) - interp->state.offset.v[slot];
 
-		if (klartext->rotary_needed[slot])
+		if (stay->needed[slot])
 			snprintf(needed + length, sizeof(needed) - length, " %c%.7g", AXIS_LETTERS[slot], angle + 0.0);
 	}
 	return fault(&interp->at, column,
@@ -256,7 +255,7 @@ bool klartext_move_check(struct interp *interp, const struct klartext_target *ta
 	const struct klartext *klartext = klartext_of(interp);
 	bool tilted = interp->state.tcp == TCP_BY_PLANE, leaves = false;
 
-	if (!target->turns && klartext->waits)
+	if (!target->turns && klartext->stay.waits)
 		return klartext_move_refuse_waiting(interp, column);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		leaves = leaves || fabs(target->others.v[slot] - interp->state.position.v[slot]) > SAME_DEGREES;
@@ -271,8 +270,8 @@ bool klartext_move_end_tcp(struct interp *interp, int column)
 	struct klartext *klartext = klartext_of(interp);
 	bool tilted = klartext->frame.tilted;
 
-	klartext->waits = tilted && !klartext_move_in_plane(interp, &interp->state.position);
-	return tool_length_switch_tcp(interp, column, tilted && !klartext->waits ? TCP_BY_PLANE : TCP_OFF);
+	klartext->stay.waits = tilted && !klartext_move_in_plane(interp, &interp->state.position);
+	return tool_length_switch_tcp(interp, column, tilted && !klartext->stay.waits ? TCP_BY_PLANE : TCP_OFF);
 }
 
 static bool go(struct interp *interp, const struct klartext_target *target, struct canon_move *move)
@@ -281,9 +280,9 @@ static bool go(struct interp *interp, const struct klartext_target *target, stru
 	vec3 xyz = klartext_frame_position(interp, target->point);
 	struct klartext *klartext = klartext_of(interp);
 
-	klartext->moved = true;
-	klartext->programmed = klartext->waits ? klartext->programmed : target->point;
-	if (klartext->waits) {
+	klartext->tool.moved = true;
+	klartext->programmed = klartext->stay.waits ? klartext->programmed : target->point;
+	if (klartext->stay.waits) {
 		/* Only the rotary axes move. */
 		position.v[SLOT_X] = interp->state.position.v[SLOT_X];
 		position.v[SLOT_Y] = interp->state.position.v[SLOT_Y];
@@ -293,8 +292,8 @@ static bool go(struct interp *interp, const struct klartext_target *target, stru
 		position.v[SLOT_Y] = xyz.y;
 		position.v[SLOT_Z] = xyz.z;
 	}
-	return klartext->left_open && move->kind != CANON_ARC
-		   ? parallel_moves_go_from_open(interp, &position, move, &klartext->open)
+	return klartext->open.aside && move->kind != CANON_ARC
+		   ? parallel_moves_go_from_open(interp, &position, move, &klartext->open.box)
 		   : motion_commands_go(interp, &position, move);
 }
 

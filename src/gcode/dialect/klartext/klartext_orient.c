@@ -57,7 +57,7 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
  */
 static bool find_direction(struct interp *interp, const struct klartext_words *words, vec3 *direction)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_tcpm *tcpm = &klartext_of(interp)->tcpm;
 	const int column = words->first_column;
 
 	if (words->has_tool && (words->has_spatial || words->axes >> SLOT_A))
@@ -67,12 +67,12 @@ static bool find_direction(struct interp *interp, const struct klartext_words *w
 		return fabs(vec3_norm(*direction) - 1) < NORMALISED ||
 		       fault(&interp->at, column, "TX, TY and TZ have to be a vector of length 1");
 	for (int i = 0; i < 3; i++) {
-		if (!klartext->spatial_given[i])
+		if (!tcpm->given[i])
 			return fault(&interp->at, column,
 				     "the first block behind AXIS SPAT needs all of A, B and C: %c is missing",
 				     'A' + i);
 	}
-	*direction = klartext_tilt_spatial(klartext->spatial_angle).z;
+	*direction = klartext_tilt_spatial(tcpm->angle).z;
 	return true;
 }
 

@@ -157,7 +157,7 @@ static bool call_at_points(const struct visit *visit)
 {
 	struct interp *interp = visit->interp;
 	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_cycle defined = klartext->cycle;
+	const struct klartext_cycle defined = klartext->cycles.active;
 	const struct klartext_call_of call = {.interp = interp, .cycle = &defined, .column = visit->column};
 	double surface = 0;
 	bool good = true;
@@ -181,10 +181,10 @@ static bool call_at_points(const struct visit *visit)
 		at.y = point.y;
 		good = good && go_to(visit, at);
 		memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
-		klartext_cycle_set(&klartext->cycle, "Q203", surface + point.z / interp->state.scale);
+		klartext_cycle_set(&klartext->cycles.active, "Q203", surface + point.z / interp->state.scale);
 		good = good && klartext_cycle_carry_out(interp, visit->column);
 	}
-	klartext->cycle = defined;
+	klartext->cycles.active = defined;
 	if (good && klartext->points.any_order) {
 		const double end = klartext_frame_point(interp).z;
 
@@ -200,7 +200,7 @@ static bool call_at_points(const struct visit *visit)
 bool klartext_pattern_call(struct interp *interp, int column, const struct canon_feed *feed)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycles.active, .column = column};
 	struct visit visit = {
 	    .interp = interp, .column = column, .height = klartext_frame_point(interp).z, .rapid = !feed};
 	double highest = 0, surface, second;
@@ -212,9 +212,9 @@ bool klartext_pattern_call(struct interp *interp, int column, const struct canon
 			     "CYCL CALL PAT, but neither PATTERN DEF nor SEL PATTERN has given points");
 	/* The way between the points is at least as high as the tool stands now. */
 	if (!klartext_cycle_check_values(interp, column, true) ||
-	    (klartext->height_open && !klartext_comp_check_known(interp, column, "CYCL CALL PAT")))
+	    (klartext->open.height && !klartext_comp_check_known(interp, column, "CYCL CALL PAT")))
 		return false;
-	if (klartext->cycle.number && klartext->cycle.by_q) {
+	if (klartext->cycles.active.number && klartext->cycles.active.by_q) {
 		if (!klartext_parameter_length(&call, 203, &surface) || !klartext_parameter_length(&call, 204, &second))
 			return false;
 		for (int i = 0; i < klartext->points.count; i++)
@@ -230,8 +230,8 @@ bool klartext_pattern_call(struct interp *interp, int column, const struct canon
  */
 static bool call_with(struct interp *interp, const struct klartext_call_of *pattern)
 {
-	struct klartext *klartext = klartext_of(interp);
-	const struct klartext_cycle defined = klartext->cycle;
+	struct klartext_cycles *cycles = &klartext_of(interp)->cycles;
+	const struct klartext_cycle defined = cycles->active;
 	struct visit visit = {.interp = interp, .column = pattern->column, .rapid = true};
 	double clearance, surface, second;
 	bool high, good;
@@ -242,13 +242,13 @@ static bool call_with(struct interp *interp, const struct klartext_call_of *patt
 	if (!klartext_cycle_check_values(interp, pattern->column, false))
 		return false;
 	high = !same_double(klartext_parameter_or(pattern, 301, 1), 0);
-	klartext_cycle_set(&klartext->cycle, "Q200", clearance);
-	klartext_cycle_set(&klartext->cycle, "Q203", surface);
-	klartext_cycle_set(&klartext->cycle, "Q204", high ? second : clearance);
+	klartext_cycle_set(&cycles->active, "Q200", clearance);
+	klartext_cycle_set(&cycles->active, "Q203", surface);
+	klartext_cycle_set(&cycles->active, "Q204", high ? second : clearance);
 	visit.height = (surface + second) * interp->state.scale;
 	visit.low = !high;
 	good = call_at_points(&visit);
-	klartext->cycle = defined;
+	cycles->active = defined;
 	return good;
 }
 

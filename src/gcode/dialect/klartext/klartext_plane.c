@@ -117,7 +117,7 @@ bool klartext_plane_run(struct lexer *lexer)
 	if (!klartext_tilt_read(lexer, &klartext->frame.tilt, &tilt) || !read_options(lexer, &request) ||
 	    !check(interp, request.column) || !klartext_preset_check(interp, request.column))
 		return false;
-	klartext->cycle_19_counts = false;
+	klartext->cycle_19.counts = false;
 	if (tilt.reset)
 		return klartext_swivel_reset(interp, &request);
 	if (!klartext_frame_check_zero(interp, request.column))
@@ -166,10 +166,10 @@ static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle
 static bool complete(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const bool counts = klartext->cycle_19_counts;
+	const bool counts = klartext->cycle_19.counts;
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double *kept = &klartext->cycle_19[slot - SLOT_A];
+		double *kept = &klartext->cycle_19.angle[slot - SLOT_A];
 
 		if (tilt->axes & 1U << slot) {
 			*kept = tilt->angle[slot];
@@ -185,7 +185,7 @@ static bool complete(struct interp *interp, const struct klartext_cycle *cycle, 
 	}
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		tilt->axes |= same_double(tilt->angle[slot], 0) ? 0 : 1U << slot;
-	klartext->cycle_19_counts = true;
+	klartext->cycle_19.counts = true;
 	return true;
 }
 
@@ -228,7 +228,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 		return fault(&interp->at, cycle->column,
 			     "CYCL DEF 19 without angles has neither F nor a set-up clearance");
 	if (!tilt.axes) {
-		klartext_of(interp)->cycle_19_counts = false;
+		klartext_of(interp)->cycle_19.counts = false;
 		return klartext_swivel_reset(interp, &request);
 	}
 	if (!complete(interp, cycle, &tilt))

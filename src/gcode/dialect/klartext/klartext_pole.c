@@ -49,10 +49,10 @@ void klartext_pole_put(vec3 *v, int across, struct plane_point point)
 /* Coordinates may change behind CC: does this one of its pole still lie where it lay then? */
 static bool stands(const struct interp *interp, int slot)
 {
-	const struct klartext *klartext = klartext_of(interp);
-	const vec3 now = klartext_frame_point_at(interp, klartext->pole_place);
+	const struct klartext_pole *pole = &klartext_of(interp)->pole;
+	const vec3 now = klartext_frame_point_at(interp, pole->place);
 
-	return fabs(klartext_pole_coordinate(now, slot) - klartext_pole_coordinate(klartext->pole, slot)) <=
+	return fabs(klartext_pole_coordinate(now, slot) - klartext_pole_coordinate(pole->point, slot)) <=
 	       SAME_COORDINATE;
 }
 
@@ -61,7 +61,7 @@ bool klartext_pole_check(struct interp *interp, unsigned axes, int column)
 	if (!klartext_frame_check_shift(interp, axes, column))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (axes & 1U << slot && klartext_of(interp)->has_pole[slot] && !stands(interp, slot))
+		if (axes & 1U << slot && klartext_of(interp)->pole.has[slot] && !stands(interp, slot))
 			return fault(
 			    &interp->at, column,
 			    "%c of CC was given before a change of coordinates: whether the centre has moved with "
@@ -76,12 +76,12 @@ bool klartext_pole_find(struct interp *interp, int column, struct plane_point *p
 	const struct klartext *klartext = klartext_of(interp);
 	int a, b;
 
-	axes_of_plane(klartext->across, &a, &b);
-	if (!klartext->has_pole[a] || !klartext->has_pole[b])
+	axes_of_plane(klartext->pole.across, &a, &b);
+	if (!klartext->pole.has[a] || !klartext->pole.has[b])
 		return fault(&interp->at, column, "no CC has given the centre");
-	*pole = klartext_pole_flat(klartext->pole, klartext->across);
+	*pole = klartext_pole_flat(klartext->pole.point, klartext->pole.across);
 	return klartext_pole_check(
-	    interp, klartext->spatial_pole ? 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z : 1U << a | 1U << b, column);
+	    interp, klartext->pole.spatial ? 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z : 1U << a | 1U << b, column);
 }
 
 /* Degrees: where the tool stands as seen from the pole. */
@@ -96,13 +96,13 @@ static double polar_angle(struct plane_point pole, struct plane_point point)
  */
 static bool check_last(struct interp *interp, const struct klartext_words *words, double radius, double angle)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_pole *pole = &klartext_of(interp)->pole;
 	const bool by_radius = !words->has_radius || words->radius_increment,
 		   by_angle = !words->has_angle || words->angle_increment;
 
-	if (!klartext->polar.given ||
-	    ((!by_radius || fabs(klartext->polar.radius - radius) <= RADIUS_SAME) &&
-	     (!by_angle || radians(fabs(remainder(klartext->polar.angle - angle, 360))) * radius <= RADIUS_SAME)))
+	if (!pole->polar.given ||
+	    ((!by_radius || fabs(pole->polar.radius - radius) <= RADIUS_SAME) &&
+	     (!by_angle || radians(fabs(remainder(pole->polar.angle - angle, 360))) * radius <= RADIUS_SAME)))
 		return true;
 	return fault(
 	    &interp->at, words->first_column,
@@ -114,7 +114,7 @@ static bool check_last(struct interp *interp, const struct klartext_words *words
 bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
 			 struct klartext_target *target)
 {
-	int across = klartext_of(interp)->across, a, b;
+	int across = klartext_of(interp)->pole.across, a, b;
 	struct plane_point pole, here;
 	double radius, angle;
 	bool relative;
@@ -142,9 +142,9 @@ bool klartext_pole_point(struct interp *interp, const struct klartext_words *wor
 		angle = words->angle + (words->angle_increment ? angle : 0);
 	if (radius < 0)
 		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
-	klartext_of(interp)->polar.given = true;
-	klartext_of(interp)->polar.radius = radius;
-	klartext_of(interp)->polar.angle = angle;
+	klartext_of(interp)->pole.polar.given = true;
+	klartext_of(interp)->pole.polar.radius = radius;
+	klartext_of(interp)->pole.polar.angle = angle;
 	klartext_pole_put(
 	    &target->point, across,
 	    (struct plane_point){pole.a + radius * math_cos_degrees(angle), pole.b + radius * math_sin_degrees(angle)});

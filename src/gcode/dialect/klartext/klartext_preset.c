@@ -32,11 +32,11 @@ static void cancel_shift(struct interp *interp)
 	struct klartext *klartext = klartext_of(interp);
 
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
-		klartext->shifted[slot] |= !same_double(interp->state.shift.v[slot], 0);
+		klartext->rotary.shifted[slot] |= !same_double(interp->state.shift.v[slot], 0);
 		interp->state.shift.v[slot] = 0;
 	}
 	klartext->frame.shift = (vec3){0, 0, 0};
-	klartext->shift_in_plane = klartext->shift_open = 0;
+	klartext->shift.in_plane = klartext->shift.open = 0;
 	klartext_frame_update(interp);
 }
 
@@ -73,9 +73,9 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 		return false;
 	cancel_shift(interp);
 	state->system = word->value > 0 ? SYSTEM_COUNT - 1 + (int)word->value : 0;
-	klartext->preset_settled = true;
-	klartext->preset_row = (int)word->value;
-	klartext->preset_in_plane = klartext->frame.tilted;
+	klartext->preset.settled = true;
+	klartext->preset.row = (int)word->value;
+	klartext->preset.in_plane = klartext->frame.tilted;
 	/* The line in hand may be the one behind the definition. */
 	interp->at = at;
 	known = work_offset_use_require(interp, state->system, word->column);
@@ -85,7 +85,7 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 
 bool klartext_preset_check_plane(struct interp *interp, int column)
 {
-	return !klartext_of(interp)->preset_in_plane || fault(&interp->at, column,
+	return !klartext_of(interp)->preset.in_plane || fault(&interp->at, column,
 							      "CYCL DEF 247 has selected a preset in a tilted plane: "
 							      "whether the plane stays tilted is not known here; write "
 							      "PLANE RESET first");
@@ -102,11 +102,11 @@ static bool same_values(const slot_values *a, const slot_values *b)
 
 bool klartext_preset_check(struct interp *interp, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_preset *preset = &klartext_of(interp)->preset;
 	struct state *state = &interp->state;
 	int known = 0, only = 0, others = 0;
 
-	if (klartext->preset_settled)
+	if (preset->settled)
 		return true;
 	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
 		if (!state->work_known[system])
@@ -122,7 +122,7 @@ bool klartext_preset_check(struct interp *interp, int column)
 		    "the setup has %d presets, and the program does not say which one is in force: select it by "
 		    "CYCL DEF 247",
 		    known);
-	klartext->preset_settled = true;
+	preset->settled = true;
 	state->system = known ? only : 0;
 	if (!known)
 		work_offset_use_note(interp, 0, column);

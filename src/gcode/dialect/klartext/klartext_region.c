@@ -32,22 +32,22 @@ void klartext_region_leave_open(struct interp *interp, double half_x, double hal
 	loose[SLOT_X] = about.x;
 	loose[SLOT_Y] = about.y;
 	loose[SLOT_Z] = about.z;
-	klartext_of(interp)->left_open = true;
-	klartext_of(interp)->open = klartext_frame_turned_box(interp, half);
+	klartext_of(interp)->open.aside = true;
+	klartext_of(interp)->open.box = klartext_frame_turned_box(interp, half);
 }
 
 void klartext_region_find_aside(const struct interp *interp, double aside[2])
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_open *open = &klartext_of(interp)->open;
 	const double *loose = interp->comp.loose;
 	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
 	for (int i = 0; i < 2; i++) {
 		const vec3 along = klartext_frame_direction(interp, (vec3){i == 0, i == 1, 0});
 
-		aside[i] = most > 0 && klartext->left_open ? 0 : most;
-		for (int side = 0; most > 0 && klartext->left_open && side < 3; side++)
-			aside[i] += fabs(vec3_dot(along, klartext->open.half[side]));
+		aside[i] = most > 0 && open->aside ? 0 : most;
+		for (int side = 0; most > 0 && open->aside && side < 3; side++)
+			aside[i] += fabs(vec3_dot(along, open->box.half[side]));
 	}
 }
 
@@ -59,7 +59,7 @@ static void widen(const struct klartext_call_of *call, struct klartext_region *r
 
 	region->half[0] += region->fixed ? 0 : open;
 	region->half[1] += region->fixed ? 0 : open;
-	region->beyond += klartext_of(call->interp)->left_open ? 0 : loose[SLOT_Z];
+	region->beyond += klartext_of(call->interp)->open.aside ? 0 : loose[SLOT_Z];
 	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
 }
 

@@ -14,7 +14,7 @@ static bool says_nothing(struct lexer *lexer)
 bool klartext_rest_check(struct interp *interp)
 {
 	struct reader *reader = &interp->program.source->reader;
-	struct strbuf *line = &klartext_of(interp)->line;
+	struct strbuf *line = &klartext_of(interp)->lines.text;
 	bool cautioned = false;
 	const char *text;
 

@@ -48,7 +48,7 @@ double klartext_shape_tool_radius(const struct klartext_call_of *call)
 {
 	const struct tool *tool = tool_table_find(&call->interp->tools, call->interp->state.tool);
 
-	return tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(call->interp)->delta_radius)) : 0;
+	return tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(call->interp)->tool.delta_radius)) : 0;
 }
 
 void klartext_shape_disc(struct klartext_region *region, double diameter, double radius)
@@ -65,7 +65,7 @@ bool klartext_shape_need_radius(const struct klartext_call_of *call, double *rad
 			     "CYCL DEF %d needs the radius of the tool: give the tool of the setup a <cutter>, or "
 			     "diameter=\"\"",
 			     call->cycle->number);
-	*radius = tool->diameter / 2 + fmax(0, klartext_of(call->interp)->delta_radius);
+	*radius = tool->diameter / 2 + fmax(0, klartext_of(call->interp)->tool.delta_radius);
 	return true;
 }
 

@@ -50,27 +50,27 @@ static bool is_parameter(struct lexer *lexer)
 
 bool klartext_skip_definition(struct interp *interp)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_lines *lines = &klartext_of(interp)->lines;
 	const char *text = interp->at.text;
 	struct lexer lexer;
 	bool numbered, slash;
 
-	if (!interp->config->read.block_delete || klartext->behind_end)
+	if (!interp->config->read.block_delete || lines->behind_end)
 		return false;
 	lexer = klartext_lexer(interp);
 	numbered = klartext_skip_head(&lexer, &slash);
 	if (slash) {
-		klartext->skips = is_definition(&lexer);
-		klartext->skips_next = klartext->skips && klartext_continues(text);
-		return klartext->skips;
+		lines->skips = is_definition(&lexer);
+		lines->skips_next = lines->skips && klartext_continues(text);
+		return lines->skips;
 	}
-	if (!klartext->skips || klartext_ends(&lexer))
+	if (!lines->skips || klartext_ends(&lexer))
 		return false;
-	klartext->skips = !numbered && (klartext->skips_next || is_parameter(&lexer));
-	if (!klartext->skips)
+	lines->skips = !numbered && (lines->skips_next || is_parameter(&lexer));
+	if (!lines->skips)
 		return false;
 	/* Of lines with '~' the first one without it is the last. */
-	klartext->skips = !klartext->skips_next || klartext_continues(text);
-	klartext->skips_next = klartext->skips_next && klartext->skips;
+	lines->skips = !lines->skips_next || klartext_continues(text);
+	lines->skips_next = lines->skips_next && lines->skips;
 	return true;
 }

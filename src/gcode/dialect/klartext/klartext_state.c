@@ -10,7 +10,7 @@ void *klartext_state_new(void)
 
 	klartext->frame.turn = klartext->frame.tilt = mat3_identity();
 	klartext->frame.scale = klartext->frame.factor = (vec3){1, 1, 1};
-	klartext->across = SLOT_Z;
+	klartext->pole.across = SLOT_Z;
 	return klartext;
 }
 
@@ -18,10 +18,10 @@ void klartext_state_free(void *state)
 {
 	struct klartext *klartext = state;
 
-	labels_release(&klartext->labels);
-	strbuf_release(&klartext->line);
-	strbuf_release(&klartext->folders);
-	strbuf_release(&klartext->joined);
+	labels_release(&klartext->calls.labels);
+	strbuf_release(&klartext->lines.text);
+	strbuf_release(&klartext->calls.folders);
+	strbuf_release(&klartext->lines.joined);
 	strbuf_release(&klartext->corner.path_text);
 	strbuf_release(&klartext->corner.text);
 	strbuf_release(&klartext->approach.text);

@@ -53,7 +53,7 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 			     number);
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column, "M%d while M128 is in force: the manual wants M129 first", number);
-	if (klartext_of(interp)->waits)
+	if (klartext_of(interp)->stay.waits)
 		return fault(&interp->at, column,
 			     "M%d between PLANE ... STAY and the rotary axes' way to the plane is not supported",
 			     number);
@@ -80,7 +80,7 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 			return false;
 	}
 	klartext_of(interp)->last = (struct klartext_path){.rapid = rapid};
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	if (!motion_commands_go(interp, &target, &move) || !tool_length_resume(interp, column, &suspended))
 		return false;
 	/* In a tilted plane, X and Y of the machine alone do not say where the tool stands in it. */
@@ -92,20 +92,20 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 /* The rotary axes have reached the plane of PLANE ... STAY: from here on coordinates are tilted. */
 static bool settle_plane(struct interp *interp, const struct klartext_target *target, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_stay *stay = &klartext_of(interp)->stay;
 
-	if (!klartext->waits || !target->turns)
+	if (!stay->waits || !target->turns)
 		return true;
 	if (!klartext_move_in_plane(interp, &interp->state.position))
 		return true;
-	klartext->waits = false;
+	stay->waits = false;
 	return tool_length_switch_tcp(interp, column, TCP_BY_PLANE);
 }
 
 /* Axis words between STAY and the plane: only rotary ones. */
 static bool check_waiting(struct interp *interp, const struct klartext_words *words)
 {
-	if (!klartext_of(interp)->waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
+	if (!klartext_of(interp)->stay.waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
 		return true;
 	return klartext_move_refuse_waiting(interp, words->first_column);
 }
@@ -144,7 +144,7 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
-	if (target.turns && klartext_of(interp)->by_vector && interp->state.tcp == TCP_BY_MCODE)
+	if (target.turns && klartext_of(interp)->tcpm.by_vector && interp->state.tcp == TCP_BY_MCODE)
 		return turn_by_vector(interp, words, &target, &path);
 	path.start = klartext_frame_point(interp);
 	path.end = target.point;
@@ -216,7 +216,7 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 
 	if (!klartext_words_read(lexer, &words))
 		return false;
-	if (klartext_of(interp)->oversize)
+	if (klartext_of(interp)->tool.oversize)
 		return fault(
 		    lexer->at, words.first_column,
 		    "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "

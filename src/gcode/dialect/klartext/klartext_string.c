@@ -17,9 +17,9 @@ bool klartext_string_follows(struct lexer *lexer)
 
 static struct klartext_string *find(struct klartext *klartext, int number)
 {
-	for (int i = 0; i < klartext->string_count; i++) {
-		if (klartext->strings[i].number == number)
-			return &klartext->strings[i];
+	for (int i = 0; i < klartext->strings.count; i++) {
+		if (klartext->strings.items[i].number == number)
+			return &klartext->strings.items[i];
 	}
 	return NULL;
 }
@@ -43,7 +43,7 @@ static bool read_value(struct lexer *lexer, char text[KLARTEXT_NAME])
 	if (!read_number(lexer, &number))
 		return false;
 	string = find(klartext_of(lexer->context), number);
-	if (!string && klartext_of(lexer->context)->strings_read)
+	if (!string && klartext_of(lexer->context)->strings.forgotten)
 		return fault(lexer->at, column, "QS%d has no value that is known here", number);
 	if (!string)
 		return fault(lexer->at, column,
@@ -87,10 +87,10 @@ bool klartext_string_set(struct lexer *lexer, int column, int number, const char
 	if (strlen(text) >= sizeof(string->text))
 		return fault(lexer->at, column, "a string of more than %zu characters is not supported",
 			     sizeof(string->text) - 1);
-	if (!string && klartext->string_count == KLARTEXT_STRINGS_MAX)
+	if (!string && klartext->strings.count == KLARTEXT_STRINGS_MAX)
 		return fault(lexer->at, column, "more than %d string parameters", KLARTEXT_STRINGS_MAX);
 	if (!string)
-		string = &klartext->strings[klartext->string_count++];
+		string = &klartext->strings.items[klartext->strings.count++];
 	string->number = number;
 	strcpy(string->text, text);
 	return true;
@@ -149,6 +149,6 @@ bool klartext_string_number(struct lexer *lexer, double *value)
 
 void klartext_string_forget(struct klartext *klartext)
 {
-	klartext->string_count = 0;
-	klartext->strings_read = true;
+	klartext->strings.count = 0;
+	klartext->strings.forgotten = true;
 }

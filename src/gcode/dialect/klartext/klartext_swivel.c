@@ -170,16 +170,16 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 	    !choose(interp, request, &from, &solutions, &chosen) || !check_ways(interp, request, chosen))
 		return false;
 	*rotary = interp->state.position;
-	klartext->rotary = interp->state.canonical;
+	klartext->stay.rotary = interp->state.canonical;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
+		klartext->stay.needed[slot] = interp->config->has_axis[slot];
 		if (!interp->config->has_axis[slot])
 			continue;
 		if (!chosen->free[slot])
 			rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
 		else if (!klartext_free_axis_turn(interp, request->column, asked, chosen, tilt, slot, &rotary->v[slot]))
 			return false;
-		klartext->rotary.v[slot] = radians(rotary->v[slot]);
+		klartext->stay.rotary.v[slot] = radians(rotary->v[slot]);
 		/* Q120 to Q122: the angles that the control has computed. */
 		klartext_q_set(klartext, 120 + slot - SLOT_A, rotary->v[slot] - interp->state.offset.v[slot]);
 	}
@@ -247,7 +247,7 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 			     "<controller> says whether the tool retracts, or write M140 in a block before");
 	if (!turns && request->retracts && interp->config->controller.plane_retract == PLANE_RETRACT_TURNING)
 		return true;
-	klartext_of(interp)->moved = true;
+	klartext_of(interp)->tool.moved = true;
 	klartext_of(interp)->last.known = false;
 	if (!find_feed(interp, request, &move) || !retract(interp, request))
 		return false;
@@ -296,9 +296,9 @@ static bool leave(struct interp *interp, int column)
 	klartext_comp_turn_open(interp);
 	if (interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, column, TCP_OFF))
 		return false;
-	klartext->frame.tilted = klartext->waits = klartext->preset_in_plane = false;
-	klartext->shift_open |= klartext->shift_in_plane;
-	klartext->shift_in_plane = 0;
+	klartext->frame.tilted = klartext->stay.waits = klartext->preset.in_plane = false;
+	klartext->shift.open |= klartext->shift.in_plane;
+	klartext->shift.in_plane = 0;
 	klartext->frame.tilt = mat3_identity();
 	klartext_frame_update(interp);
 	return true;
@@ -354,7 +354,7 @@ bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *
 		else if (interp->config->controller.swivel_pole == SWIVEL_POLE_STAYS)
 			klartext_q_set(klartext, 120 + slot - SLOT_A, here);
 		else
-			klartext->q[120 + slot - SLOT_A].pole = true;
+			klartext->values.q[120 + slot - SLOT_A].pole = true;
 	}
 	return true;
 }
@@ -366,11 +366,11 @@ static bool find_named(struct interp *interp, const struct klartext_swivel *requ
 	struct klartext *klartext = klartext_of(interp);
 
 	*rotary = interp->state.position;
-	klartext->rotary = interp->state.canonical;
+	klartext->stay.rotary = interp->state.canonical;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		const double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
 
-		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
+		klartext->stay.needed[slot] = interp->config->has_axis[slot];
 		if (!interp->config->has_axis[slot])
 			continue;
 		if (!(axes & 1U << slot) && fabs(here) > SAME_DEGREES)
@@ -387,7 +387,7 @@ static bool find_named(struct interp *interp, const struct klartext_swivel *requ
 				     "%c turns by 180 degrees or more: in which direction is not known here; turn it "
 				     "towards %.6g in a block before",
 				     AXIS_LETTERS[slot], angle[slot]);
-		klartext->rotary.v[slot] = radians(rotary->v[slot]);
+		klartext->stay.rotary.v[slot] = radians(rotary->v[slot]);
 	}
 	forget_angles(klartext);
 	return true;
@@ -403,9 +403,9 @@ static bool tilt_to(struct interp *interp, const struct klartext_swivel *request
 	klartext->frame.tilted = true;
 	klartext->frame.tilt = *tilt;
 	klartext_frame_update(interp);
-	klartext->waits =
+	klartext->stay.waits =
 	    request->positioning == KLARTEXT_TURN_STAY && !klartext_move_in_plane(interp, &interp->state.position);
-	return klartext->waits || tool_length_switch_tcp(interp, request->column, TCP_BY_PLANE);
+	return klartext->stay.waits || tool_length_switch_tcp(interp, request->column, TCP_BY_PLANE);
 }
 
 bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt)
@@ -429,7 +429,7 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 
 	if (!leave(interp, request->column) || !find_named(interp, request, axes, angle, &rotary))
 		return false;
-	turn.rotary = klartext_of(interp)->rotary;
+	turn.rotary = klartext_of(interp)->stay.rotary;
 	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, request->column), &turn))
 		return false;
 	if (vec3_norm(vec3_sub(turn.turn.z, turn.tool)) > DIRECTION_REACHED)

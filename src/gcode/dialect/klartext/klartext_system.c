@@ -59,7 +59,7 @@ static bool is_length(const struct klartext_query *query)
 static double status_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct state *state = &interp->state;
-	const bool called = klartext_of(interp)->called;
+	const bool called = klartext_of(interp)->tool.called;
 
 	switch (query->number) {
 	case 1:
@@ -83,18 +83,18 @@ static double status_value(const struct interp *interp, const struct klartext_qu
 /* What TOOL CALL has given. */
 static double called_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
-	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_tool *tool = &klartext_of(interp)->tool;
 
-	*known = klartext->called && query->number != 3 && query->number < 6;
+	*known = tool->called && query->number != 3 && query->number < 6;
 	switch (query->number) {
 	case 1:
 		return interp->state.tool;
 	case 2:
 		return 2; /* Z */
 	case 4:
-		return klartext->delta_length;
+		return tool->delta_length;
 	case 5:
-		return klartext->delta_radius;
+		return tool->delta_radius;
 	default:
 		*known = false;
 		return 0;
@@ -108,19 +108,19 @@ static double compensation_value(const struct interp *interp, const struct klart
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 	const bool radius = query->number == 1;
 
-	*known = klartext->called && (radius || query->number == 2) && (!query->has_index || query->index == 3) &&
-		 (!radius || (tool && tool->diameter > 0 && klartext->defined_tool != interp->state.tool));
+	*known = klartext->tool.called && (radius || query->number == 2) && (!query->has_index || query->index == 3) &&
+		 (!radius || (tool && tool->diameter > 0 && klartext->tool.defined != interp->state.tool));
 	if (!*known)
 		return 0;
-	return radius ? tool->diameter / 2 + klartext->delta_radius : interp->state.length;
+	return radius ? tool->diameter / 2 + klartext->tool.delta_radius : interp->state.length;
 }
 
 void klartext_system_synchronise(struct interp *interp)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_sync *sync = &klartext_of(interp)->sync;
 
-	klartext->synchronised = true;
-	klartext->synchronised_at = interp->state.position;
+	sync->holds = true;
+	sync->position = interp->state.position;
 }
 
 /* Has every block been carried out, and has none left an axis where it is not known? */
@@ -128,13 +128,13 @@ static bool stands_still(const struct interp *interp)
 {
 	const struct klartext *klartext = klartext_of(interp);
 	const double *loose = interp->comp.loose;
-	bool still = klartext->synchronised && !klartext->height_open && !klartext->waits && !klartext->corner.waits &&
-		     !klartext->approach.waits && !klartext_comp_is_selected(interp) &&
+	bool still = klartext->sync.holds && !klartext->open.height && !klartext->stay.waits &&
+		     !klartext->corner.waits && !klartext->approach.waits && !klartext_comp_is_selected(interp) &&
 		     !(loose[SLOT_X] + loose[SLOT_Y] + loose[SLOT_Z] > 0);
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		still = still && !interp->state.probed[slot] &&
-			same_double(klartext->synchronised_at.v[slot], interp->state.position.v[slot]);
+			same_double(klartext->sync.position.v[slot], interp->state.position.v[slot]);
 	return still;
 }
 
@@ -193,8 +193,8 @@ static double find_value(const struct interp *interp, const struct klartext_quer
 		*known = query->number == 1;
 		return m128 ? -1 : 0;
 	case 530:
-		*known = query->number == 1 && klartext->preset_row > 0;
-		return klartext->preset_row;
+		*known = query->number == 1 && klartext->preset.row > 0;
+		return klartext->preset.row;
 	default:
 		return 0;
 	}
@@ -221,7 +221,7 @@ static bool read_query(struct lexer *lexer, struct klartext_query *query)
 /* Without an index, data of the tool table are those of the tool that is called. */
 static void name_tool(const struct interp *interp, struct klartext_query *query)
 {
-	if (query->id != 50 || (query->has_index && query->index > 0) || !klartext_of(interp)->called)
+	if (query->id != 50 || (query->has_index && query->index > 0) || !klartext_of(interp)->tool.called)
 		return;
 	query->index = interp->state.tool;
 	query->has_index = true;
@@ -270,7 +270,7 @@ bool klartext_system_read(struct lexer *lexer)
 /* "TABREAD Q10 = +5/"X,Y,D"": one parameter after the other for each column. */
 bool klartext_system_read_table(struct lexer *lexer)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_values *values = &klartext_of(lexer->context)->values;
 	const char *text = lexer->at->text;
 	struct klartext_q *q;
 	int number;
@@ -287,7 +287,7 @@ bool klartext_system_read_table(struct lexer *lexer)
 		return false;
 	*q = (struct klartext_q){.read = true};
 	for (size_t i = lexer->position; text[i]; i++) {
-		if (text[i] != ',' || q < klartext->q || q >= klartext->q + KLARTEXT_Q_COUNT - 1)
+		if (text[i] != ',' || q < values->q || q >= values->q + KLARTEXT_Q_COUNT - 1)
 			continue;
 		*++q = (struct klartext_q){.read = true};
 	}

@@ -122,8 +122,8 @@ bool klartext_tool_define(struct lexer *lexer)
 				return false;
 			if (interp->config->controller.tool_def == TOOL_DEF_IGNORED)
 				continue;
-			klartext_of(interp)->defined_tool = number;
-			klartext_of(interp)->defined_radius = value * interp->state.scale;
+			klartext_of(interp)->tool.defined = number;
+			klartext_of(interp)->tool.defined_radius = value * interp->state.scale;
 		} else {
 			return fault(lexer->at, column, "TOOL DEF has a number, L and R");
 		}
@@ -257,12 +257,12 @@ static bool change(struct interp *interp, const struct request *request)
 	state->tool = request->number;
 	state->spindle = SPINDLE_STOPPED;
 	state->length = length;
-	klartext->oversize = request->oversize;
-	klartext->delta_radius = request->delta_radius;
-	klartext->delta_length = request->delta_length;
-	klartext->change_pending = true;
-	klartext->moved = false;
-	klartext->called = true;
+	klartext->tool.oversize = request->oversize;
+	klartext->tool.delta_radius = request->delta_radius;
+	klartext->tool.delta_length = request->delta_length;
+	klartext->tool.change_pending = true;
+	klartext->tool.moved = false;
+	klartext->tool.called = true;
 	if (!motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}))
 		return false;
 	state_update_offset(state);
@@ -280,10 +280,10 @@ static bool change_oversize(struct interp *interp, struct request *request)
 	const enum tcp_source tcp = state->tcp;
 	double length;
 
-	if (!klartext->called || state->tool == 0)
+	if (!klartext->tool.called || state->tool == 0)
 		return fault(&interp->at, request->column, "DL and DR without a tool: no TOOL CALL has named one");
-	if ((!request->has_delta_length && !same_double(klartext->delta_length, 0)) ||
-	    (!request->has_delta_radius && !same_double(klartext->delta_radius, 0)))
+	if ((!request->has_delta_length && !same_double(klartext->tool.delta_length, 0)) ||
+	    (!request->has_delta_radius && !same_double(klartext->tool.delta_radius, 0)))
 		return fault(&interp->at, request->column,
 			     "%s was given before and is left out here: whether it still counts is not known here; "
 			     "write it, too",
@@ -296,9 +296,9 @@ static bool change_oversize(struct interp *interp, struct request *request)
 		return fault(&interp->at, request->column, "RND and CHF need a straight line behind them");
 	if (!find_length(interp, request, &length))
 		return false;
-	klartext->oversize = request->oversize;
-	klartext->delta_radius = request->delta_radius;
-	klartext->delta_length = request->delta_length;
+	klartext->tool.oversize = request->oversize;
+	klartext->tool.delta_radius = request->delta_radius;
+	klartext->tool.delta_length = request->delta_length;
 	klartext->last.known = false;
 	state->length = length;
 	state_update_offset(state);
@@ -311,11 +311,11 @@ static bool change_oversize(struct interp *interp, struct request *request)
  */
 static void take_feed(struct interp *interp, double feed)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_tool *tool = &klartext_of(interp)->tool;
 	const double linear = feed * (interp->state.scale > 1 ? interp->state.scale / 10 : 1);
 
-	klartext->call_feed_bare = feed;
-	klartext->call_feed = linear;
+	tool->feed_bare = feed;
+	tool->feed = linear;
 	interp->state.feed_linear = linear;
 	interp->state.feed_angular = feed;
 }
@@ -329,7 +329,7 @@ static bool take_tool(struct interp *interp, struct request *request)
 		return change(interp, request);
 	if (gives_oversize)
 		return change_oversize(interp, request);
-	return !klartext_of(interp)->oversize ||
+	return !klartext_of(interp)->tool.oversize ||
 	       fault(&interp->at, request->column,
 		     "TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts "
 		     "is not known here; write it, too");
@@ -358,7 +358,7 @@ bool klartext_tool_call(struct lexer *lexer)
 
 bool klartext_tool_m6(struct interp *interp, int column)
 {
-	struct klartext *klartext = klartext_of(interp);
+	struct klartext_tool *tool = &klartext_of(interp)->tool;
 
 	if (interp->config->controller.m6 == M6_IGNORED) {
 		if (!motion_commands_spindle_stops(interp))
@@ -366,15 +366,15 @@ bool klartext_tool_m6(struct interp *interp, int column)
 		interp->state.spindle = SPINDLE_STOPPED;
 		return true;
 	}
-	if (!klartext->change_pending)
+	if (!tool->change_pending)
 		return fault(&interp->at, column,
 			     "M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, m6=\"ignored\" of "
 			     "the machine's <controller> says so");
-	if (klartext->moved)
+	if (tool->moved)
 		return fault(&interp->at, column,
 			     "axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, "
 			     "m6=\"ignored\" of the machine's <controller> says so; else write M6 right behind TOOL "
 			     "CALL");
-	klartext->change_pending = false;
+	tool->change_pending = false;
 	return true;
 }

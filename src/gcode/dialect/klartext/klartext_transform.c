@@ -157,18 +157,18 @@ bool klartext_transform_preset(struct lexer *lexer)
 /* "SEL TABLE": a datum table. The setup has the rows of one. */
 bool klartext_transform_table(struct lexer *lexer)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_preset *preset = &klartext_of(lexer->context)->preset;
 	const int column = klartext_column(lexer);
 	char name[KLARTEXT_NAME];
 
 	if (!klartext_name(lexer, "a table's name", name, sizeof(name)))
 		return false;
-	if (klartext->table[0] != '\0' && strcmp(klartext->table, name) != 0)
+	if (preset->table[0] != '\0' && strcmp(preset->table, name) != 0)
 		return fault(
 		    lexer->at, column,
 		    "a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one "
 		    "table, %s",
-		    klartext->table);
-	memcpy(klartext->table, name, sizeof(name));
+		    preset->table);
+	memcpy(preset->table, name, sizeof(name));
 	return klartext_expect_end(lexer);
 }

@@ -11,18 +11,18 @@
 
 void klartext_q_set(struct klartext *klartext, int number, double value)
 {
-	klartext->q[number] = (struct klartext_q){.value = value, .given = true};
+	klartext->values.q[number] = (struct klartext_q){.value = value, .given = true};
 }
 
 void klartext_q_forget(struct klartext *klartext, int number)
 {
-	klartext->q[number] = (struct klartext_q){.read = true};
+	klartext->values.q[number] = (struct klartext_q){.read = true};
 }
 
 bool klartext_q_get(const struct klartext *klartext, int number, double *value)
 {
-	*value = klartext->q[number].value;
-	return klartext->q[number].given;
+	*value = klartext->values.q[number].value;
+	return klartext->values.q[number].given;
 }
 
 /* ------------------------------------------------------------- parameters */
@@ -34,11 +34,11 @@ static void set_radius(struct interp *interp)
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 	const double radius = tool ? tool->diameter / 2 : 0;
 
-	if (!(radius > 0) || (klartext->defined_tool == interp->state.tool &&
-			      fabs(klartext->defined_radius - radius) > TOOL_SUM_TOLERANCE))
+	if (!(radius > 0) || (klartext->tool.defined == interp->state.tool &&
+			      fabs(klartext->tool.defined_radius - radius) > TOOL_SUM_TOLERANCE))
 		klartext_q_forget(klartext, 108);
 	else
-		klartext_q_set(klartext, 108, (radius + klartext->delta_radius) / interp->state.scale);
+		klartext_q_set(klartext, 108, (radius + klartext->tool.delta_radius) / interp->state.scale);
 }
 
 /*
@@ -54,7 +54,7 @@ static void preassign(struct interp *interp, int number)
 		klartext_q_set(klartext, 113, klartext->inch);
 	else if (number == 110 && state->spindle != SPINDLE_STOPPED)
 		klartext_q_set(klartext, 110, state->spindle == SPINDLE_CLOCKWISE ? 0 : 1);
-	else if (number == 110 || ((number == 108 || number == 109 || number == 114) && !klartext->called))
+	else if (number == 110 || ((number == 108 || number == 109 || number == 114) && !klartext->tool.called))
 		klartext_q_forget(klartext, number);
 	else if (number == 108)
 		set_radius(interp);
@@ -71,15 +71,15 @@ struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
 	const char *text = lexer->at->text;
 	int column = klartext_column(lexer), count = KLARTEXT_Q_COUNT;
 	char kind = 'Q';
-	struct klartext_q *array = klartext->q;
+	struct klartext_q *array = klartext->values.q;
 
 	lexer_take(lexer);
 	if (text[lexer->position] == 'L' || text[lexer->position] == 'l') {
 		kind = 'L';
-		array = klartext->ql[klartext->programs];
+		array = klartext->values.ql[klartext->calls.programs];
 	} else if (text[lexer->position] == 'R' || text[lexer->position] == 'r') {
 		kind = 'R';
-		array = klartext->qr;
+		array = klartext->values.qr;
 	}
 	if (kind != 'Q') {
 		count = KLARTEXT_QL_COUNT;

@@ -45,13 +45,13 @@ static char byte_after(const struct lexer *lexer, size_t distance)
 /* TCPM with AXIS SPAT: the angle counts until another one is given. */
 static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int slot, bool increment, int column)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_tcpm *tcpm = &klartext_of(lexer->context)->tcpm;
 
 	if (increment)
 		return fault(lexer->at, column, "an increment of a spatial angle (AXIS SPAT) is not supported yet");
 	lexer_take(lexer);
-	words->has_spatial = klartext->spatial_given[slot - SLOT_A] = true;
-	return klartext_value(lexer, &klartext->spatial_angle[slot - SLOT_A]);
+	words->has_spatial = tcpm->given[slot - SLOT_A] = true;
+	return klartext_value(lexer, &tcpm->angle[slot - SLOT_A]);
 }
 
 /* X, IX and so on; the letter of the axis comes next. */
@@ -60,7 +60,7 @@ static bool read_axis(struct lexer *lexer, struct klartext_words *words, int slo
 	struct interp *interp = lexer->context;
 	double value;
 
-	if (slot_is_rotary(slot) && klartext_of(interp)->spatial)
+	if (slot_is_rotary(slot) && klartext_of(interp)->tcpm.spatial)
 		return read_spatial(lexer, words, slot, increment, column);
 	if (!interp->config->has_axis[slot])
 		return fault(lexer->at, column, "the machine has no %c axis", AXIS_LETTERS[slot]);
@@ -104,13 +104,13 @@ static bool read_polar(struct lexer *lexer, struct klartext_words *words, bool i
 
 void klartext_words_caution_teeth(struct lexer *lexer, int column)
 {
-	struct klartext *klartext = klartext_of(lexer->context);
+	struct klartext_lines *lines = &klartext_of(lexer->context)->lines;
 
-	if (!klartext->cautioned_teeth)
+	if (!lines->cautioned_teeth)
 		caution(lexer->at, column,
 			"FZ counts as the feed of one tooth: how many the tool has is not known here, and times are "
 			"longer than they are");
-	klartext->cautioned_teeth = true;
+	lines->cautioned_teeth = true;
 }
 
 /* FZ: the teeth of the tool, of which the setup knows nothing, change times alone. */
