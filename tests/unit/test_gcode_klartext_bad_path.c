@@ -219,6 +219,23 @@ static const struct klartext_fault faults[] = {
 	{"F100\nFC CCX+5 CCY+0 DR+\n",
 	 "p.nc:3:16: error: FK: the block does not say where its circle ends, or leaves several solutions: that is "
 	 "not supported yet; write the end of the element"},
+	/* The circle of the next block does not determine the end: it lies inside, is skipped, or has no centre. */
+	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFLT\nFCT DR- R5 CCX+5 CCY+0 CCA90\n",
+	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
+	 "supported yet; write the end of the element"},
+	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\n/FLT\nFCT DR- R5 CCX+50 CCY+0 CCA90\n",
+	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
+	 "supported yet; write the end of the element"},
+	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFLT\nFCT DR- R5 X+50\n",
+	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
+	 "supported yet; write the end of the element"},
+	/* The line passes the circle at 1 mm. */
+	{"L X+5 F100\nFLT\nFCT DR+ R5 CCX+20 CCY+6 CCA90\n",
+	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is not "
+	 "supported yet; write the end of the element"},
+	/* CLSD-, but the contour is open. */
+	{"L X+10 F100\nFCT DR+ R5 CCA90 CLSD+\nFLT Y+20 CLSD-\n",
+	 "p.nc:4:5: error: FK: the data of this element contradict each other"},
 	{"F100\nFC CCX+5 CCY+0 X+10 Y+0\n",
 	 "p.nc:3:16: error: FC and FCT need their direction of rotation, DR+ or DR-"},
 	{"F100\nL X+10\nFCT DR- X+15 Y+5\n",

@@ -9,10 +9,29 @@ static const struct klartext_program circles[] = {
 	{"F100\nFPOL X+20 Y+20\nFL PR+10 PA+90\nFC DR- CCPR+0 CCPA+0 PR+10 PA+0\nFC DR+ CCX+20 CCY+20 R10 CCA90\n",
 	 "feed 20 30 0 0 0\narc 30 20 0 0 0 centre 20 20 0 normal 0 0 1 sweep -90\n"
 	 "arc 20 30 0 0 0 centre 20 20 0 normal 0 0 1 sweep 90\n"},
-	/* Tangential, by the radius or by the end; CLSD says nothing of one element. */
-	{"L X+10 F100\nFCT DR+ R5 CCA90 CLSD+\nFLT Y+20\nFCT DR+ X+5 Y+30\nFCT DR- R10 CCA180 CLSD-\n",
+	/* Tangential, by the radius or by the end. */
+	{"L X+10 F100\nFCT DR+ R5 CCA90\nFLT Y+20\nFCT DR+ X+5 Y+30\nFCT DR- R10 CCA180\n",
 	 "feed 10 0 0 0 0\narc 15 5 0 0 0 centre 10 5 0 normal 0 0 1 sweep 90\nfeed 15 20 0 0 0\n"
 	 "arc 5 30 0 0 0 centre 5 20 0 normal 0 0 1 sweep 90\narc 5 50 0 0 0 centre 5 40 0 normal 0 0 1 sweep -180\n"},
+	/*
+	 * The circles of the next blocks determine where an element ends: tangents on the same side of both circles; a
+	 * tangent that crosses between two circles of radius 15 whose centres are 50 apart, from (9, 12) to (41, -12);
+	 * circles that touch each other from outside and from inside. CLSD- ends where CLSD+ has begun.
+	 */
+	{"L X-10 F100\nFC DR- R10 CLSD+ CCX+0 CCY+0\n; comment\nFLT\n3 FCT DR- R10 CCX+40 CCY+0\n4 * - part\n5 FLT\n"
+	 "FCT DR- R10 CLSD- CCX+0 CCY+0\n",
+	 "feed -10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep -90\nfeed 40 10 0 0 0\n"
+	 "arc 40 -10 0 0 0 centre 40 0 0 normal 0 0 1 sweep -180\nfeed 0 -10 0 0 0\n"
+	 "arc -10 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep -90\n"},
+	{"L Y+15 F100\nFC DR- R15 CCX+0 CCY+0\nFLT\nFCT DR+ R15 CCX+50 CCY+0 X+65 Y+0\n",
+	 "feed 0 15 0 0 0\narc 9 12 0 0 0 centre 0 0 0 normal 0 0 1 sweep -36.8698976\nfeed 41 -12 0 0 0\n"
+	 "arc 65 0 0 0 0 centre 50 0 0 normal 0 0 1 sweep 126.869898\n"},
+	{"FPOL X+10 Y+0\nL Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFCT DR+ R10 CCPR+20 CCPA+0 CCA90\n",
+	 "feed 0 20 0 0 0\narc 20 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep -90\n"
+	 "arc 30 -10 0 0 0 centre 30 0 0 normal 0 0 1 sweep 90\n"},
+	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFCT DR- R5 CCX+15 CCY+0 CCA90\n",
+	 "feed 0 20 0 0 0\narc 20 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep -90\n"
+	 "arc 15 -5 0 0 0 centre 15 0 0 normal 0 0 1 sweep -90\n"},
 	{"Q1=18\nFC DR- RQ1 CCXQ1 CCY+0 X+18 Y+18 F100\nRND R2\nFLT X+50\n",
 	 "arc 18 18 0 0 0 centre 18 0 0 normal 0 0 1 sweep -90\nfeed 50 18 0 0 0\n"},
 	{"L X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",

@@ -8,6 +8,8 @@
 #include "base/strbuf.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_circle.h"
+#include "gcode/dialect/klartext/klartext_free_ahead.h"
+#include "gcode/dialect/klartext/klartext_free_words.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_path.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -17,85 +19,18 @@
 /* mm: how far what a block says twice may differ, as a drawing rounds it. */
 #define AGREEMENT 0.016
 
-/* ------------------------------------------------------------------- words */
-
-/* What other elements are named for, which this reader does not solve. */
-static const char *const relations[] = {"RX",  "RY",  "RAN", "RPR", "RPA", "RCCX", "RCCY", "RCCPR",
-					"RCCPA", "PAR", "DP",  "PDX", "PDY", "PX",  "PY",  "P1X",
-					"P1Y", "P2X", "P2Y", "P3X", "P3Y", NULL};
-
-/* Takes one word of FK; *taken: there was one. False: reported. */
-static bool take_word(struct lexer *lexer, struct klartext_free *free, bool *taken)
-{
-	static const char *const names[KLARTEXT_FREE_COUNT] = {"AN",   "IAN", "LEN", "PR", "PA", "CCX", "CCY",
-							       "CCPR", "CCPA", "CCA", "CLSD"};
-	static const bool lengths[KLARTEXT_FREE_COUNT] = {
-	    [KLARTEXT_FREE_LEN] = true, [KLARTEXT_FREE_PR] = true,  [KLARTEXT_FREE_CCX] = true,
-	    [KLARTEXT_FREE_CCY] = true, [KLARTEXT_FREE_CCPR] = true};
-	const struct interp *interp = lexer->context;
-	const int column = klartext_column(lexer);
-
-	for (int i = 0; relations[i]; i++) {
-		if (klartext_take(lexer, relations[i]))
-			return fault(lexer->at, column, "%s: points and relations of FK are not supported yet",
-				     relations[i]);
-	}
-	for (int i = 0; i < KLARTEXT_FREE_COUNT; i++) {
-		if (!klartext_take(lexer, names[i]))
-			continue;
-		*taken = free->has[i] = true;
-		if (i == KLARTEXT_FREE_CLOSED) {
-			if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
-				lexer_take(lexer);
-			return true;
-		}
-		if (!klartext_value(lexer, &free->value[i]))
-			return false;
-		free->value[i] *= lengths[i] ? interp->state.scale : 1;
-		return true;
-	}
-	return true;
-}
-
-/* Moves the words of FK out of the line: blanks take their place in `rest`. False: reported. */
-static bool split_line(struct lexer *lexer, struct klartext_free *free, struct strbuf *rest)
-{
-	const char *text = lexer->at->text;
-	struct lexer ahead = *lexer;
-	size_t copied = 0;
-
-	*free = (struct klartext_free){.has_pole = free->has_pole, .pole = {free->pole[0], free->pole[1]}};
-	while (!klartext_ends(&ahead)) {
-		char word[KLARTEXT_WORD];
-		bool taken = false;
-		size_t start;
-
-		lexer_peek(&ahead);
-		start = ahead.position;
-		if (!take_word(&ahead, free, &taken))
-			return false;
-		if (taken) {
-			strbuf_addf(rest, "%.*s%*s", (int)(start - copied), text + copied,
-				    (int)(ahead.position - start), "");
-			copied = ahead.position;
-		} else if (klartext_word(&ahead, word) == 0) {
-			lexer_take(&ahead);
-		}
-	}
-	strbuf_addf(rest, "%s", text + copied);
-	return true;
-}
-
 static bool run(struct lexer *lexer, klartext_path_shape shape)
 {
 	struct strbuf rest = {0};
 	struct line_place at = *lexer->at;
 	struct lexer others = *lexer;
-	bool good = split_line(lexer, &klartext_of(lexer->context)->free, &rest);
+	bool good = klartext_free_words_split(lexer, &klartext_of(lexer->context)->free, &rest);
 
 	at.text = strbuf_text(&rest);
 	others.at = &at;
 	good = good && klartext_path_run(&others, shape);
+	if (klartext_of(lexer->context)->free.value[KLARTEXT_FREE_CLOSED] < 0)
+		klartext_of(lexer->context)->free.has_begin = false;
 	strbuf_release(&rest);
 	return good;
 }
@@ -126,7 +61,13 @@ static bool contradict(const struct element *element)
 		     "FK: the data of this element contradict each other");
 }
 
-/* The end, if X and Y or PR and PA give it. */
+/* CLSD-: the element ends where the one with CLSD+ has begun. */
+static bool closes(const struct element *element)
+{
+	return element->free->value[KLARTEXT_FREE_CLOSED] < 0 && element->free->has_begin;
+}
+
+/* The end, if X and Y, PR and PA, or CLSD- at the end of a closed contour give it. */
 static bool has_end(const struct element *element, vec3 *end)
 {
 	const struct klartext_free *free = element->free;
@@ -135,6 +76,11 @@ static bool has_end(const struct element *element, vec3 *end)
 	if (element->has_x && element->has_y) {
 		end->x = element->x;
 		end->y = element->y;
+		return true;
+	}
+	if (closes(element)) {
+		end->x = free->begin[0];
+		end->y = free->begin[1];
 		return true;
 	}
 	if (!free->has_pole || !free->has[KLARTEXT_FREE_PR] || !free->has[KLARTEXT_FREE_PA])
@@ -147,20 +93,19 @@ static bool has_end(const struct element *element, vec3 *end)
 /* Does all that the block says of the end hold for this one? */
 static bool agrees(const struct element *element, vec3 end)
 {
-	vec3 polar;
+	vec3 polar = end;
 
 	if ((element->has_x && fabs(end.x - element->x) > AGREEMENT) ||
 	    (element->has_y && fabs(end.y - element->y) > AGREEMENT))
 		return false;
-	polar = end;
-	return !element->free->has[KLARTEXT_FREE_PR] ||
+	return (!element->free->has[KLARTEXT_FREE_PR] && !closes(element)) ||
 	       (has_end(element, &polar) && vec3_norm(vec3_sub(polar, end)) <= AGREEMENT);
 }
 
 static bool begin(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 		  const struct klartext_path *path, bool tangential, struct element *element)
 {
-	const struct klartext_free *free = &klartext_of(interp)->free;
+	struct klartext_free *free = &klartext_of(interp)->free;
 	vec3 before = {0, 0, 0};
 	const bool known = klartext_move_end_direction(&klartext_of(interp)->last, &before) &&
 			   fabs(before.z) <= SAME_POINT;
@@ -173,6 +118,11 @@ static bool begin(struct interp *interp, const struct klartext_words *words, con
 				    .has_y = klartext_words_has(words, SLOT_Y),
 				    .x = target->point.x,
 				    .y = target->point.y};
+	if (free->value[KLARTEXT_FREE_CLOSED] > 0) {
+		free->has_begin = true;
+		free->begin[0] = path->start.x;
+		free->begin[1] = path->start.y;
+	}
 	if (words->increments || words->has_radius || words->has_angle || klartext_words_has(words, SLOT_Z))
 		return fault(&interp->at, words->first_column,
 			     "FK reads absolute coordinates of X and Y; increments and Z are not supported yet");
@@ -199,6 +149,47 @@ static bool begin(struct interp *interp, const struct klartext_words *words, con
 	return true;
 }
 
+/*
+ * Where a tangential element leaves this circle: a straight line that ends at the next circle, or the next circle
+ * itself. The unit vector n points to the left of the common direction: the element touches each circle at the point
+ * centre - turn radius n. False: the two circles have no such tangent.
+ */
+static bool leave_circle(const struct klartext_free_circle *circle, const struct klartext_free_ahead *ahead, vec3 *end)
+{
+	const vec3 z = {0, 0, 1},
+		   way = {ahead->circle.centre.x - circle->centre.x, ahead->circle.centre.y - circle->centre.y, 0};
+	const double across = ahead->circle.turn * ahead->circle.radius - circle->turn * circle->radius;
+	const double length = vec3_norm(way);
+	double sine;
+	vec3 left;
+
+	if (!(length > SAME_POINT) || (ahead->line ? fabs(across) >= length : fabs(fabs(across) - length) > AGREEMENT))
+		return false;
+	sine = ahead->line ? across / length : across > 0 ? 1 : -1;
+	left = vec3_scale(sine / length, way);
+	left = vec3_mad(left, sqrt(1 - sine * sine) / length, vec3_cross(z, way));
+	*end = vec3_mad(circle->centre, -circle->turn * circle->radius, left);
+	return true;
+}
+
+/* The end of a straight line that is tangential to the circle after it. False: there is no such circle. */
+static bool find_touch(const struct element *element, vec3 *end)
+{
+	const vec3 start = element->path->start, direction = element->direction;
+	struct klartext_free_ahead ahead;
+	vec3 way, left;
+
+	if (!klartext_free_ahead_read(element->interp, &ahead) || ahead.line)
+		return false;
+	way = (vec3){ahead.circle.centre.x - start.x, ahead.circle.centre.y - start.y, 0};
+	left = vec3_cross((vec3){0, 0, 1}, direction);
+	if (!(vec3_dot(way, direction) > SAME_POINT) ||
+	    fabs(vec3_dot(way, left) - ahead.circle.turn * ahead.circle.radius) > AGREEMENT)
+		return false;
+	*end = vec3_mad(start, vec3_dot(way, direction), direction);
+	return true;
+}
+
 /* The way along the direction to the end that one coordinate gives; not positive: none. */
 static double way_along(const struct element *element)
 {
@@ -219,11 +210,14 @@ static bool solve_line(const struct element *element, struct klartext_target *ta
 	if (!has_end(element, &end)) {
 		if (!element->has_direction)
 			return open(element, "the block does not say where its line ends");
-		if (!element->has_x && !element->has_y && !element->free->has[KLARTEXT_FREE_LEN])
-			return open(element, "the block does not say where its line ends");
-		if (!(way_along(element) > 0))
+		if (!element->has_x && !element->has_y && !element->free->has[KLARTEXT_FREE_LEN]) {
+			if (!find_touch(element, &end))
+				return open(element, "the block does not say where its line ends");
+		} else if (!(way_along(element) > 0)) {
 			return contradict(element);
-		end = vec3_mad(start, way_along(element), element->direction);
+		} else {
+			end = vec3_mad(start, way_along(element), element->direction);
+		}
 	}
 	way = vec3_sub(end, start);
 	if (!agrees(element, end) || !(vec3_norm(way) > SAME_POINT) ||
@@ -285,6 +279,7 @@ static bool circle_agrees(const struct element *element, vec3 centre)
 static bool solve_circle(const struct element *element, struct klartext_target *target, struct klartext_path *path)
 {
 	const double turn = element->free->value[KLARTEXT_FREE_CCA];
+	struct klartext_free_ahead ahead;
 	vec3 centre, end = path->start, radius;
 
 	if (!element->words->direction)
@@ -297,9 +292,12 @@ static bool solve_circle(const struct element *element, struct klartext_target *
 	radius = vec3_sub(path->start, centre);
 	if (!(vec3_norm(radius) > SAME_POINT) || !circle_agrees(element, centre))
 		return contradict(element);
-	if (!has_end(element, &end)) {
-		if (!element->free->has[KLARTEXT_FREE_CCA])
+	if (!element->free->has[KLARTEXT_FREE_CCA] && !has_end(element, &end)) {
+		const struct klartext_free_circle circle = {centre, vec3_norm(radius), element->words->direction};
+
+		if (!klartext_free_ahead_read(element->interp, &ahead) || !leave_circle(&circle, &ahead, &end))
 			return open(element, "the block does not say where its circle ends");
+	} else if (element->free->has[KLARTEXT_FREE_CCA] && (closes(element) || !has_end(element, &end))) {
 		if (!(turn > 0 && turn < 360))
 			return contradict(element);
 		const mat3 rotation = mat3_turn((vec3){0, 0, 1}, radians(element->words->direction * turn));

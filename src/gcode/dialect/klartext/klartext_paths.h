@@ -91,12 +91,14 @@ enum klartext_free_word {
 	KLARTEXT_FREE_COUNT
 };
 
-/* The words of the current FK block, mm and degrees; the pole is that of FPOL. */
+/* The words of the current FK block, mm and degrees; the value of CLSD is 1 for CLSD+ and -1 for CLSD-. */
 struct klartext_free {
 	bool has[KLARTEXT_FREE_COUNT];
 	double value[KLARTEXT_FREE_COUNT];
 	bool has_pole;
-	double pole[2];
+	double pole[2]; /* of FPOL */
+	bool has_begin;
+	double begin[2]; /* where the element with CLSD+ has begun */
 };
 
 /* Radius compensation. */
