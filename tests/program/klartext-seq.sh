@@ -37,6 +37,12 @@ row +0 SEQ+
 machine -200 200
 printf '%s\n' 'BEGIN PGM P MM' 'M126' 'L A+10 C-60 R0 FMAX' 'PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX' 'END PGM P MM' >p.h
 status fivecheck --dump-path m.xml p.h
+# DIST of MOVE has other names in other languages and versions of the control. The point 50 mm below the tip turns by 45
+# degrees about X: Y by -50 sin 45 degrees, Z by 50 - 50 cos 45 degrees.
+for word in DIST ABST SETUP SET-UP; do
+	printf '%s\n' 'BEGIN PGM P MM' "PLANE SPATIAL SPA+0 SPB+45 SPC+0 MOVE ${word}50 FMAX SEQ+" 'END PGM P MM' >p.h
+	echo "$word: $(fivecheck --dump-path -q m.xml p.h | awk 'END { print $1, $4, $5, $6, $7, $8 }')"
+done
 # Cycle 19 has no SEQ.
 sed 's/dialect="klartext"/& cycle_19_angles="spatial"/' m.xml >c.xml
 printf '%s\n' 'BEGIN PGM P MM' 'CYCL DEF 19.0 WORKING PLANE' 'CYCL DEF 19.1 A+0 B+45 C+0' 'L A+Q120 C+Q122 R0 FMAX' 'END PGM P MM' >p.h

@@ -260,6 +260,21 @@ START_TEST(cycle_in_full)
 }
 END_TEST
 
+/* Text behind END PGM is cautioned once; blank lines, comments and the end of a transmission are not. */
+START_TEST(behind_end)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	ck_assert(case_run(&c, "BEGIN PGM T MM\nL X+1 FMAX\nEND PGM T MM\n\n; comment\n%\nL X+2 FMAX\nL X+3 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\n");
+	ck_assert_uint_eq(c.diag.warnings, 1);
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:7:1: warning: text behind END PGM: the control reads "
+							       "none of it"));
+	case_release(&c);
+}
+END_TEST
+
 /* Files may change, which is said; the moves do not depend on it. */
 START_TEST(files)
 {
@@ -461,6 +476,7 @@ int main(void)
 	tcase_add_test(tcase, builder_point);
 	tcase_add_test(tcase, feed_per_tooth);
 	tcase_add_test(tcase, cycle_in_full);
+	tcase_add_test(tcase, behind_end);
 	tcase_add_test(tcase, files);
 	tcase_add_test(tcase, first_tool);
 	tcase_add_test(tcase, handwheel);

@@ -233,6 +233,9 @@ static const struct klartext_fault faults[] = {
 	{"L X+5 F100\nFLT\nFCT DR+ R5 CCX+20 CCY+6 CCA90\n",
 	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is not "
 	 "supported yet; write the end of the element"},
+	{"L X+5 F100\nFLT IAN+5 LEN5\n",
+	 "p.nc:3:15: error: FK: an angle that counts from the element before (IAN) is not read, or leaves several solutions: "
+	 "that is not supported yet; write the end of the element"},
 	/* CLSD-, but the contour is open. */
 	{"L X+10 F100\nFCT DR+ R5 CCA90 CLSD+\nFLT Y+20 CLSD-\n",
 	 "p.nc:4:5: error: FK: the data of this element contradict each other"},
