@@ -57,7 +57,7 @@ def cb_head(bench):
 
 @test
 def report(bench):
-    """The report shows itself in its frame, and what is saved has the bytes of the command line's."""
+    """The report is shown in its frame, and the saved report has the same bytes as that of the command line."""
     page = bench.open()
     bench.example(page, "cb-head")
     bench.check(page)
@@ -88,13 +88,13 @@ M2
 
 @test
 def cancel(bench):
-    """Checks of programs that never end can be cancelled, those that run and those that wait, and another one started."""
+    """Checks of endless programs can be cancelled, whether they run or wait, and a new check can be started."""
     page = bench.open()
     bench.example(page, "ac-trunnion")
     page.run("document.querySelector('[name=all]').click()")
     page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({role}) => role !== 'program'))")
     page.run("await fivecheckPage.add(Array.from({length: 9}, (_, i) => [`endless-${i}.nc`, new Blob([%s])]))" % json.dumps(ENDLESS))
-    # The first finding: from there on that program goes round and round.
+    # After its first finding the program loops forever.
     page.run("""await new Promise((found) => {
         new MutationObserver(() => document.querySelector('.findings .collision') && found()).observe(document.querySelector('#results'), {childList: true, subtree: true});
         document.querySelector('#check').click();
@@ -112,7 +112,7 @@ def cancel(bench):
 
 @test
 def strange_files(bench):
-    """Pictures and drawings are no programs; what to do with a drawing is said. A block that is quoted stands in columns."""
+    """Pictures and drawings are not taken for programs, and the page says what to do with a drawing. A quoted block keeps its columns."""
     page = bench.open()
     page.run("await fivecheckPage.add(['photo.jpg', 'table.STEP', 'report.html', 'part.nc', 'O1000'].map((name) => [name, new Blob(['G1 X\\n'])]))")
     same("roles", page.run("Object.fromEntries(fivecheckPage.files.map(({path, role}) => [path, role]))"),
@@ -130,7 +130,7 @@ def strange_files(bench):
 
 @test
 def said(bench):
-    """A verdict is called what it is: samples prove nothing, what speaks against the premises stands beside it, and an older one is told to be so."""
+    """A verdict of samples is not called clear; doubts stand beside the verdict; an outdated verdict is marked as outdated."""
     page = bench.open()
     bench.example(page, "cb-head")
     page.run("fivecheckPage.setFiles(fivecheckPage.files.filter(({path}) => !path.endsWith('collision.nc')))")
@@ -147,13 +147,13 @@ def said(bench):
     page.run("await fivecheckPage.add([['empty.nc', new Blob([])]])")
     true("an empty file", "empty.nc: nothing in it" in page.run("document.querySelector('#job').textContent"))
     bench.check(page, 4)
-    same("without a setup, and without a move", sorted(page.run(said))[0], ["clear", "Clear", 2])
+    same("without a setup, and without a move", sorted(page.run(said))[0], ["clear", "Clear where the machine stands", 2])
     bench.done(page, "page-doubts")
 
 
 @test
 def many(bench):
-    """Of many programs the first reports are drawn, the others when asked for."""
+    """With many programs only the first reports are drawn at once, the others on request."""
     page = bench.open()
     bench.example(page, "cb-head")
     program = page.run("await fivecheckPage.of('program')[0].blob.text()")
@@ -169,7 +169,7 @@ def many(bench):
 
 @test
 def keys(bench):
-    """By keys alone: an example is opened and checked; the focus goes from Check to Cancel, and back to Check."""
+    """With the keyboard alone an example is opened and checked; the focus goes from Check to Cancel and back to Check."""
     page = bench.open()
     reached = []
     for _ in range(30):
@@ -194,7 +194,7 @@ def keys(bench):
 
 @test
 def phone(bench):
-    """Nothing is wider than a phone, and everything has a name."""
+    """Nothing is wider than a phone, and every control has a label."""
     page = bench.open(**PHONE)
     bench.example(page, "cb-head")
     bench.check(page)
@@ -208,7 +208,7 @@ def phone(bench):
 
 @test
 def lacking(bench):
-    """What the server does not have is named, and gives no verdict; once it is there again, the job runs."""
+    """A file that is missing on the server is named, and there is no verdict; once the file is there again, the job runs."""
     bench.site.missing = {"/fivecheck.wasm"}
     page = bench.open("learn.html")
     true("the page to learn with", "fivecheck.wasm cannot be loaded" in page.run("document.querySelector('#machine-name').textContent"))
