@@ -1,4 +1,4 @@
-"""Job files and options on the page: what is checked, what is said of it, and the command line that says the same."""
+"""Job files and options on the page: what is checked, the messages, and the equivalent command line."""
 import json
 import os
 import shlex
@@ -28,7 +28,7 @@ def read(path):
 
 
 def waive(bench, folder, *words):
-    """Writes waivers.xml, which accepts all that is found."""
+    """Writes waivers.xml, which accepts all findings."""
     native(bench, folder, "-a", "-o", "run.ndjson", *words)
     subprocess.run([bench.fivecheck, "waive", "--reason=soft block", "--until=2099-01-01", "run.ndjson", "-o", "waivers.xml"], cwd=folder, check=True, capture_output=True)
     os.remove(os.path.join(folder, "run.ndjson"))
@@ -40,7 +40,7 @@ def native(bench, folder, *words):
 
 
 def jobs(bench, work):
-    """A folder with a job file: two machines in folders of their own, of which one has another clearance, three programs, waivers."""
+    """A folder with a job file: two machines in separate folders, one with another clearance, three programs, waivers."""
     machine, setup, program = fixtures.boxes(work)
     source, folder = os.path.dirname(machine), os.path.join(work, "cell & co")
     meshes = {name: open(os.path.join(source, f"{name}.stl"), "rb").read() for name in ("table", "head", "block")}  # noqa: SIM115
@@ -98,7 +98,7 @@ def job_file(bench):
 
 @test
 def job_file_in_pieces(bench):
-    """Files that were dropped without their folders are found, missing ones are named, a faulty job file says what the command line says."""
+    """Files dropped without their folders are found, missing files are named, and a faulty job file gets the messages of the command line."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         folder = jobs(bench, work)
@@ -129,7 +129,7 @@ def job_file_in_pieces(bench):
 
 @test
 def waivers(bench):
-    """A file of waivers counts, and a setup that is there twice is not passed over."""
+    """A file of waivers is used, and two setups are reported."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, _ = fixtures.boxes(work)
@@ -155,7 +155,7 @@ def choose(page, **options):
 
 @test
 def options(bench):
-    """The options say what --help says; the command line that is shown has the verdict of the page, whatever the files are called."""
+    """The options have the words of --help; the shown command line gives the verdict of the page for any file names."""
     page = bench.open()
     told = " ".join(subprocess.run([bench.fivecheck, "--help"], capture_output=True, text=True, check=True).stdout.split())
     for label in page.run("[...document.querySelectorAll('#more-options label')].map((label) => [label.querySelector('code').textContent, label.querySelector('span').textContent])"):
@@ -176,6 +176,7 @@ def options(bench):
                 ({"dialect": "", "all": False, "fail_on": "limit"}, "accepted", ["fail-on limit", "tolerance 0.01 mm", "clearance 2 mm"]),
                 ({"fail_on": "", "clearance": "0", "tolerance": "", "parse_only": True}, "passed", ["method parse-only"]),
                 ({"parse_only": False, "max_blocks": "1000", "include": "."}, "found", ["subprograms in .", "at most 1000 blocks"]),
+                ({"max_blocks": "", "sensitivity": "1,1,1,50"}, "found", None),
                 ({"max_blocks": "x"}, "incomplete", None)):
             choose(page, **chosen)
             checks += 1
@@ -189,6 +190,8 @@ def options(bench):
             same("verdict of the line", found, next((event["verdict"] for event in events if event["kind"] == "program"), "incomplete"))
             same(f"findings of {line}", page.run("[...document.querySelectorAll('.findings > :not(.message)')].length"), sum("fraction" in event for event in events))
             true(f"{line}: {found}", verdict in (None, found))
+            words = page.run("document.querySelector('.words')?.textContent ?? ''")
+            same("the sensitivity is in the words", "tool length " in words, chosen.get("sensitivity") is not None)
             said = page.run("document.querySelector('.used')?.textContent ?? ''")
             true(f"{line}: {said}", all(word in said for word in used or []))
         button = "document.querySelector('.program .copied button')"
@@ -196,7 +199,7 @@ def options(bench):
         page.run(f"{button}.click()")
         page.frames()
         same("copied", page.run(f"[window.copied, {button}.textContent]"), [line, "Copied"])
-        # A page that comes over http from another computer has no clipboard.
+        # A page loaded over http from another computer has no clipboard.
         page.run("Object.defineProperty(navigator, 'clipboard', {value: undefined})")
         page.run(f"{button}.click()")
         page.frames()
@@ -206,7 +209,7 @@ def options(bench):
 
 @test
 def edited(bench):
-    """A program that was edited on the disk has to be dropped again, which the page says; it takes the place of the one before."""
+    """A program that was edited on the disk must be dropped again, as the page says; it then replaces the earlier one."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         _, _, program = fixtures.boxes(work)
@@ -229,7 +232,7 @@ def edited(bench):
 
 @test
 def dead_ends(bench):
-    """What is no file of a check is named, with what to do."""
+    """Files that a check cannot use are named, with advice."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, program = fixtures.boxes(work)
@@ -257,7 +260,7 @@ def dead_ends(bench):
 
 @test
 def subprograms(bench):
-    """A program that is called by another need not be checked by itself; a finding in it is told with its file. What a system leaves in folders is no program."""
+    """A program that others call need not be checked alone, and a finding in it names its file. Files that operating systems add to folders are not programs."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         _, _, program = fixtures.boxes(work, subprogram=True)
@@ -292,7 +295,7 @@ def zipped(path, files, **options):
 
 @test
 def zip_archives(bench):
-    """A ZIP of a job is a folder; one that is broken, encrypted, too large or leads out of itself is refused with the reason."""
+    """A ZIP of a job is read like a folder; a broken, encrypted or too large ZIP, or one with paths that lead out of it, is refused with the reason."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, _ = fixtures.boxes(work)
@@ -343,7 +346,7 @@ def zip_archives(bench):
 
 @test
 def zip_names(bench):
-    """Names of a ZIP are those of an old system where they are no UTF-8; several ZIPs lie in folders of their own; what comes twice is told."""
+    """Names in a ZIP that are not UTF-8 are read in the old code page; several ZIPs get separate folders; duplicates are reported."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         old = zipped(os.path.join(work, "old.zip"), {"nc/kAse.nc": "M2\n"})
@@ -366,7 +369,7 @@ def zip_names(bench):
 
 @test
 def names_without_end(bench):
-    """Files that name themselves or no letter, comments without an end and very many files keep the page alive."""
+    """Files that refer to themselves or to an invalid letter, endless comments and very many files do not block the page."""
     page = bench.open()
     page.run("""await fivecheckPage.add([
         ['jobs.xml', new Blob(['<jobs version="1"><job name="a" machine="a/jobs.xml" setup="&#x7fffffff;.xml"><program file="a/b/jobs.xml"/></job></jobs>'])],

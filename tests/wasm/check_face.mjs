@@ -222,6 +222,7 @@ tests['a job gets the parts that it needs, and all where that is not sure'] = ()
 	assert.deepEqual(partsOf(machine('sinumerik')), [sinumerik]);
 	assert.deepEqual(partsOf(machine('klartext')), [klartext]);
 	assert.deepEqual(partsOf(machine('fanuc'), '<setup version="1"><tools href="tool.tbl"/></setup>'), [more]);
+	assert.deepEqual(partsOf(machine('fanuc'), undefined, ['--sensitivity=1,1,1,1']), [more]);
 	assert.deepEqual(partsOf(machine('klar&#116;ext')), PARTS);
 	assert.deepEqual(partsOf(machine('&c;', '<!DOCTYPE machine [<!ENTITY c "klartext">]>')), PARTS);
 	assert.deepEqual(partsOf(Buffer.from(machine('fanuc'), 'utf16le').toString('latin1')), PARTS);

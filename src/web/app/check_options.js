@@ -14,7 +14,7 @@ import {element} from './page.js';
 
 /** Those that few need. @type {Option[]} */
 const MORE = [
-	{option: 'dialect=NAME', words: 'linuxcnc, fanuc, haas, sinumerik, klartext or auto; replaces that of the machine file; auto: as the programs show for certain',
+	{option: 'dialect=NAME', words: 'linuxcnc, fanuc, haas, sinumerik, klartext or auto; overrides the machine file; auto: find the dialect from codes that only some controls have',
 		choices: [['', 'that of the machine file'], ...['linuxcnc', 'fanuc', 'haas', 'sinumerik', 'klartext', 'auto'].map((name) => /** @type {[string, string]} */ ([name, name]))]},
 	{option: 'tolerance=MM', words: 'how exactly contact is decided, and how exactly --dump-path follows curves (0.001)', number: true},
 	{option: 'stock-tolerance=MM', words: 'the tolerance of the remaining stock (0.1)', number: true},
@@ -23,6 +23,7 @@ const MORE = [
 	{option: 'max-blocks=N', words: 'give up after N blocks in loops and subprograms (100000000)', number: true},
 	{option: 'fail-on=KIND,...', words: 'findings of these kinds fail the run, others only warn: collision, clearance, limit, start-overlap, rapid-contact, gouge, warning or none; warning: warnings fail, too; none: nothing fails', text: true},
 	{option: 'duplicates=error|last', words: 'a word that stands twice in a block is an error (the default), or the last one counts', choices: [['', 'error'], ['last', 'last']]},
+	{option: 'sensitivity=DX,DY,DZ,DL', words: 'report how far, up to these values, work offsets and tool lengths may be wrong before the verdict changes', text: true},
 	{option: 'block-delete', words: 'skip blocks that begin with /'},
 	{option: 'parse-only', words: 'interpret the programs and check axis limits, but not collisions'},
 ];

@@ -17,7 +17,7 @@ export function partsOf(machine, setup = '<setup', options = []) {
 	if (!/<machine\b/.test(machine) || HIDDEN.test(machine) || !/<setup\b/.test(setup) || HIDDEN.test(setup))
 		return PARTS;
 	const control = machine + dialect, any = dialect === '--dialect=auto';
-	const wanted = [any || /klartext/i.test(control), any || /sinumerik/i.test(control), /<tools\b/.test(machine + setup)];
+	const wanted = [any || /klartext/i.test(control), any || /sinumerik/i.test(control), /<tools\b/.test(machine + setup) || options.some((option) => option.startsWith('--sensitivity='))];
 	return PARTS.filter((_, i) => wanted[i]);
 }
 
