@@ -1,4 +1,4 @@
-"""Servers that answer wrongly, browsers that lack something, and users who do what nobody expected: the page says what is wrong, or goes on."""
+"""Servers with wrong answers, browsers without a feature, unexpected actions of users: the page says what is wrong, or it goes on."""
 import json
 import os
 import tempfile
@@ -11,10 +11,13 @@ from page_bench import VERDICTS, drop
 SAID = "[...document.querySelectorAll('.program .verdict')].map((e) => e.textContent)"
 
 
+NO_SERVICE_WORKER = "delete Navigator.prototype.serviceWorker;"
+
+
 def is_told(bench, page, *words):
-    """A check has no verdict, and says why."""
+    """A check gives no verdict and states the reason."""
     bench.example(page, "cb-head")
-    # Not at once: what the driver calls itself may do what a policy forbids.
+    # Deferred: code that the driver calls directly is exempt from the policy.
     page.run("void setTimeout(() => document.querySelector('#check').click())")
     page.run("await until('checked', 1)")
     said = page.run(SAID)
@@ -25,7 +28,7 @@ def is_told(bench, page, *words):
 
 @test
 def wrong_type(bench):
-    """A server that does not know the type of a module: the page works all the same."""
+    """A server gives a module a wrong MIME type: the page still works."""
     bench.site.types = {"/fivecheck.wasm": "application/octet-stream"}
     page = bench.open()
     bench.works(page)
@@ -34,16 +37,17 @@ def wrong_type(bench):
 
 @test
 def no_module(bench):
-    """A server that answers with something else, a policy that forbids modules, a browser that has none: each is told."""
-    page = bench.open(before="""(() => { const real = fetch; window.fetch = (address) => String(address).endsWith('fivecheck.wasm')
+    """The page reports a server that answers with something else, a policy that forbids modules, and a browser without modules."""
+    # A service worker, which a page registers after some seconds, would answer with files from before the policy.
+    page = bench.open(before=NO_SERVICE_WORKER + """(() => { const real = fetch; window.fetch = (address) => String(address).endsWith('fivecheck.wasm')
         ? Promise.resolve(new Response('<!doctype html>', {headers: {'Content-Type': 'text/html'}})) : real(address); })();""")
     is_told(bench, page, "fivecheck.wasm", "cannot be loaded")
     page.close()
-    page = bench.open(before="delete window.WebAssembly;")
+    page = bench.open(before=NO_SERVICE_WORKER + "delete window.WebAssembly;")
     is_told(bench, page, "has no WebAssembly")
     page.close()
     bench.site.policy = "script-src 'self'"
-    page = bench.open("?not-of-the-cache")
+    page = bench.open()
     is_told(bench, page, "fivecheck.wasm", "cannot be loaded")
     page.close()
     bench.site.policy = None
@@ -54,7 +58,7 @@ def no_module(bench):
 
 @test
 def no_form_module(bench):
-    """The form for a machine needs a part of the checker: that it cannot be loaded stands in the form."""
+    """The form for a machine needs a part of the checker. If that part cannot be loaded, the form says so."""
     page = bench.open()
     bench.site.missing = {"/fivecheck-more.wasm"}
     page.run("document.querySelector('#fill-example').click()")
@@ -70,7 +74,7 @@ def no_form_module(bench):
 
 @test
 def no_examples(bench):
-    """Examples that cannot be loaded are told; own files are checked all the same."""
+    """The page says that the examples cannot be loaded; the user's own files can still be checked."""
     bench.site.missing = {"/examples/index.json"}
     page = bench.open()
     true("it is told", "The examples cannot be loaded" in page.run("document.querySelector('#examples').textContent"))
@@ -83,7 +87,7 @@ def no_examples(bench):
 
 @test
 def no_storage(bench):
-    """Where nothing may be stored, as in some private windows, the page works, and says nothing of it."""
+    """If the browser forbids storage, as in some private windows, the page works and shows no message about it."""
     page = bench.open(before="""for (const name of ['localStorage', 'sessionStorage', 'indexedDB', 'caches'])
         Object.defineProperty(window, name, {get() { throw new DOMException('denied', 'SecurityError'); }});
         if (window === top) navigator.serviceWorker.register = () => (window.asked = true, Promise.reject(new DOMException('denied', 'SecurityError')));""")
@@ -98,7 +102,7 @@ NAMES = ["<img src=x onerror=\"window.pwned=1\">.nc", "__proto__", "constructor"
 
 @test
 def names(bench):
-    """Whatever files are called, they are called so, and checked."""
+    """Files with unusual names are shown with their names and checked."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         _, program = bench.boxes(page, work)
@@ -117,7 +121,7 @@ def names(bench):
 
 @test
 def meanwhile(bench):
-    """Files that come while a check runs, another tab, going back and loading again: a verdict is about what was checked."""
+    """Files dropped during a check, a second tab, going back, reloading: a verdict always belongs to the files that were checked."""
     page = bench.open()
     bench.example(page, "cb-head")
     page.run("((done) => { window.checkedOnce = new Promise((told) => document.addEventListener('checked', told)); done.click(); })(document.querySelector('#check'))")
@@ -143,7 +147,7 @@ def meanwhile(bench):
 
 @test
 def bad_meshes(bench):
-    """Meshes of numbers that are none, and one that says it has more triangles than memory: each is named, and the page goes on."""
+    """Meshes with invalid numbers, and one that claims more triangles than fit in memory: each is named, and the page goes on."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, _ = fixtures.boxes(work)
