@@ -49,7 +49,7 @@ Include {config}
 
 
 class Server:
-    """An apache2 with examples/apache/fivecheck.conf, in a folder of its own."""
+    """An apache2 with examples/apache/fivecheck.conf, in its own folder."""
 
     def __init__(self, arguments, more=""):
         self.root = tempfile.mkdtemp(prefix="fivecheck-apache-")
@@ -108,7 +108,7 @@ class Server:
 
 
 def archive(files, extra=()):
-    """A tar archive of names and texts; extra members come as they are."""
+    """A tar archive of names and texts; extra members are added unchanged."""
     out = io.BytesIO()
     with tarfile.open(fileobj=out, mode="w", format=tarfile.USTAR_FORMAT) as tar:
         for name, text in files.items():
@@ -170,7 +170,7 @@ def page(server):
 
 @test
 def verdicts(server):
-    """The CGI answers what the command line prints."""
+    """The CGI answers with the output of the command line."""
     same("clear", server.check(archive(job()))[:2], (200, "0"))
     status, code, text = server.check(archive(job(b"G21 G90\nG0 X300\nM2\n")))
     same("found", (status, code), (200, "1"))
@@ -196,7 +196,7 @@ def member(name, kind=tarfile.DIRTYPE, target=""):
 
 @test
 def hostile(server):
-    """Links, ways out, names of options, twice the same, what is no archive, files elsewhere, and bombs."""
+    """Links, paths that lead out, names that look like options, duplicates, other files than archives, files elsewhere, and bombs."""
     for name, body in {
             "a symbolic link": archive(job(), [member("link.stl", tarfile.SYMTYPE, "/etc/passwd")]),
             "a hard link": archive(job(), [member("link.stl", tarfile.LNKTYPE, "m.xml")]),
@@ -248,7 +248,7 @@ def limits(server):
 
 
 def half_a_request(server, text, length=None):
-    """A socket on which a request for a check has begun: this part of its body is sent, of so many bytes."""
+    """A socket with an unfinished request for a check: this part of the body is sent, `length` bytes are announced."""
     client = socket.socket()
     client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     client.settimeout(300)
@@ -258,8 +258,8 @@ def half_a_request(server, text, length=None):
     return client
 
 
-def is_tidied(server):
-    """Nothing is left of jobs, as soon as the server has ended them: until then it has other jobs to do."""
+def wait_until_tidied(server):
+    """Waits until nothing is left of the jobs that the server has ended."""
     for _ in range(300):
         if all(map(LOCK.match, os.listdir(f"{server.root}/work"))):
             return
@@ -269,31 +269,31 @@ def is_tidied(server):
 
 @test
 def impolite(server):
-    """Who goes away, sends half a job or does not read the answer leaves nothing behind, and keeps no processor from others."""
+    """A client that disconnects, sends half a job or does not read the answer leaves nothing behind and blocks no processor."""
     body, endless = archive(job()), archive(job(b"G21 G90\no1 while [1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n"))
     for sent in (b"", body[:700], body[:-600]):
         half_a_request(server, sent, len(body)).close()
-        is_tidied(server)
+        wait_until_tidied(server)
     waiting = half_a_request(server, body[:1500], len(body))
     true("half a job is not waited for", waiting.recv(100).split()[1:2] in ([b"408"], [b"400"], []))
     waiting.close()
     half_a_request(server, endless).close()
-    is_tidied(server)
+    wait_until_tidied(server)
     # Each has megabytes of findings to send, and more are at it than there are processors.
     passes = archive(job(b"G21 G90 G61\no1 repeat [10000]\nG0 X500 (%s)\nG0 X501 (%s)\no1 endrepeat\nM2\n" % (b"a" * 200, b"b" * 200)))
     readers = [half_a_request(server, passes) for _ in range((os.cpu_count() or 1) + 1)]
     for reader in readers:
         same("an answer begins", reader.recv(12), b"HTTP/1.1 200")
     same("others have a processor", server.check(body)[:2], (200, "0"))
-    is_tidied(server)
+    wait_until_tidied(server)
     for reader in readers:
         reader.close()
-    is_tidied(server)
+    wait_until_tidied(server)
 
 
 @test
 def many_uploads(server):
-    """So many halves of jobs lie on the server and no more; whoever comes then waits, and is answered when one has gone."""
+    """A bounded number of unfinished uploads lies on the server; the next client waits and is answered when one of them has ended."""
     body, most = archive(job()), 32
     clients = [half_a_request(server, body[:1500], len(body)) for _ in range(most + 10)]
     lying = set()
@@ -305,12 +305,12 @@ def many_uploads(server):
     same("one more", server.check(body)[:2], (200, "0"))
     for client in clients:
         client.close()
-    is_tidied(server)
+    wait_until_tidied(server)
 
 
 @test
 def methods(server):
-    """HEAD, ranges, other methods and types, and lengths that are not true."""
+    """HEAD, ranges, other methods and types, and wrong lengths."""
     status, headers, text = server.ask("HEAD", "/fivecheck/fivecheck.wasm")
     same("HEAD", (status, headers["Content-Type"], text), (200, "application/wasm", b""))
     whole = server.ask("GET", "/fivecheck/main.js")[2]
@@ -331,12 +331,12 @@ def methods(server):
     same("an empty body", server.check(b"")[0] in (400, 411), True)
     same("a job in a job's place", server.ask("POST", "/fivecheck/check/../../apache.conf?machine=m.xml&program=p.nc", body)[0] in (400, 403, 404, 405), True)
     same("a path behind the program", server.ask("GET", "/fivecheck/check/x")[0], 403)
-    is_tidied(server)
+    wait_until_tidied(server)
 
 
 @test
 def nothing_is_sent(server):
-    """A browser checks a user's files in the page: the access log has GETs of the page's own files alone."""
+    """A browser checks a user's files in the page: the access log has only GETs of the page's own files."""
     if not find_browser():
         print("     skipped: there is no Chromium")
         return

@@ -51,7 +51,7 @@ def access(bench):
 
 @test
 def focus(bench):
-    """A button that goes away hands the focus on to what stands in its place; nobody begins at the top of the page again."""
+    """If a button disappears, the element in its place gets the focus, so the focus does not return to the top of the page."""
     page = bench.open()
     bench.example(page, "cb-head")
     names = page.run("fivecheckPage.files.map(({path}) => path)")

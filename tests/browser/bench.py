@@ -1,4 +1,4 @@
-"""What the tests in a browser share: the list of tests, words for what must hold, and reports that are written once."""
+"""What the tests in a browser share: the list of tests, assertions, and reports that are written once."""
 import json
 import os
 import subprocess
@@ -17,12 +17,12 @@ def test(function):
 
 
 def browser_of(arguments):
-    """The kind of browser that was asked for."""
+    """The class of the requested browser."""
     return Firefox if arguments.firefox else Browser
 
 
 def carry_out(tests, bench_for, names):
-    """Runs the tests, or those of these names, each with a bench of its own: the number of those that failed."""
+    """Runs all tests, or those with these names, each with its own bench. Returns the number of failed tests."""
     failed = 0
     for function in tests:
         if names and function.__name__ not in names:
@@ -33,7 +33,7 @@ def carry_out(tests, bench_for, names):
             print(f"ok   {function.__name__}", flush=True)
         except NotHere as word:
             print(f"     {function.__name__} is skipped: {word}", flush=True)
-        except Exception:  # noqa: BLE001 - every failure is told, and the rest goes on
+        except Exception:  # noqa: BLE001 - each failure is reported, and the other tests go on
             failed += 1
             print(f"FAIL {function.__name__}", flush=True)
             traceback.print_exc()
@@ -41,7 +41,7 @@ def carry_out(tests, bench_for, names):
 
 
 def shown(value):
-    """At most as much of a value as a person reads."""
+    """A value, shortened to a readable length."""
     text = repr(value)
     return text if len(text) <= 2000 else f"{text[:2000]} ... ({len(text)} characters)"
 
@@ -91,7 +91,7 @@ class Bench:
         return page
 
     def done(self, page, picture=None):
-        """Nothing was thrown, said or asked for."""
+        """There was no exception, no message on the console, and no request."""
         if picture:
             page.picture(os.path.join(self.keep, f"{picture}.png"))
         same("exceptions", page.exceptions(), [])
@@ -111,7 +111,7 @@ RED = """((canvas) => {
 })(document.querySelector('.stage canvas'))"""
 READ_OUT = "Object.fromEntries([...document.querySelectorAll('.readout dl div:not(.heads)')].map((row) => [row.children[0].textContent, Number(row.children[1].textContent)]))"
 HERE = "Number(document.querySelector('.row.here')?.dataset.line || 0)"
-# What is written too faintly (WCAG 2.2, 1.4.3), of all text that is seen and is not in a picture; controls that are off are exempt.
+# Visible text with too little contrast (WCAG 2.2, 1.4.3), except in pictures and on disabled controls.
 WEAK_TEXT = """((lum, over) => {
     const parse = (text) => { const n = text.match(/[\\d.]+/g).map(Number); return text.startsWith('color(') ? [n[0] * 255, n[1] * 255, n[2] * 255, n[3] ?? 1] : [n[0], n[1], n[2], n[3] ?? 1]; };
     const ground = (e) => {

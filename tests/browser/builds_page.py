@@ -1,4 +1,4 @@
-"""The page when the server gets another build of it: a page is of one build as a whole, kept until it is loaded again."""
+"""A new build on the server: all files of a loaded page belong to one build until the page is loaded again."""
 import contextlib
 import os
 import shutil
@@ -11,7 +11,7 @@ from driver import BrowserError
 from page_bench import Bench, Site
 
 CACHES = "(await caches.keys()).length"
-# Asks for an update of the page until a newer build came so far; the browser may be asking for it by itself, too.
+# Requests an update of the page until a newer build is in this state; the browser may also request it by itself.
 UPDATED = """await (async () => {
     const registration = await navigator.serviceWorker.getRegistration();
     const come = async () => {
@@ -24,17 +24,17 @@ UPDATED = """await (async () => {
     };
     while (await come() !== '%s');
 })()"""
-# What was begun of a build is thrown away.
+# A partly loaded build is discarded.
 ONE_CACHE = "await (async () => { while ((await caches.keys()).length > 1) await new Promise((done) => setTimeout(done, 20)); })()"
 TITLE = "document.querySelector('h1').textContent"
 
 
 def change(folder):
-    """Puts a file of another build into the folder: the page with another title."""
+    """Puts a file of another build into the folder: the page with a different title."""
     page = os.path.join(folder, "index.html")
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    # The server tells versions apart by seconds.
+    # The server distinguishes versions by seconds.
     later = os.stat(page).st_mtime + 10
     with open(page, "w", encoding="utf-8") as file:
         file.write(text.replace("<h1>fivecheck</h1>", "<h1>newer</h1>"))
@@ -51,7 +51,7 @@ def tell(folder):
 
 @contextlib.contextmanager
 def copy_of_page(bench):
-    """A copy of the page on a server, that may change: its folder, and a bench."""
+    """A copy of the page on a server, which may change: its folder and a bench."""
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(bench.site.folder, folder, dirs_exist_ok=True)
         site = Site(folder)
@@ -77,12 +77,12 @@ def load_again(page, title):
                 return
             page.reload()
         except BrowserError:
-            pass  # the document went while it was asked
+            pass  # the document was replaced meanwhile
     raise AssertionError(f"the title is {page.run(TITLE)}, not {title}")
 
 
 def visited(bench):
-    """A page that its service worker answers for."""
+    """A page whose requests are answered by its service worker."""
     page = bench.open()
     page.run("await navigator.serviceWorker.ready")
     load_again(page, "fivecheck")
@@ -91,7 +91,7 @@ def visited(bench):
 
 @test
 def newer_build(bench):
-    """The page stays of its build, parts that it loads later included, until it is loaded again; then all of it is new."""
+    """A page keeps its build until it is loaded again, also for parts that it loads later; then all files are new."""
     with copy_of_page(bench) as (folder, visitor):
         page = visited(visitor)
         change(folder)
@@ -115,7 +115,7 @@ def newer_build(bench):
 
 @test
 def half_a_build(bench):
-    """While the server has files of two builds, the page stays what it was; once all are there, it becomes the newer one."""
+    """While the server has files of two builds, the page keeps its old build; once all files are there, it takes the new one."""
     with copy_of_page(bench) as (folder, visitor):
         page = visited(visitor)
         change(folder)
@@ -130,7 +130,7 @@ def half_a_build(bench):
         page.close()
 
 
-# Before the service worker's own script: once it answers for the page, its browser opens no cache any more.
+# Runs before the service worker's own script: once it answers for the page, the browser can open no cache.
 CLOSED = """{
     const open = caches.open.bind(caches);
     caches.open = (name) => registration.active ? Promise.reject(new DOMException('none is opened', 'UnknownError')) : open(name);
@@ -140,7 +140,7 @@ CLOSED = """{
 
 @test
 def no_cache(bench):
-    """Where the browser opens no cache any more, or threw away what was in it, the server answers: the page is loaded and works."""
+    """If the browser cannot open its cache, or has emptied it, the page is loaded from the server and works."""
     for closed in (True, False):
         with copy_of_page(bench) as (folder, visitor):
             worker = os.path.join(folder, "service_worker.js")

@@ -18,7 +18,7 @@ FLAGS = [
     "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--no-default-browser-check", "--disable-extensions",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--mute-audio", "--hide-scrollbars",
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage",
-    # Pages of the browser's own, which load beside the first page that is opened.
+    # The browser's own pages, which load beside the first opened page.
     "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup",
 ]
 
@@ -34,7 +34,7 @@ class BrowserError(Exception):
 
 
 class NotHere(Exception):
-    """A browser cannot be asked for that from outside: the test is skipped there, with this word."""
+    """This browser cannot be controlled in this way; the test is skipped with this reason."""
 
 
 def find_browser():
@@ -46,7 +46,7 @@ def find_browser():
 
 
 class Browser:
-    """One Chromium with a profile of its own; a context manager, which always ends it."""
+    """One Chromium with its own profile; a context manager that always ends it."""
 
     def __init__(self, flags=(), timeout=120):
         self.timeout = timeout
@@ -99,7 +99,7 @@ class Browser:
         return json.loads(message)
 
     def call(self, method, session=None, **params):
-        """The result of a command; events that come first are kept."""
+        """The result of a command; earlier events are kept."""
         self.last_id += 1
         wanted = self.last_id
         message = {"id": wanted, "method": method, "params": params}
@@ -118,7 +118,7 @@ class Browser:
                 self.events.append(answer)
 
     def processor_time(self):
-        """Seconds of all processes of the browser, the graphics in software among them: less than a clock's, it depends on other programs."""
+        """Processor time in seconds of all processes of the browser, including software graphics. It depends less on other programs than the clock does."""
         return sum(process["cpuTime"] for process in self.call("SystemInfo.getProcessInfo")["processInfo"])
 
     def page(self, **options):
@@ -152,7 +152,7 @@ class Page:
         return [e["params"] for e in self.browser.events if e["method"] == method and e.get("sessionId") == self.session]
 
     def wait(self, method):
-        """Until an event comes; those that came before count."""
+        """Waits for an event; earlier events count."""
         while not self.events(method):
             message = self.browser.receive()
             if "method" in message:
@@ -163,7 +163,7 @@ class Page:
         self.call("Page.addScriptToEvaluateOnNewDocument", source=script)
 
     def navigate(self, url):
-        """Opens an address, and waits for it and all that it loads."""
+        """Opens an address and waits until it and everything that it needs is loaded."""
         self.call("Page.navigate", url=url)
         self.run(LOADED)
 
@@ -211,7 +211,7 @@ class Page:
         return answer["result"].get("value")
 
     def wait_for(self, script):
-        """Until an expression holds; also while one page takes the place of another."""
+        """Waits until an expression is true, also while one page replaces another."""
         while True:
             with contextlib.suppress(BrowserError):
                 if self.run(f"await new Promise((done) => requestAnimationFrame(() => done({script})))"):
@@ -231,7 +231,7 @@ class Page:
         return thrown + said + logged
 
     def requests(self):
-        """Addresses that were asked for, besides the page itself."""
+        """The requested addresses, except for the page itself."""
         asked = [e["request"]["url"] for e in self.events("Network.requestWillBeSent") if e.get("type") != "Document"]
         return [url for url in asked if not url.startswith(("data:", "blob:"))]
 
@@ -252,7 +252,7 @@ class Page:
         self.frames()
 
     def touch(self, *steps):
-        """Each step is a list of points (x, y) of the fingers; after the last one they leave."""
+        """Each step is a list of points (x, y) of the fingers; after the last step the fingers are lifted."""
         for i, points in enumerate(steps):
             touches = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)]
             self.call("Input.dispatchTouchEvent", type="touchMove" if i else "touchStart", touchPoints=touches)
@@ -275,7 +275,7 @@ class Page:
         return self.run(f"(({{x, y, width, height}}) => [x, y, width, height])(document.querySelector({json.dumps(selector)}).getBoundingClientRect())")
 
     def picture(self, path):
-        """A PNG of what is seen."""
+        """A PNG of the visible part of the page."""
         data = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
         with open(path, "wb") as file:
             file.write(data)

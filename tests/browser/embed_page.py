@@ -1,4 +1,4 @@
-"""The page of src/web/app/README.md, as it stands there."""
+"""The page in src/web/app/README.md, exactly as printed there."""
 import os
 import re
 import tempfile
@@ -10,7 +10,7 @@ from builds_page import copy_of_page
 
 @test
 def page_of_the_readme(bench):
-    """Its files are chosen, checked in a worker, and its findings are shown as they come."""
+    """Files are chosen and checked in a worker, and findings are shown as they come."""
     with open("src/web/app/README.md", encoding="utf-8") as file:
         text = re.search(r"```html\n(<!doctype html>[^\v]*?)```", file.read())[1]
     with copy_of_page(bench) as (folder, copy), tempfile.TemporaryDirectory() as work:

@@ -1,4 +1,4 @@
-"""Figures of the page, printed: how soon a first visit has its first verdict, what 1,000,000 blocks take. No time is judged here."""
+"""Prints figures of the page: the time from a first visit to its first verdict, the cost of 1,000,000 blocks. No time is judged here."""
 import os
 import re
 import resource

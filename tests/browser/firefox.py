@@ -54,7 +54,7 @@ class Firefox:
         os.close(to_write)
         with os.fdopen(to_read) as told:
             display = ":" + told.readline().strip()
-        # Its own script may look like a night or a sheet of paper to a page: there is no other way to ask for that.
+        # With system access a script can make a tab report dark mode or print to its page; there is no other way.
         self.process = subprocess.Popen(
             [find_firefox(), "--no-remote", "--profile", self.profile, "--remote-debugging-port=0", "--remote-allow-system-access",
              "about:blank"], env={**os.environ, "HOME": self.profile, "DISPLAY": display}, preexec_fn=lambda: os.nice(10), stdin=subprocess.DEVNULL,
@@ -96,7 +96,7 @@ class Firefox:
             raise BrowserError(f"the browser says nothing: {error}") from error
 
     def call(self, method, **params):
-        """The result of a command; events that come first are kept."""
+        """The result of a command; earlier events are kept."""
         self.last_id += 1
         self.socket.send(json.dumps({"id": self.last_id, "method": method, "params": params}))
         while True:
@@ -117,7 +117,7 @@ class Firefox:
         return json.loads(answer["result"]["value"])
 
     def processor_time(self):
-        """Seconds of all processes of the browser, the graphics in software among them: less than a clock's, it depends on other programs."""
+        """Processor time in seconds of all processes of the browser, including software graphics. It depends less on other programs than the clock does."""
         ticks = 0
         for number in filter(str.isdigit, os.listdir("/proc")):
             with contextlib.suppress(OSError), open(f"/proc/{number}/stat", encoding="latin-1") as file:
@@ -140,12 +140,12 @@ class Page:
         self.look(prefersColorSchemeOverride="dark" if dark else "light")
 
     def size(self, width, height, scale=1, mobile=False):
-        """A phone differs by its size alone: Firefox has no word for fingers."""
+        """A phone differs only in its size: Firefox has no command for touch."""
         del mobile
         self.call("browsingContext.setViewport", viewport={"width": width, "height": height}, devicePixelRatio=scale)
 
     def look(self, **properties):
-        """Sets properties of the tab that pages see as the media of their style sheets."""
+        """Sets properties of the tab that pages see as media features."""
         self.browser.evaluate(self.browser.window, f"""Object.assign(ChromeUtils.importESModule(
             'chrome://remote/content/shared/NavigableManager.sys.mjs').NavigableManager.getBrowsingContextById({json.dumps(self.context)}), {json.dumps(properties)}) && 0""")
 
@@ -183,7 +183,7 @@ class Page:
         self.look(mediumOverride="print")
 
     def offline(self):
-        """Nothing to do: the server of the test is gone, and a page that is loaded anew asks again for what it does not keep."""
+        """Nothing to do: the server of the test has ended, and a reloaded page requests what it has not stored."""
 
     def choose(self, selector, paths):
         """Chooses files by a button of the page."""
@@ -212,7 +212,7 @@ class Page:
                 and e["params"]["level"] in ("error", "warn") and e["params"]["source"].get("context") in within]
 
     def requests(self):
-        """Addresses that were asked for, besides the page itself."""
+        """The requested addresses, except for the page itself."""
         within = self.frames_within()
         asked = [e["params"]["request"] for e in self.browser.events if e["method"] == "network.beforeRequestSent"
                  and e["params"]["context"] in within]
@@ -240,7 +240,7 @@ class Page:
         self.perform(self.act("wheel", "wheel", [{"type": "scroll", "x": round(x), "y": round(y), "deltaX": 0, "deltaY": round(delta)}]))
 
     def touch(self, *steps):
-        """Each step is a list of points (x, y) of the fingers; after the last one they leave."""
+        """Each step is a list of points (x, y) of the fingers; after the last step the fingers are lifted."""
         self.perform(*(self.act("pointer", f"finger-{k}", [act for i, points in enumerate(steps)
                                                            for act in ([move(*points[k]), PAUSE if i else DOWN])] + [UP],
                                 parameters={"pointerType": "touch"}) for k in range(len(steps[0]))))
@@ -256,7 +256,7 @@ class Page:
         return self.run(f"(({{x, y, width, height}}) => [x, y, width, height])(document.querySelector({json.dumps(selector)}).getBoundingClientRect())")
 
     def picture(self, path):
-        """A PNG of what is seen."""
+        """A PNG of the visible part of the page."""
         data = base64.b64decode(self.call("browsingContext.captureScreenshot")["data"])
         with open(path, "wb") as file:
             file.write(data)

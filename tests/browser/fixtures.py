@@ -73,7 +73,7 @@ def boxes(work, hostile=False, subprogram=False):
 
 
 def million(work):
-    """A program of 1,000,000 blocks that winds above the block and never comes near: machine, setup, program."""
+    """A program of 1,000,000 blocks that winds above the block and never comes near it: machine, setup, program."""
     machine, setup, _ = boxes(work)
     program = os.path.join(work, "million.nc")
     with open(program, "w", encoding="utf-8") as file:
@@ -109,7 +109,7 @@ def pose_boxes(fivecheck, work, machine, setup, program):
 
 
 def farthest(points, among, limit):
-    """How many points have none of the others within the limit, by a grid."""
+    """The number of points without another point within the limit, found with a grid."""
     size = 4 * limit
     cells = {}
     for p in among:

@@ -1,4 +1,4 @@
-"""The forms of the page, filled in as a person would: what they write is what the command line writes, and is checked by it."""
+"""The forms of the page, filled in as a person would: they write the same files as the command line, which also checks them."""
 import json
 import os
 import re
@@ -12,7 +12,7 @@ from page_bench import VERDICTS
 
 @test
 def form(bench):
-    """From the form to the XML, with an error at its field first, and to a check with it."""
+    """From the form to the XML, first with an error at a field, then to a check with this file."""
     page = bench.open()
     page.run("document.querySelector('#form-details').open = true")
     page.run("document.querySelector('#fill-example').click()")
@@ -42,19 +42,19 @@ def form(bench):
 
 
 def after(page, event, action):
-    """Does something, and waits for the event that follows from it."""
+    """Does something and waits for the event that it causes."""
     before = page.run(f"counts['{event}']")
     action()
     page.run(f"await until('{event}', {before + 1})")
 
 
 def write(page, kind):
-    """Presses the button of a form, and waits for what it says."""
+    """Presses the button of a form and waits for its message."""
     after(page, f"{kind}-written", lambda: page.run(f"document.querySelector('#write-{kind}').click()"))
 
 
 def enter(page, form, **fields):
-    """Types into fields, and leaves each."""
+    """Types into fields and leaves each of them."""
     for name, text in fields.items():
         page.run("((field) => { field.value = %s; field.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector(%s))"
                  % (json.dumps(text), json.dumps(f"#{form}-form [name='{name.replace('__', '.')}']")))
@@ -66,7 +66,7 @@ def faults(page, form):
 
 @test
 def numbers(bench):
-    """A decimal comma is read and shown as a point; what may be thousands, and what is no number, is told at its field."""
+    """A decimal comma is read and shown as a point; a possible thousands separator and text that is no number are reported at their fields."""
     page = bench.open()
     page.run("document.querySelector('#form-details').open = true")
     page.run("document.querySelector('#fill-example').click()")
@@ -95,7 +95,7 @@ def numbers(bench):
 
 @test
 def own_machine(bench):
-    """Nothing but STL files and a program: the two forms lead to a verdict, and the page says what is missing on the way."""
+    """With STL files and a program alone, the two forms lead to a verdict, and the page says what is still missing."""
     page = bench.open()
     job = "document.querySelector('#job').textContent"
     with tempfile.TemporaryDirectory() as work:
@@ -163,7 +163,7 @@ FAMILIES = {
 
 @test
 def families(bench):
-    """Each family that init knows can be chosen, and every option that init has can be filled in: the files are the same."""
+    """Every family and every option of init can be given in the form, and the files are the same."""
     page = bench.open()
     page.run("document.querySelector('#form-details').open = true")
     known = subprocess.run([bench.fivecheck, "init", "none"], capture_output=True, text=True, check=False).stderr
@@ -184,7 +184,7 @@ def families(bench):
         same(f"XML of {family}", page.run("document.querySelector('#machine-xml').value"), native.stdout)
         chains = page.run("document.querySelector('#machine-chains').textContent")
         same("what carries what", chains.replace(" \u2192 ", " > ") in native.stderr, True)
-    # The last one, with everything else that can be told.
+    # The last one, with all other options.
     enter(page, "machine", units="inch", rapid="dogleg", dialect="fanuc", name="Portal <2>", **{"spindle-direction__x": "0"}, A__home="7",
           **{f"{axis}__rate": str(1000 * i) for i, axis in enumerate("XYZCB", 1)}, C__title="turn & tilt", B__home="12", B__inclination="50",
           Z__direction__x="0", Z__direction__y="0", Z__direction__z="-1", base__body="bed.stl, left.stl", B__body="head.stl")
@@ -210,7 +210,7 @@ def families(bench):
 
 
 def attributes_of_schema():
-    """What the schema has of <controller>: each attribute with its choices, none for a number."""
+    """The attributes of <controller> in the schema with their choices; a number has none."""
     with open("src/machine/xml/machine.rng", encoding="utf-8") as file:
         part = file.read().split('<define name="controller-attributes">')[1].split("</define>")[0]
     told = {name: set(re.findall("<value>(.*?)</value>", body)) for name, body in re.findall(r'<attribute name="(\w+)">(.*?)</attribute>', part, re.S)}
@@ -219,7 +219,7 @@ def attributes_of_schema():
 
 @test
 def control(bench):
-    """Each attribute of <controller> with each of its choices can be told in the form, of the controls that know it; the file is that of `fivecheck init`."""
+    """Every attribute of <controller> with every choice can be given in the form for the controls that have it; the file is that of `fivecheck init`."""
     page = bench.open()
     page.run("document.querySelector('#form-details').open = true")
     page.run("document.querySelector('#fill-example').click()")
@@ -256,7 +256,7 @@ def control(bench):
 
 @test
 def setup_form(bench):
-    """Offsets, fixtures at two places, stock of each form, tools with every tip: the file is read by the command line as it was meant."""
+    """Offsets, fixtures at two places, stock of each form, tools with every tip: the command line reads the file as intended."""
     page = bench.open()
     page.run("document.querySelectorAll('section > details').forEach((e) => e.open = true)")
     with open("machines/ac-trunnion/machine.xml", encoding="utf-8") as file:
@@ -368,7 +368,7 @@ def setup_stock(bench):
 
 @test
 def oblique_table(bench):
-    """From nothing to a verdict for a machine with an oblique table and a program in Klartext: the file that the form writes is completed where it stands."""
+    """From nothing to a verdict for a machine with an oblique table and a Klartext program: the file from the form is completed in its text field."""
     page = bench.open()
     page.run("document.querySelectorAll('section > details').forEach((e) => e.open = true)")
     program = "BEGIN PGM P MM\nCYCL DEF 247 Q339=+1\nTOOL CALL 5 Z S1000\nM3\nM128\nL X+0 Y+0 Z+200 F5000\nL %s F1000\nEND PGM P MM\n"

@@ -1,4 +1,4 @@
-"""Broken and hostile files, dropped into the page: each ends with what the command line says of it, and the page goes on."""
+"""Broken and hostile files, dropped onto the page: each gets the answer of the command line, and the page goes on."""
 import json
 import os
 import random
@@ -23,7 +23,7 @@ def words_of(path):
 
 
 def mutated(chance, data, words):
-    """As the fuzzers do: bytes changed, left out, doubled, cut off, and words put in."""
+    """Mutates bytes as fuzzers do: changes, deletes, repeats, truncates, and inserts words."""
     data = bytearray(data)
     for _ in range(chance.randint(1, 6)):
         at = chance.randrange(len(data) + 1)
@@ -58,7 +58,7 @@ def programs():
 
 
 def of_controls():
-    """The same for the controls that only the larger module has: the control, and its programs."""
+    """The same for the controls in separate parts of the module: each control with its programs."""
     chance, words = random.Random(2), words_of("tests/fuzz/gcode.dict")
     return {"sinumerik": {f"mutated-{i}.mpf": mutated(chance, seed("five.mpf"), words) for i in range(8)},
             "klartext": {f"mutated-{i}.h": mutated(chance, seed(chance.choice(["five.h", "contour.h"])), words) for i in range(8)}}
@@ -103,7 +103,7 @@ def cases(work):
 
 
 def drop(page, folder, count):
-    """Drops a folder onto the page as a file manager does, in place of what was there."""
+    """Drops a folder onto the page as a file manager does; it replaces the earlier files."""
     page.run("document.querySelector('#empty').click()")
     shown = page.run("counts['files-shown']")
     page.drop(640, 200, [folder])
@@ -112,7 +112,7 @@ def drop(page, folder, count):
 
 
 def native(bench, work, folder, files, program):
-    """What the command line says of it: its exit status and its messages."""
+    """The answer of the command line: its exit status and messages."""
     setup = [f"--setup={files['setup']}"] if files["setup"] else []
     done = subprocess.run([bench.fivecheck, "--format=ndjson", f"--format=text={work}/native.txt", "--progress=none", f"--report={work}/native.html",
                            *setup, "--", files["machine"], program], cwd=os.path.join(work, folder), capture_output=True, check=False, timeout=300)
@@ -122,7 +122,7 @@ def native(bench, work, folder, files, program):
 
 
 def is_judged(bench, page, work, name):
-    """Checks what was dropped; how many programs, and how many of them ended with a message at a file."""
+    """Checks the dropped files. Returns the number of programs, and how many of them ended with a message about a file."""
     roles = dict(page.run("fivecheckPage.files.map(({path, role}) => [role, path.slice(path.indexOf('/') + 1)])"))
     if page.run("document.querySelector('#check').disabled"):
         why = page.run("document.querySelector('#why-not').textContent")
@@ -143,7 +143,7 @@ def is_judged(bench, page, work, name):
 
 @test
 def hostile_files(bench):
-    """The fuzzers' seeds, mutated as they do it, and files that were made to break readers."""
+    """Mutated seeds of the fuzzers, and files made to break readers."""
     page = bench.open()
     judged = told = 0
     with tempfile.TemporaryDirectory() as work:

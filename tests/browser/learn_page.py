@@ -1,4 +1,4 @@
-"""The page to learn with, as a student uses it: sliders, editor, tour, own files, on a phone, by day and by night."""
+"""The learning page, as a student uses it: sliders, editor, tour, own files, on a phone, in light and dark mode."""
 import json
 import os
 import re
@@ -22,7 +22,7 @@ GUTTER = "[...document.querySelectorAll('.gutter div')].flatMap((e, i) => e.clas
 
 
 def learn(bench, **options):
-    """The page to learn with, once its first machine is there and its first program is checked."""
+    """The learning page after its first machine is loaded and its first program is checked."""
     page = bench.open("learn.html", **options)
     page.run("await until('machine-open', 1)")
     page.run("await until('posed', 1)")
@@ -30,7 +30,7 @@ def learn(bench, **options):
 
 
 def jog(page, axes, tool):
-    """Moves the axes and waits for the answer that is about just this pose."""
+    """Moves the axes and waits for the answer for exactly this pose."""
     page.run(f"learnPage.jog.moveTo({json.dumps(axes)}, {tool})")
     page.run("await (async () => { while (learnPage.jog.newest.busy) await until('posed', counts.posed + 1); })()")
     page.frames()
@@ -43,7 +43,7 @@ def edit(page, text):
 
 @test
 def jog_sliders(bench):
-    """Bodies move with the sliders, by mouse and keys; what meets is red; the distance is that of the pose."""
+    """Bodies move with the sliders, by mouse and keys; bodies in contact are red; the distance is that of the pose."""
     page = learn(bench)
     same("axes", page.run("[...document.querySelectorAll('.axis-row label')].map((e) => e.textContent)"),
          ["Y", "X", "Z", "A (First axis)", "C (Second axis)"])
@@ -67,7 +67,7 @@ def jog_sliders(bench):
 
 @test
 def editor(bench):
-    """Errors and findings stand at their lines, verdicts are those of the command line, a finding's button shows its pose."""
+    """Errors and findings are shown at their lines, verdicts equal those of the command line, and the button of a finding shows its pose."""
     page = learn(bench)
     first = page.run("learnPage.editor.text.value")
     true("the first program is clear", page.run(EDITED).startswith("Clear"))
@@ -99,7 +99,7 @@ def editor(bench):
         proved.append(page.run("learnPage.editor.proved"))
     print(f"     from the last key to the first finding of a collision: {sorted(times)[len(times) // 2]:.0f} ms, "
           f"to its proof: {sorted(proved)[len(proved) // 2]:.0f} ms (medians of {len(times)})")
-    # Samples alone: their finding is there before any proof.
+    # With samples alone, the finding is there before any proof.
     page.run("(learnPage.editor.newest.busy = true, learnPage.editor.text.value = %s, learnPage.editor.typed(),"
              " until('sampled', counts.sampled + 1))" % json.dumps(hit))
     true("samples", page.run(EDITED).startswith("Found by samples; the proof follows."))
@@ -148,7 +148,7 @@ def tour(bench):
 
 @test
 def learn_own_files(bench):
-    """Own files: what is wrong with them is told while the machine before goes on; a program of theirs comes into the editor, with the doubts about it."""
+    """The user's own files: their errors are shown while the earlier machine stays usable; their program is opened in the editor, with its doubts."""
     page = learn(bench)
     name = "document.querySelector('#machine-name').textContent"
 
@@ -199,7 +199,7 @@ def learn_own_files(bench):
 
 @test
 def first_programs(bench):
-    """The blocks that each example begins with are clear, without a doubt; the change that is proposed makes a collision of them."""
+    """The first blocks of each example are clear without a doubt, and the proposed change makes them collide."""
     page = learn(bench)
     for i, other in enumerate(page.run("[...document.querySelectorAll('#examples button')].map((e) => e.textContent)")):
         if i:
@@ -221,7 +221,7 @@ def first_programs(bench):
 
 @test
 def endless(bench):
-    """A loop without an end, as it stands there while it is written, is told, and the machine can be moved all the same."""
+    """An endless loop, as it exists while one types, is reported, and the machine can still be moved."""
     page = learn(bench)
     edit(page, "G21 G90\no1 while [1]\nG53 G0 X1\nG53 G0 X0\no1 endwhile\nM2\n")
     true("it is told", "is this loop endless?" in page.run("document.querySelector('.remarks').textContent"))
@@ -234,7 +234,7 @@ def endless(bench):
 
 @test
 def learn_dropped(bench):
-    """A folder that is dropped is opened; the page does not give way to a file. What is wrong with an archive is told."""
+    """A dropped folder is opened; a dropped file never replaces the page. Errors of an archive are shown."""
     page = learn(bench)
     with tempfile.TemporaryDirectory() as work:
         machine, _, _ = fixtures.boxes(work)
@@ -265,7 +265,7 @@ def learn_on_a_phone(bench):
 
 @test
 def contrast(bench):
-    """Text stands out from its ground: 4.5 to 1, large text 3 to 1, by day and by night."""
+    """Contrast of text and background: 4.5 to 1, large text 3 to 1, in light and dark mode."""
     for dark in (False, True):
         page = bench.open(dark=dark)
         bench.example(page, "cb-head")

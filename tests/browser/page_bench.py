@@ -1,4 +1,4 @@
-"""What the tests of the page share: its folder on a server, the page in a browser, what its cards say."""
+"""What the tests of the page share: a server for its folder, the page in a browser, the contents of its cards."""
 import functools
 import http.server
 import json
@@ -12,19 +12,19 @@ from bench import same
 
 
 class Site:
-    """The folder on 127.0.0.1, with a log of what was asked for."""
+    """A server of the folder on 127.0.0.1, with a log of requests."""
 
     def __init__(self, folder):
         self.folder = folder
         self.asked = []
-        self.missing = set()  # paths that are not there for now
+        self.missing = set()  # paths that are missing for now
         self.held = {}  # paths whose answer waits for an event
-        self.types = {}  # types that paths are served with, though they have another one
+        self.types = {}  # wrong types for paths
         self.policy = None  # a Content-Security-Policy for all
         site = self
 
         class Handler(http.server.SimpleHTTPRequestHandler):
-            # One connection for many files, as other servers have it.
+            # One connection for many files, as on other servers.
             protocol_version = "HTTP/1.1"
             disable_nagle_algorithm = True
             extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
@@ -50,7 +50,7 @@ class Site:
 
         class Server(http.server.ThreadingHTTPServer):
             def handle_error(self, request, client_address):
-                # A page that was closed or reloaded does not wait for what it asked for.
+                # A closed or reloaded page does not wait for its requests.
                 if not isinstance(sys.exc_info()[1], ConnectionError):
                     super().handle_error(request, client_address)
 
@@ -69,7 +69,7 @@ class Site:
 
 EVENTS = ["fivecheck-ready", "example-open", "files-shown", "checked", "machine-written", "setup-written", "report-shown", "machine-open", "posed", "edited",
           "sampled", "wall-checked"]
-# Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
+# Counts events; until(name, count) is a promise that is kept when the event has come this often.
 WATCH = """
 window.counts = {};
 window.waiters = {};
@@ -83,7 +83,7 @@ window.until = (name, count) => counts[name] >= count ? Promise.resolve()
 
 
 def drop(page, *paths):
-    """Folders are dropped, files are chosen: a browser that cannot be told to drop does that, too."""
+    """Drops folders, and chooses files by the button, which also works in a browser without a command for dropping."""
     shown = page.run("counts['files-shown']")
     if any(map(os.path.isdir, paths)):
         page.drop(640, 200, list(paths))
@@ -100,7 +100,7 @@ class Bench:
         self.browser = browser
 
     def open(self, path="", before="", **options):
-        """A page of the site; what is to run before its scripts is given by `before`."""
+        """Opens a page of the site; `before` runs before its scripts."""
         page = self.browser.page(**options)
         page.before(WATCH + before)
         page.navigate(self.site.address + path)
@@ -126,7 +126,7 @@ class Bench:
         self.verdicts(page, what)
 
     def boxes(self, page, work):
-        """Drops the folder of a small machine, and says where it is, and its program."""
+        """Drops the folder of a small machine. Returns this folder and the program."""
         machine, _, program = fixtures.boxes(work)
         drop(page, os.path.dirname(machine))
         return os.path.dirname(machine), program
@@ -136,7 +136,7 @@ class Bench:
                                f"examples/{name}/{program}.nc"], capture_output=True, text=True, check=False)
 
     def done(self, page, picture=None):
-        """Nothing was thrown or said, and nothing but files of the page was asked for, without a body."""
+        """There was no exception and no message, and all requests were for files of the page and had no body."""
         if picture:
             page.picture(os.path.join(self.keep, f"{picture}.png"))
         same("exceptions", page.exceptions(), [])

@@ -1,4 +1,4 @@
-"""Checks as they are begun, cancelled, repeated and counted: what a page has open ends with them, and very many leave it alive."""
+"""Checks that are started, cancelled, repeated and counted: they release everything they opened, and very many do not block the page."""
 import os
 import tempfile
 import threading
@@ -8,7 +8,7 @@ from bench import PHONE, same, test, true
 from jobs_page import CARDS, native, write
 from page_bench import drop
 
-# Addresses of files that were made and not given back; listeners of the window that go with nothing.
+# Object URLs that were created and not revoked; listeners of the window without a signal.
 WATCH_OPEN = """
 window.open_urls = new Set();
 window.listeners = 0;
@@ -27,7 +27,7 @@ SHOWN = """((button) => { const {top, bottom} = button.getBoundingClientRect(); 
 
 @test
 def given_back(bench):
-    """Each check gives back what the one before had open."""
+    """Each check releases what the previous check had open."""
     page = bench.open(before=WATCH_OPEN)
     bench.example(page, "cb-head")
     for count in range(1, 4):
@@ -38,7 +38,7 @@ def given_back(bench):
 
 @test
 def cancel_at_once(bench):
-    """Cancel counts while the modules are on their way, too; the next check waits for them and has its verdict."""
+    """Cancel also works while modules are loading; the next check waits for them and has its verdict."""
     held = bench.site.held["/fivecheck.wasm"] = threading.Event()
     page = bench.open()
     bench.example(page, "cb-head")
@@ -53,14 +53,14 @@ def cancel_at_once(bench):
 
 
 def job_file(folder, count, program):
-    """A job file with so many jobs of one program each."""
+    """A job file with this number of jobs, one program each."""
     write(os.path.join(folder, "jobs.xml"), '<jobs version="1">\n' + "".join(
         f'<job name="op{i}" machine="machine.xml" setup="setup.xml"><program file="{program(i)}"/></job>\n' for i in range(count)) + "</jobs>\n")
 
 
 @test
 def very_many(bench):
-    """Of very many jobs the first have a card, and those that are not clear; all are counted, and in the list that can be saved."""
+    """With very many jobs only the first ones, and those that are not clear, have a card; all are counted and are in the list that can be saved."""
     page = bench.open(before=WATCH_OPEN)
     with tempfile.TemporaryDirectory() as work:
         _, _, program = fixtures.boxes(work)
@@ -85,7 +85,7 @@ def very_many(bench):
 
 @test
 def ten_thousand(bench):
-    """A job file of 10,000 jobs, with as many programs: the page answers meanwhile, and can be cancelled."""
+    """A job file of 10,000 jobs with as many programs: the page responds meanwhile, and the check can be cancelled."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         _, _, program = fixtures.boxes(work)
@@ -109,7 +109,7 @@ def ten_thousand(bench):
 
 @test
 def what_changed(bench):
-    """Who opens an example, on a phone as on a desk, sees what to do next, and has it under the key."""
+    """After an example is opened, on a phone and on a desk, the next button is visible and has the focus."""
     for options in ({}, PHONE):
         page = bench.open(**options)
         bench.example(page, "cb-head")
@@ -131,7 +131,7 @@ def what_changed(bench):
 
 @test
 def one_control_for_all(bench):
-    """--dialect=auto looks at the programs of one run together, as the command line does, those of a job, too."""
+    """--dialect=auto considers all programs of one run together, as the command line does; the same for the programs of a job."""
     page = bench.open()
     with tempfile.TemporaryDirectory() as work:
         machine, _, program = fixtures.boxes(work)

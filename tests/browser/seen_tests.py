@@ -1,4 +1,4 @@
-"""What a report shows: the contact in words and in red, on a desk, on a phone's screen, on paper, and whatever names say."""
+"""What a report shows: the contact in words and in red, on a desk, on a phone, on paper, and with any names."""
 import os
 import re
 
@@ -8,7 +8,7 @@ from bench import HERE, PHONE, READ_OUT, RED, WEAK_TEXT, same, test, true
 
 @test
 def units(bench):
-    """The modules by themselves."""
+    """Unit tests of the modules."""
     with open(bench.viewer, encoding="utf-8") as file:
         script = file.read()
     with open(os.path.join(os.path.dirname(__file__), "units.js"), encoding="utf-8") as file:
@@ -24,7 +24,7 @@ def units(bench):
 
 @test
 def collision(bench):
-    """The example opens at its collision: in words, in red, at the very axis positions."""
+    """The example opens at its collision: in words, in red, at the exact axis positions."""
     path, findings = bench.example("ac-trunnion", "collision", "--all")
     page = bench.open(path)
     same("frames of the names", page.run("['.name-a', '.name-b'].map((name) => getComputedStyle(document.querySelector(name)).borderColor)"),
@@ -57,7 +57,7 @@ def collision(bench):
 
 @test
 def clear(bench):
-    """Nothing was found: nothing is red, and where bodies are nearest is named, once, with a way to go there."""
+    """Without a finding nothing is red, and the smallest clearance is named once, with a button that shows it."""
     for name in ("ac-trunnion", "b-head-c-table", "cb-head"):
         path, findings = bench.example(name, "clear")
         same("findings", findings, [])
@@ -81,7 +81,7 @@ def clear(bench):
 
 @test
 def doubts(bench):
-    """What speaks against the premises of a clear verdict is read beside it, without a click; what a person has settled is not."""
+    """Doubts stand beside a clear verdict without a click; cautions that a person has settled do not."""
     machine, setup, _ = fixtures.boxes(bench.work)
     program = os.path.join(bench.work, "beside.nc")
     with open(program, "w", encoding="utf-8") as file:
@@ -98,7 +98,7 @@ def doubts(bench):
         })()"""))
         same("it is no remark", page.run("document.querySelectorAll('.cautions li').length"), 0)
         same("sideways", page.run("document.documentElement.scrollWidth"), page.run("innerWidth"))
-        # No part stands there: the way of the tool is what is looked at, all of it.
+        # There is no part, so the whole path of the tool is in view.
         ways = page.run("""(({camera, canvas, placed}, trace) => [trace.feed.length, [...trace.feed, ...trace.rapid].filter((_, i) => i % 3 === 0).length,
             Array.from({length: (trace.feed.length + trace.rapid.length) / 3}, (_, i) => {
                 const all = [...trace.feed, ...trace.rapid], m = placed.links[trace.link], [x, y, z] = all.slice(3 * i, 3 * i + 3);
@@ -116,7 +116,7 @@ def doubts(bench):
 
 @test
 def other_examples(bench):
-    """The contact is seen on the other machines, too."""
+    """The contact is also visible on the other machines."""
     for name in ("b-head-c-table", "cb-head"):
         path, _ = bench.example(name, "collision", "--all")
         page = bench.open(path)
@@ -166,7 +166,7 @@ def program_error(bench):
 
 @test
 def sensitivity(bench):
-    """The card says how many mm are needed: the block is 40 high, the tool passes 10 above its foot. Else it says how to ask."""
+    """The card says how many mm are needed: the block is 40 high, the tool passes 10 above its foot. Without --sensitivity it names this option."""
     machine, setup, program = fixtures.boxes(bench.work)
     path, _ = bench.report("sensitivity", machine, setup, program, "--sensitivity=0,0,0,50")
     page = bench.open(path)
@@ -189,7 +189,7 @@ def sensitivity(bench):
 
 @test
 def columns(bench):
-    """Above the two columns of axis values stands what they are, each head over its column; the curve's scale claims nothing."""
+    """The two columns of axis values have headings, each above its column; the scale of the curve claims nothing."""
     page = bench.open(bench.example("ac-trunnion", "collision", "--all")[0])
     same("heads", page.run("[...document.querySelectorAll('.readout .heads dd')].map((head) => head.textContent)"), ["machine", "work"])
     right = page.run("""[...document.querySelectorAll('.readout dl > div')].map((row) => [...row.querySelectorAll('dd')].map((e) => Math.round(e.getBoundingClientRect().right)))""")
@@ -199,7 +199,7 @@ def columns(bench):
 
 @test
 def limit(bench):
-    """An axis that leaves its travel: what it carries is red, and the words say how far."""
+    """If an axis leaves its travel, the bodies that it carries are red, and the words say how far it is outside."""
     machine, setup, _ = fixtures.boxes(bench.work)
     program = os.path.join(bench.work, "limit.nc")
     with open(program, "w", encoding="utf-8") as file:
@@ -215,7 +215,7 @@ def limit(bench):
 
 @test
 def words(bench):
-    """A cutter enters the material, not the material the cutter; both are named in the picture of a phone; what was required is said, and seen."""
+    """A cutter enters the material, not the reverse; both are named in the picture of a phone; the requirement is stated and drawn."""
     path, findings = bench.report("stock-rapid", "machines/ac-trunnion/machine.xml", "examples/stock/setup.xml", "examples/stock/rapid.nc")
     same("finding", [findings[0][key] for key in ("kind", "a", "b")], ["rapid-contact", "block", "T1 cutter"])
     page = bench.open(path, **PHONE)
@@ -237,7 +237,7 @@ def words(bench):
 
 @test
 def narrow(bench):
-    """In a narrow frame, as on the page on a phone, names do not lie under the positions of the axes, and no button breaks its words."""
+    """In a narrow frame, as on a phone, the axis positions cover no names, and no label of a button is broken."""
     page = bench.open(bench.example("ac-trunnion", "collision")[0], width=318, height=640, scale=2, mobile=True)
     same("names under the positions", page.run("""(({bottom}) => [...document.querySelectorAll('.stage .label')].filter((label) => label.getBoundingClientRect().top < bottom).length)(
         document.querySelector('.readout').getBoundingClientRect())"""), 0)
@@ -248,7 +248,7 @@ def narrow(bench):
 
 @test
 def poses(bench):
-    """Every body stands at the finding where --pose says, to the accuracy that the report states."""
+    """At the finding, every body is where --pose puts it, to the accuracy that the report states."""
     path, _ = bench.example("ac-trunnion", "collision", "--all")
     wanted = fixtures.pose_boxes(bench.fivecheck, bench.work, "machines/ac-trunnion/machine.xml", "examples/ac-trunnion/setup.xml", "examples/ac-trunnion/collision.nc")
     page = bench.open(path)
@@ -272,7 +272,7 @@ def poses(bench):
 
 @test
 def hostile(bench):
-    """Names, comments and code are text, whatever they say."""
+    """Names, comments and code are always shown as text."""
     machine, setup, program = fixtures.boxes(bench.work, hostile=True)
     path, findings = bench.report("hostile", machine, setup, program, "--all")
     true("something is found", findings)
@@ -290,7 +290,7 @@ def hostile(bench):
 
 @test
 def plain(bench):
-    """Without WebGL, without JavaScript and on paper the plain HTML says what hits what, and where."""
+    """Without WebGL, without JavaScript and on paper the plain HTML says which bodies collide and where."""
     path, findings = bench.example("ac-trunnion", "collision", "--all")
     words = [findings[0]["a"], findings[0]["b"], "line 70"]
     text = "document.getElementById('plain').innerText"
@@ -325,7 +325,7 @@ def plain(bench):
 
 @test
 def contrast(bench):
-    """Text stands out from its ground: 4.5 to 1, large text 3 to 1 (WCAG 2.2, 1.4.3)."""
+    """Contrast of text and background: 4.5 to 1, large text 3 to 1 (WCAG 2.2, 1.4.3)."""
     for program in ("collision", "clear"):
         path, _ = bench.example("ac-trunnion", program, "--all")
         for dark in (False, True):

@@ -1,4 +1,4 @@
-"""The form for a setup: tool libraries, lengths and radii of the control's table, edges, variables; and what the command line makes of them."""
+"""The form for a setup: tool libraries, lengths and radii of the control's table, edges, variables; the command line reads the result."""
 import os
 import re
 import subprocess
@@ -30,13 +30,13 @@ def add(page, kind):
 
 
 def element(xml, name):
-    """The elements of a name, as they stand in the file."""
+    """The elements with this name, as written in the file."""
     return re.findall(rf"^  <{name} [^>]*/>\n|^  <{name} [^>]*[^/]>\n[^\v]*?^  </{name}>\n", xml, re.MULTILINE)
 
 
 @test
 def setup_as_imported(bench):
-    """Tools and offsets that are typed into the form are written byte for byte as `fivecheck import` writes them."""
+    """Tools and offsets from the form are written byte for byte as `fivecheck import` writes them."""
     page = bench.open()
     page.run("document.querySelectorAll('section > details').forEach((e) => e.open = true)")
     with tempfile.TemporaryDirectory() as work:
@@ -62,7 +62,7 @@ def setup_as_imported(bench):
 
 @test
 def setup_tables(bench):
-    """Rows of every kind are told what they lack, and written; a library that is dropped is proposed, and counts in the check."""
+    """Incomplete rows of every kind are reported, complete rows are written; a dropped library is proposed and used in the check."""
     page = bench.open()
     page.run("document.querySelectorAll('details').forEach((e) => e.open = true)")
     register, variable, table, tool = add(page, "register"), add(page, "variable"), add(page, "table"), rows(page, "tool")[0]
@@ -100,7 +100,7 @@ def setup_tables(bench):
 
 @test
 def library_of_tools(bench):
-    """A library of tools is dropped, proposed in the form, and has the verdict of the command line."""
+    """A dropped tool library is proposed in the form, and the check has the verdict of the command line."""
     page = bench.open()
     program = "G21 G90 G94 G54\nT4 M6\nG43 H4\nS5000 M3\nG0 X0 Y0\nG0 Z50\nM2\n"
     with tempfile.TemporaryDirectory() as work:

@@ -1,4 +1,4 @@
-"""What a report does when it is used: lines and time linked both ways, keys, fingers, picking, files that are brought along."""
+"""The use of a report: lines and time linked in both directions, keys, touch, picking, files that the user drops onto it."""
 import json
 import os
 
@@ -8,7 +8,7 @@ from bench import HERE, PHONE, READ_OUT, same, test, true
 
 @test
 def linked(bench):
-    """A click on a line shows where its block has led; a moment of the timeline shows its line."""
+    """A click on a line shows the pose at the end of its block; a click on the timeline shows the line."""
     path, findings = bench.example("ac-trunnion", "collision", "--all")
     rows = fixtures.dump_path(bench.fivecheck, "machines/ac-trunnion/machine.xml", "examples/ac-trunnion/setup.xml", "examples/ac-trunnion/collision.nc")
     page = bench.open(path)
@@ -65,7 +65,7 @@ def keyboard(bench):
     same("help begins at its top", page.run("document.querySelector('dialog').scrollTop"), 0)
     page.press("Escape")
     true("help closed", not page.run("document.querySelector('dialog').open"))
-    # Every control is reached by Tab, shows that it is, and has a name.
+    # Every control can be reached by Tab, shows the focus, and has a label.
     seen = []
     page.run("document.activeElement.blur()")
     for _ in range(60):
@@ -96,7 +96,7 @@ def bodies_and_measure(bench):
     machine, setup, program = fixtures.boxes(bench.work)
     path, _ = bench.report("boxes", machine, setup, program, "--all")
     page = bench.open(path)
-    # What is made faint is not picked.
+    # Faint bodies are not picked.
     page.press("x")
     page.press("1")
     page.press("f")
@@ -151,7 +151,7 @@ def proof(bench):
 
 @test
 def windows(bench):
-    """A report that has no text of the program takes it from the user, if it is the right file."""
+    """A report without the text of the program takes it from the user if it is the right file."""
     path, _ = bench.report("no-code", "machines/ac-trunnion/machine.xml", "examples/ac-trunnion/setup.xml", "examples/ac-trunnion/collision.nc", "--all", "--report-code=none")
     page = bench.open(path)
     true("no code", "N630" not in page.run("document.querySelector('.rows').textContent"))
@@ -169,7 +169,7 @@ def windows(bench):
 
 @test
 def subprograms(bench):
-    """The lines of a subprogram are shown in its file; the card says from where it is called, and a click shows that line."""
+    """The lines of a subprogram are shown with its file; the card names its caller, and a click shows that line."""
     machine, setup, program = fixtures.boxes(bench.work, subprogram=True)
     path, findings = bench.report("sub", machine, setup, program, "--all")
     page = bench.open(path)
@@ -187,7 +187,7 @@ def subprograms(bench):
 
 @test
 def read_outs(bench):
-    """Work coordinates by the offset in force, feed and spindle, as a control shows them: they are the program's own numbers."""
+    """Work coordinates in the active offset, feed and spindle speed, as a control shows them: they equal the numbers in the program."""
     machine, setup, _ = fixtures.boxes(bench.work)
     program = os.path.join(bench.work, "read-outs.nc")
     with open(program, "w", encoding="utf-8") as file:
@@ -218,7 +218,7 @@ def read_outs(bench):
 
 @test
 def million(bench):
-    """1,000,000 blocks: at most 5 MB, and every moment can be reached."""
+    """1,000,000 blocks: at most 5 MB, and every time can be shown."""
     machine, setup, program = fixtures.million(bench.work)
     path, _ = bench.report("million", machine, setup, program, "--jobs=2")
     size = os.path.getsize(path)

@@ -1,4 +1,4 @@
-"""The client's end of a WebSocket (RFC 6455), as far as a driver on the same computer needs it: whole messages of text."""
+"""A client for WebSocket (RFC 6455) as far as a driver on the same computer needs it: whole text messages."""
 import base64
 import itertools
 import os
@@ -44,7 +44,7 @@ class WebSocket:
         return data
 
     def receive(self):
-        """The next message, put together out of its frames."""
+        """The next message, assembled from its frames."""
         message = b""
         while True:
             first, count = self.read(2)
