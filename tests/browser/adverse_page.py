@@ -38,7 +38,7 @@ def wrong_type(bench):
 @test
 def no_module(bench):
     """The page reports a server that answers with something else, a policy that forbids modules, and a browser without modules."""
-    # A service worker, which a page registers after some seconds, would answer with files from before the policy.
+    # A service worker, which a page registers after some seconds, would answer with the page from before the policy.
     page = bench.open(before=NO_SERVICE_WORKER + """(() => { const real = fetch; window.fetch = (address) => String(address).endsWith('fivecheck.wasm')
         ? Promise.resolve(new Response('<!doctype html>', {headers: {'Content-Type': 'text/html'}})) : real(address); })();""")
     is_told(bench, page, "fivecheck.wasm", "cannot be loaded")
@@ -47,7 +47,7 @@ def no_module(bench):
     is_told(bench, page, "has no WebAssembly")
     page.close()
     bench.site.policy = "script-src 'self'"
-    page = bench.open()
+    page = bench.open("?not-of-the-cache")
     is_told(bench, page, "fivecheck.wasm", "cannot be loaded")
     page.close()
     bench.site.policy = None
