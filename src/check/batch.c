@@ -55,7 +55,7 @@ static void widen(struct batch_chunk *chunk, const struct motion_step *step, con
 static bool is_beyond_travel(const struct motion_step *step, const struct machine *machine)
 {
 	for (size_t i = 0; i < machine->axis_count; i++)
-		if (step->tolerance.v[machine->axes[i].slot] > REACH_MARGIN)
+		if (step->tolerance.v[machine->axes[i].slot] > REACH_PATH_TOLERANCE)
 			return true;
 	return step->outside;
 }

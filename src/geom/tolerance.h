@@ -129,11 +129,14 @@
 /* Radians: rotations, and angles from zero, that differ by less are equal: no control decides by less. */
 #define TIE_TOLERANCE 1e-6
 
+/* mm and radians: proofs of "out of reach" include path tolerances up to this. */
+#define REACH_PATH_TOLERANCE 1e-3
+
 /*
- * mm and radians: proofs of "out of reach" extend this far past the limits, to include the rounding of positions and
- * small path tolerances.
+ * mm and radians: such proofs extend this far past the limits, to include that tolerance, positions that are less than
+ * LIMIT_TOLERANCE outside, and the rounding of positions.
  */
-#define REACH_MARGIN 1e-3
+#define REACH_MARGIN (REACH_PATH_TOLERANCE + 10 * LIMIT_TOLERANCE)
 
 /* mm: larger coordinates in a mesh cannot be those of a machine; the granularity of float is 64 mm there. */
 #define COORDINATE_MAX 1e9

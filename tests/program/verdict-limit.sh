@@ -46,3 +46,20 @@ for z in 62 110 120; do
 	findings -a -s s.xml m.xml put.nc
 	status fivecheck -q --fail-on collision,start-overlap -s s.xml m.xml put.nc | tail -n 1
 done
+# A path tolerance of 0.001 mm at a position that is 0.0000009 mm past the limit, where it still counts as inside: the two
+# together reach the wall, or leave 0.0000001 mm.
+box head -10 -5 -5 0 5 5
+for gap in 0.0010004 0.001001; do
+	box wall $gap -5 -5 20 5 5
+	machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-50" limit_max="0" rate_max="6000" home="-20">
+    <body name="head" mesh="head.stl"/>
+  </axis>
+  <body name="wall" mesh="wall.stl"/>
+--
+<pairs adjacent_within="0"/>
+<controller path_tolerance="0.001"/>
+XML
+	echo 'G64 G1 X0.0000009 F600' >near.nc
+	findings m.xml near.nc
+done
