@@ -292,6 +292,19 @@ static bool check_limits(struct run *run)
 	return (converter->inside && !run->swings) || report_limits(run, room);
 }
 
+/*
+ * The duration of a step from `time` to `end`, where the next one begins. No instant of the step is later than that, not
+ * even by the last bit: findings are sorted by time, and those of two steps must never change places.
+ */
+static double duration(double time, double end)
+{
+	double seconds = end - time;
+
+	while (time + seconds > end)
+		seconds = nextafter(seconds, 0);
+	return seconds;
+}
+
 /* Sends the step, which is complete except for its times. */
 static bool send_step(struct canon_to_spans *converter, double seconds)
 {
@@ -299,7 +312,7 @@ static bool send_step(struct canon_to_spans *converter, double seconds)
 
 	step->time = converter->time + step->span.u0 * seconds;
 	step->block_time = converter->block_time + step->span.u0 * seconds;
-	step->seconds = (step->span.u1 - step->span.u0) * seconds;
+	step->seconds = duration(step->time, converter->time + step->span.u1 * seconds);
 	converter->summary->spans++;
 	return tell(converter, MOTION_STEP);
 }

@@ -43,10 +43,13 @@ static inline bool on_step(struct record *record, const struct motion_step *step
 {
 	const struct machine *machine = record->converter.machine;
 
-	/* Steps join without a gap, in place and in time. */
+	/*
+	 * Steps join without a gap, in place and in time. No step ends later than the next one begins, not even by the last
+	 * bit: findings are sorted by their times.
+	 */
 	if (machine) {
 		if (memcmp(&step->span.q0, &record->last, sizeof(record->last)) != 0 ||
-		    !(fabs(step->time - record->clock) <= 1e-9))
+		    !(fabs(step->time - record->clock) <= 1e-9) || step->time < record->clock)
 			ck_abort_msg("the step at %.17g s does not join the last, at %.17g", step->time,
 				     record->clock);
 		for (size_t i = 0; i < machine->axis_count; i++) {
