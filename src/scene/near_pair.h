@@ -13,8 +13,8 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose);
 /*
  * The same after a search for nearer triangles, which are remembered: on either side in turn, the triangle nearest to
  * the nearest point of the other one. The search ends when the two are within `enough` mm, or when it finds none
- * nearer. Others may still be nearer, but between convex surfaces the nearest are found at little cost. Adds the boxes
- * that it examines to *visits.
+ * nearer, or after some rounds. Others may still be nearer, but of two convex bodies usually nearly the nearest are
+ * found at little cost. Adds the boxes that it examines to *visits.
  */
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 

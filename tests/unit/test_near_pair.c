@@ -135,13 +135,15 @@ static void duo_beside(struct duo *duo, struct random *random)
 }
 
 /*
- * Never nearer than the bodies are; the triangles that are remembered are as near; not farther than before. All of the
- * solids are convex, so that nearly the nearest two are found.
+ * Never nearer than the bodies are; the triangles that are remembered are as near; not farther than before. No case
+ * promises how much farther than the bodies they may be: the number of rounds is limited, and of two solids that overlap
+ * each point may be the nearest one of its surface to the other, although the surfaces cross elsewhere. But all solids
+ * here are convex, so in nearly all cases nearly the nearest triangles are found.
  */
 START_TEST(near_each_other)
 {
 	const long cases = random_cases(300);
-	long improved = 0;
+	long improved = 0, far = 0;
 
 	for (long n = 0; n < cases; n++) {
 		struct random random = random_case(2, n);
@@ -167,13 +169,14 @@ START_TEST(near_each_other)
 				before, once, after);
 			require(after >= truth - 1e-9, "case %ld: %.12g mm, but they are %.12g apart", n, after, truth);
 			require(again >= truth - 1e-9 && again <= after + 1e-9, "case %ld: forgotten", n);
-			require(after <= fmax(enough, 1.5 * truth + 1e-3), "case %ld: %g mm, not %g", n, after, truth);
+			far += after > fmax(enough, 1.5 * truth + 1e-3);
 			improved += after < 0.9 * before;
 		}
 		require(visits > 0, "case %ld: no visits", n);
 		duo_release(&duo);
 	}
 	require(improved > cases / 2, "only %ld improved", improved);
+	require(far <= 2 + cases / 50, "%ld of %ld are far from the nearest", far, 4 * cases);
 }
 END_TEST
 
