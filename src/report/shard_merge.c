@@ -71,52 +71,53 @@ static void join_programs(struct merge *merge)
 	free(next);
 }
 
-/* A finding and its position in the input, which makes the sorting stable. */
-struct placed {
-	json_t *finding;
-	double time, fraction;
-	size_t place;
-};
-
-/* At the same time, the end of a block comes before the beginning of the next block. */
-static int compare_findings(const void *a, const void *b)
+/* The next finding of a run that was not taken, *next or later; NULL: there is none. */
+static json_t *next_finding(const struct ndjson_run *run, size_t *next)
 {
-	const struct placed *x = a, *y = b;
-
-	if (x->time < y->time || x->time > y->time)
-		return x->time < y->time ? -1 : 1;
-	if (x->fraction < y->fraction || x->fraction > y->fraction)
-		return x->fraction > y->fraction ? -1 : 1;
-	return (x->place > y->place) - (x->place < y->place);
+	while (*next < run->count && ndjson_run_is_program(run->lines[*next]))
+		(*next)++;
+	return *next < run->count ? run->lines[*next] : NULL;
 }
 
-/* Adds the findings of all shards in the order of time. Without --all a run ends at the first finding that fails it. */
+/* At the same time, the end of a block comes before the beginning of the next block, which is in another share. */
+static bool comes_before(const json_t *a, const json_t *b)
+{
+	const double time_a = json_number_value(json_object_get(a, "time"));
+	const double time_b = json_number_value(json_object_get(b, "time"));
+
+	if (time_a < time_b || time_a > time_b)
+		return time_a < time_b;
+	return json_number_value(json_object_get(a, "fraction")) > json_number_value(json_object_get(b, "fraction"));
+}
+
+/*
+ * Adds the findings of all shards in the order of time. Those of one shard keep their order: at the same time no number
+ * in them tells which one is the first. Without --all a run ends at the first finding that fails it.
+ */
 static void join_findings(struct merge *merge)
 {
-	bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
-	struct placed *found = NULL;
-	size_t count = 0, capacity = 0;
+	const bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
+	size_t *next = mem_zalloc(merge->count, sizeof(*next));
+	json_t *first;
 
-	for (size_t i = 0; i < merge->count; i++) {
-		for (size_t k = 0; k < merge->runs[i].count; k++) {
-			json_t *line = merge->runs[i].lines[k];
+	do {
+		size_t of = 0;
 
-			if (ndjson_run_is_program(line))
+		first = NULL;
+		for (size_t i = 0; i < merge->count; i++) {
+			json_t *line = next_finding(&merge->runs[i], &next[i]);
+
+			if (!line || (first && !comes_before(line, first)))
 				continue;
-			found = mem_grow(found, &capacity, count + 1, sizeof(*found));
-			found[count] = (struct placed){line, json_number_value(json_object_get(line, "time")),
-						       json_number_value(json_object_get(line, "fraction")), count};
-			count++;
+			first = line;
+			of = i;
 		}
-	}
-	if (count)
-		qsort(found, count, sizeof(*found), compare_findings);
-	for (size_t i = 0; i < count; i++) {
-		json_push(merge->lines, json_incref(found[i].finding));
-		if (!all && !json_object_get(found[i].finding, "accepted"))
-			break;
-	}
-	free(found);
+		if (first) {
+			json_push(merge->lines, json_incref(first));
+			next[of]++;
+		}
+	} while (first && (all || json_object_get(first, "accepted")));
+	free(next);
 }
 
 /* Appends the elements of `more` that are new; cautions about a shard are left out. */

@@ -34,6 +34,13 @@ for n in 1 2 3; do
 	tail -n 1 merged.json
 	sed '$d' merged.json >lines && same lines whole.json
 done
+echo "one shard keeps its order:"
+# Their times have 12 digits: late in a program, two findings of one block may have the same one.
+printf 'G0 X10\nG1 Z-120 F6000\n' >z.nc
+shards 2 m.xml z.nc
+sed -e '/^{"kind":"collision"/ { p; s/"a":"head"/"a":"arm"/; s/"fraction":0.8333/"fraction":0.8334/; }' \
+	-e 's/"findings":1/"findings":2/' s1.json >twice.json
+fivecheck merge twice.json s2.json | jq -r '.a | values'
 echo "stops at the first that fails:"
 { echo 'G0 X250'; cat long.nc; } >limit.nc
 fivecheck -q --fail-on collision -f ndjson=whole.json m.xml limit.nc 2>/dev/null

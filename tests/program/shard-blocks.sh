@@ -45,8 +45,11 @@ awk 'BEGIN {
 			printf "G0 X%.3f Z%.3f C%d\n", 300 * rand() - 150, 60 - 120 * rand(), 360 * rand()
 	}
 }' >a.nc
+in_order() {
+	sed -e '/"kind":"header"/d' -e '/"kind":"program"/d' -e '/"kind":"summary"/d' "$@"
+}
 found() {
-	sed -e '/"kind":"header"/d' -e '/"kind":"program"/d' -e '/"kind":"summary"/d' "$@" | sort
+	in_order "$@" | sort
 }
 compare() { # SHARDS OPTION...
 	shards=$1
@@ -61,6 +64,8 @@ compare() { # SHARDS OPTION...
 			k=$((k + 1))
 		done
 		found part?.json | cmp - whole
+		in_order whole.json >whole_in_order
+		fivecheck merge part?.json 2>/dev/null | in_order | cmp - whole_in_order
 		cat part?.json | sed -n 's/.*"blocks":\([0-9]*\),"checked":\([0-9]*\),.*/\1 \2/p' |
 			awk '{ sum += $2; if ($1 != 5200) exit 1 } END { if (sum != 5200) print sum " blocks of 5200" }'
 		rm part?.json
