@@ -65,16 +65,22 @@ static bool is_title(const struct interp *interp, const char *text)
 	       !line_shape_moves_axes(squeezed);
 }
 
-/* A '%' line opens the program if it is the first line that is not blank; otherwise it closes the program. */
+/*
+ * A '%' line opens the program if it is the first line that is not blank; otherwise it closes the program. After M99
+ * the line that opens it is read again.
+ */
 static bool take_percent(struct interp *interp, const char *text)
 {
 	const char *rest = text + 1;
 	int column = (int)(rest - interp->at.text);
 
+	if (interp->percent == interp->at.line && interp->program.source == interp->program.start.source)
+		return true;
 	if (rest[strspn(rest, " \t")] != '\0' && !is_title(interp, rest))
 		return fault(&interp->at, column, "'%%' must be alone on its line");
 	if (!interp->begun) {
-		interp->begun = interp->percent = true;
+		interp->begun = true;
+		interp->percent = interp->at.line;
 		return true;
 	}
 	if (!interp->percent)

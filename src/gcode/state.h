@@ -268,7 +268,7 @@ struct interp {
 	bool cautioned_feed, cautioned_order, cautioned_t;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear,
 	     cautioned_common;
-	bool percent;	/* the program is enclosed in '%' lines */
+	long percent;	/* the line of the '%' that opens the program; 0: none does */
 	bool begun;	/* a block has been read */
 	bool ended;
 	long furthest;	/* the last line of the main program that was carried out */

@@ -293,8 +293,8 @@ static bool check_limits(struct run *run)
 }
 
 /*
- * The duration of a step from `time` to `end`, where the next one begins. No instant of the step is later than that, not
- * even by the last bit: findings are sorted by time, and those of two steps must never change places.
+ * The duration of a step from `time` to `end`, where the next one begins. No instant of the step is later than that,
+ * not even by the last bit: findings are sorted by time, and those of two steps must never change places.
  */
 static double duration(double time, double end)
 {

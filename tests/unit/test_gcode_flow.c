@@ -44,6 +44,8 @@ static const struct {
 	{"M98 P100\nM2\nO100\nG0 X1\nM98 P200\nM99\nO200\nG0 X2\nM99\n", "1 2"},
 	/* M99 of the program itself: a second pass that changes nothing is the last. */
 	{"G0 X1\nG0 X2\nM99\n", "1 2 1 2"},
+	{"%\nG0 X1\nG0 X2\nM99\n%\n", "1 2 1 2"},
+	{"\n\n%\n#1=[#1+1]\no1 if [#1 EQ 3]\nM2\no1 endif\nG0 X#1\nM99\n%\n", "1 2"},
 	{"#1=[#1+1]\no1 if [#1 EQ 3]\nM2\no1 endif\nG0 X#1\nM99\n", "1 2"},
 };
 

@@ -69,6 +69,9 @@ static const struct {
 	{F, "G91 G0 X1.\nM98 P00020100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{F, "G91 G0 X1.\nM98 P20100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{BOTH, "M98 P1\nM30\nO0001\nG0 X1.\nM98 P2\nX3.\nM99\nO2\nX2.\nM99\n", "1 2 3"},
+	/* M99 of the program itself: it begins again behind the '%' that opens it */
+	{BOTH, "%\nO1 (A)\nG91 G0 X1.\nIF[#5001GE3]GOTO9\nM99\nN9 M30\n%\n", "1 2 3"},
+	{BOTH, "\n%TITLE\nO1\nG91 G0 X1.\nIF[#5001GE3]GOTO9\nM99\nN9 M30\n%\n", "1 2 3"},
 	{BOTH, "M8 M98 P100\nM30\nO100\nG0 X2.\nM99\n", "2"},
 	/* The P of G54 is one of an additional work offset, of which there are 48. */
 	{F, "G10 L2 P1 X10.\nG90 G54 G0 X1. M98 P100 L2\nM30\nO100\nG0 X2.\nM99\n", "11 12 12"},
