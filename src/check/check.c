@@ -242,6 +242,20 @@ static bool stops_waiting(void *context)
 
 /* -------------------------------------------------------------------- run */
 
+/* A program may move nothing on purpose. A file without a block is a mistake of whoever wrote it, and must pass no gate. */
+static void say_no_motion(const struct checker *c)
+{
+	const struct srcloc place = {c->file, 0, 0};
+
+	if (!c->summary.blocks)
+		diag_error(c->diag, place,
+			   "no block of the program is carried out: the file is empty, or has only comments or "
+			   "subprograms; was it written and copied completely?");
+	else
+		diag_warning(c->diag, place, "the program moves no axis%s",
+			     c->options->method == CHECK_NOTHING ? "" : "; only the start pose was checked");
+}
+
 /* Checks the remaining steps when the program has ended or has stopped at a fault within a block. */
 static void finish(struct checker *c, bool complete)
 {
@@ -254,9 +268,7 @@ static void finish(struct checker *c, bool complete)
 	if (c->stopped)
 		return;
 	if (!c->summary.spans && complete) {
-		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
-			     "%s%s", c->summary.blocks ? "the program moves no axis" : "the program is empty",
-			     c->options->method == CHECK_NOTHING ? "" : "; only the start pose was checked");
+		say_no_motion(c);
 		checker_at_rest(c, false, 0);
 	}
 	record = block_log_complete(&c->log, &rest);

@@ -85,6 +85,5 @@ told k.xml k.h
 for format in ndjson sarif github junit; do
 	echo "$format:"
 	fivecheck -q --parse-only -f $format f.xml f.nc
-	fivecheck -q --parse-only -f $format m.xml outer.ngc
 	fivecheck -q --parse-only -a -f $format m.xml p.ngc
 done | grep -o -e '^[a-z0-9]*:$' -e '"callers":.*]' -e '"relatedLocations":.*"properties"' -e '; called from .*' -e '    called .*'
