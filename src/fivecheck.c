@@ -1,11 +1,9 @@
 #include "fivecheck.h"
 
-#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 
 #include "base/mem.h"
+#include "base/open_file.h"
 #include "check/check.h"
 #include "check/model.h"
 #include "control/dialects.h"
@@ -302,21 +300,15 @@ enum fivecheck_result fivecheck_check_file(fivecheck_model *model, const fiveche
 					   const struct fivecheck_events *events, fivecheck_diag *diag,
 					   fivecheck_statistics *statistics, double *proven)
 {
-	enum fivecheck_result result = FIVECHECK_INCOMPLETE;
-	FILE *in = fopen(path, "rb");
-	struct stat status;
+	enum fivecheck_result result;
+	FILE *in = open_file(path, diag);
 
-	if (!in || fstat(fileno(in), &status)) {
-		diag_error(diag, nowhere, "cannot open %s: %s", path, strerror(errno));
-	} else if (S_ISDIR(status.st_mode)) {
-		diag_error(diag, nowhere, "cannot read %s: it is a directory", path);
-	} else {
-		result = fivecheck_check(model, options, in, path, events, diag, statistics, proven);
-		if (ferror(in))
-			diag_error(diag, nowhere, "cannot read all of %s", path);
-	}
-	if (in)
-		fclose(in);
+	if (!in)
+		return FIVECHECK_INCOMPLETE;
+	result = fivecheck_check(model, options, in, path, events, diag, statistics, proven);
+	if (ferror(in))
+		diag_error(diag, (struct srcloc){path, 0, 0}, "cannot be read to its end");
+	fclose(in);
 	return result;
 }
 

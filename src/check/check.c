@@ -242,7 +242,7 @@ static bool stops_waiting(void *context)
 
 /* -------------------------------------------------------------------- run */
 
-/* A program may move nothing on purpose. A file without a block is a mistake of whoever wrote it, and must pass no gate. */
+/* A program may move nothing on purpose. A file without a block is a mistake of its writer, and must pass no gate. */
 static void say_no_motion(const struct checker *c)
 {
 	const struct srcloc place = {c->file, 0, 0};

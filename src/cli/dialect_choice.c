@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/open_file.h"
 #include "base/strbuf.h"
 #include "control/dialects.h"
 #include "gcode/dialect/family.h"
@@ -70,11 +71,9 @@ static bool find_one(const char *program, struct diag *diag, struct family_guess
 			   "--dialect=auto cannot look ahead in standard input; " NAME_IT);
 		return false;
 	}
-	in = fopen(program, "rb");
-	if (!in) {
-		diag_error(diag, (struct srcloc){program, 0, 0}, "cannot open the program: %s", strerror(errno));
+	in = open_file(program, diag);
+	if (!in)
 		return false;
-	}
 	reader_init(&reader, in);
 	errno = 0;
 	*guess = family_guess(&reader);
@@ -82,7 +81,7 @@ static bool find_one(const char *program, struct diag *diag, struct family_guess
 	reader_release(&reader);
 	fclose(in);
 	if (fault)
-		diag_error(diag, (struct srcloc){program, 0, 0}, "cannot read the program: %s", strerror(fault));
+		diag_error(diag, (struct srcloc){program, 0, 0}, "cannot read: %s", strerror(fault));
 	return !fault && (guess->row >= 0 || refuse(program, guess, diag));
 }
 

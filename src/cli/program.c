@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "base/mem.h"
+#include "base/open_file.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
 #include "fivecheck.h"
@@ -18,21 +19,13 @@ static const struct srcloc nowhere;
 
 bool program_open(struct program_file *file, const char *path, struct diag *diag)
 {
-	bool standard = !strcmp(path, "-");
-	struct stat status;
-	FILE *stream = standard ? stdin : fopen(path, "rb");
+	const bool standard = !strcmp(path, "-");
+	FILE *stream = standard ? stdin : open_file(path, diag);
 
-	if (!stream || fstat(fileno(stream), &status)) {
-		diag_error(diag, nowhere, "cannot open %s: %s", path, strerror(errno));
-	} else if (S_ISDIR(status.st_mode)) {
-		diag_error(diag, nowhere, "cannot read %s: it is a directory", path);
-	} else {
-		*file = (struct program_file){stream, standard ? "<stdin>" : path};
-		return true;
-	}
-	if (stream && !standard)
-		fclose(stream);
-	return false;
+	if (!stream)
+		return false;
+	*file = (struct program_file){stream, standard ? "<stdin>" : path};
+	return true;
 }
 
 bool program_close(struct program_file *file, struct diag *diag)
@@ -40,7 +33,7 @@ bool program_close(struct program_file *file, struct diag *diag)
 	bool good = !ferror(file->stream);
 
 	if (!good)
-		diag_error(diag, nowhere, "cannot read all of %s", file->name);
+		diag_error(diag, (struct srcloc){file->name, 0, 0}, "cannot be read to its end");
 	if (file->stream != stdin)
 		fclose(file->stream);
 	return good;

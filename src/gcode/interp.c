@@ -235,7 +235,7 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 		break;
 	default:
 		loc.line = 0;
-		diag_error(interp->diag, loc, "cannot read the program: %s", strerror(errno));
+		diag_error(interp->diag, loc, "cannot read: %s", strerror(errno));
 		break;
 	}
 	return false;

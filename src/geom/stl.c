@@ -78,7 +78,7 @@ static bool fill(struct reader *r)
 		got = read(r->fd, r->buffer + r->end, BUFFER_SIZE - r->end);
 	while (got < 0 && errno == EINTR);
 	if (got < 0)
-		return fail(r, "cannot be read: %s", strerror(errno));
+		return fail(r, "cannot read: %s", strerror(errno));
 	r->end += (size_t)got;
 	r->buffer[r->end] = '\0';
 	return got > 0;
@@ -422,9 +422,9 @@ static bool open_regular(struct reader *r, const char *root)
 	if (r->fd < 0 && errno == EXDEV)
 		return fail(r, "is outside of the input root %s, or a link leads there", root);
 	if (r->fd < 0)
-		return fail(r, "cannot be opened: %s", strerror(errno));
+		return fail(r, "cannot open: %s", strerror(errno));
 	if (fstat(r->fd, &status) != 0)
-		return fail(r, "cannot be read: %s", strerror(errno));
+		return fail(r, "cannot read: %s", strerror(errno));
 	if (!S_ISREG(status.st_mode))
 		return fail(r, S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
 	r->file_size = (uint64_t)status.st_size;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/open_file.h"
 #include "base/strbuf.h"
 #include "report/writers/ndjson.h"
 
@@ -145,7 +146,7 @@ static bool take_lines(struct reading *reading, FILE *in)
 	}
 	strbuf_release(&line);
 	if (good && ferror(in)) {
-		diag_error(reading->diag, (struct srcloc){0}, "cannot read %s: %s", reading->at.file,
+		diag_error(reading->diag, (struct srcloc){reading->at.file, 0, 0}, "cannot read: %s",
 			   strerror(errno ? errno : EIO));
 		good = false;
 	}
@@ -167,14 +168,12 @@ static bool is_whole(const struct reading *reading)
 bool ndjson_run_load(struct ndjson_run *run, const char *path, struct diag *diag)
 {
 	struct reading reading = {.run = run, .at = {path, 0, 0}, .diag = diag};
-	FILE *in = fopen(path, "rb");
+	FILE *in = open_file(path, diag);
 	bool good;
 
 	*run = (struct ndjson_run){.path = path};
-	if (!in) {
-		diag_error(diag, (struct srcloc){0}, "cannot open %s: %s", path, strerror(errno));
+	if (!in)
 		return false;
-	}
 	good = take_lines(&reading, in) && is_whole(&reading);
 	fclose(in);
 	return good;

@@ -317,8 +317,8 @@ START_TEST(reports_faults)
 	fivecheck_options_set_parse_only(options, true);
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "none.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, ".", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);
-	assert_messages("error -:0:0 cannot open none.nc: No such file or directory\n"
-			"error -:0:0 cannot read .: it is a directory\n");
+	assert_messages("error none.nc:0:0 cannot open: No such file or directory\n"
+			"error .:0:0 is a directory, not a file\n");
 	strbuf_clear(&messages);
 	write_text("a.nc", "G1 Z-1 F6000\nG1 Q1\n");
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);

@@ -326,7 +326,7 @@ START_TEST(not_a_regular_file)
 	struct diag diag = {0};
 
 	ck_assert(!read_named(&mesh, "absent.stl", &said));
-	ck_assert_str_eq(strbuf_text(&said), "absent.stl: error: cannot be opened: No such file or directory\n");
+	ck_assert_str_eq(strbuf_text(&said), "absent.stl: error: cannot open: No such file or directory\n");
 	ck_assert_int_eq(mkdir(path_of(path, sizeof(path), "folder.stl"), 0700), 0);
 	ck_assert(!read_named(&mesh, "folder.stl", &said));
 	ck_assert_str_eq(strbuf_text(&said), "folder.stl: error: is a directory\n");

@@ -1,8 +1,7 @@
 #include "cli/scan/scan.h"
 
-#include <errno.h>
-#include <string.h>
 
+#include "base/open_file.h"
 #include "cli/dialect_choice.h"
 #include "cli/scan/scan_codes.h"
 #include "cli/scan/scan_questions.h"
@@ -63,13 +62,11 @@ struct scan {
 /* False, reported: the program could not be opened, or cannot be read to its end. */
 static bool scan_program(struct scan *scan, const char *name, struct diag *diag)
 {
-	FILE *in = fopen(name, "rb");
+	FILE *in = open_file(name, diag);
 	bool good;
 
-	if (!in) {
-		diag_error(diag, (struct srcloc){name, 0, 0}, "cannot open the program: %s", strerror(errno));
+	if (!in)
 		return false;
-	}
 	scan_codes_read(&scan->codes, in);
 	good = scan_questions_read(scan->questions, in, name, diag);
 	scan->read += good;
