@@ -59,6 +59,7 @@ enum doubt_kind {
 	DOUBT_BODY_SMALL, /* the same */
 	DOUBT_PART_BELOW_CUTTERS, /* the size of the body is `value`, the diameter of the thinnest cutter is `limit` */
 	DOUBT_OUT_OF_STOCK, /* the part's corner is `value` outside the stock, `against` */
+	DOUBT_PART_BELOW_STOCK, /* the length of the body is `value`, that of the stock, `against`, is `limit` */
 	DOUBT_PART_BESIDE, /* the tool's tip stays at least `value` from the body along `direction` */
 	DOUBT_TOOL_SHORT, /* at its lowest position the tool's tip is `value` above the part */
 	DOUBT_TOOL_LONG, /* the length of the tool is `value`, the travel of Z is `limit` */

@@ -114,6 +114,9 @@ static const char *const texts[] = {
 				     "check its units " HAS_NO_UNITS OR_CHECKED,
 	[DOUBT_OUT_OF_STOCK] = "{body} stands {value} mm out of {against}, from which it is cut; check location, size "
 			       "and units of both" OR_CHECKED,
+	[DOUBT_PART_BELOW_STOCK] = "{body} is small beside {against}, from which it is cut: {value} and {limit 5} mm "
+				   "long, and less than an eighth in every direction; check the units of "
+				   "both" OR_CHECKED,
 	[DOUBT_PART_BESIDE] = "{body} is out of reach: the tip of every tool stays {value} mm away from it, wherever "
 			      "the axes stand; check its location and the limits" OR_CHECKED,
 	[DOUBT_TOOL_SHORT] = "tool {tool} cannot reach the part: its tip stays {value} mm above it; check the tool's "

@@ -89,6 +89,45 @@ START_TEST(what_is_known_of_the_blank)
 }
 END_TEST
 
+/* The longest side of a part that is doubted as too small for its blank; 0: none is. */
+static double too_small(struct model *model)
+{
+	struct doubts doubts = {0};
+	const struct doubt *doubt;
+	double value;
+
+	stock_fit_check(model->scene, &doubts);
+	doubt = model_doubt(&doubts, DOUBT_PART_BELOW_STOCK);
+	value = doubt ? doubt->value : 0;
+	ck_assert(!doubt || fabs(doubt->limit - 100) < 1e-3);
+	doubts_release(&doubts);
+	return value;
+}
+
+/* Of the blank's 100 x 80 x 40 mm an eighth is 12.5 x 10 x 5 mm, in any order. */
+START_TEST(an_eighth_of_the_blank)
+{
+	struct model model;
+	int body;
+
+	start(&model);
+	body = part(&model, (vec3){0, 0, 0}, (vec3){4.9, 12.4, 9.9});
+	ck_assert_double_eq_tol(too_small(&model), 12.4, 1e-3);
+	model.bodies[body].checked = "r";
+	ck_assert(!(too_small(&model) > 0));
+	model.bodies[body].checked = NULL;
+	part(&model, (vec3){20, 0, 0}, (vec3){24, 4, 4});
+	ck_assert(!(too_small(&model) > 0));
+	model_release(&model);
+	for (int k = 0; k < 3; k++) {
+		start(&model);
+		part(&model, (vec3){0, 0, 0}, (vec3){k == 0 ? 12.6 : 12.4, k == 1 ? 10.1 : 9.9, k == 2 ? 5.1 : 4.9});
+		ck_assert(!(too_small(&model) > 0));
+		model_release(&model);
+	}
+}
+END_TEST
+
 /* A part that is nowhere in the blank may have one of its own, if another part is in it. */
 START_TEST(several_parts)
 {
@@ -111,7 +150,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {both_sides_of_a_millimetre, what_is_known_of_the_blank, several_parts};
+	const TTest *const tests[] = {both_sides_of_a_millimetre, what_is_known_of_the_blank, an_eighth_of_the_blank,
+				      several_parts};
 
 	return RUN_TESTS("stock_fit", tests);
 }
