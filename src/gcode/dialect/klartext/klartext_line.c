@@ -119,7 +119,7 @@ static bool cycle(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
 }
 
-/* As some posts write it; a control that does not take it stops there, and nothing moves. */
+/* Some posts write CYCLE. A control that does not accept it stops there, and nothing moves. */
 static bool cycle_in_full(struct lexer *lexer)
 {
 	struct klartext_lines *lines = &klartext_of(lexer->context)->lines;
@@ -143,7 +143,7 @@ static bool probe(struct lexer *lexer)
 					     : fault(lexer->at, klartext_column(lexer), "TCH needs PROBE");
 }
 
-/* Sorted by what is frequent. `bare`: there is nothing to be told of such a block. */
+/* The most frequent statements come first. `bare`: no event is sent for such a block. */
 static const struct statement {
 	const char *word;
 	bool (*run)(struct lexer *lexer);
@@ -206,7 +206,7 @@ static const struct statement *find_statement(const char *word)
 	return NULL;
 }
 
-/* Lines of a pattern's definition begin none. */
+/* Is this the first word of a block? The lines of a pattern's definition are no blocks of their own. */
 static bool begins_block(const char *word)
 {
 	const struct statement *statement = find_statement(word);
@@ -214,7 +214,10 @@ static bool begins_block(const char *word)
 	return statement && statement->run != klartext_pattern_go_on;
 }
 
-/* Under radius compensation the next corner says where a block ends: nothing may come between that depends on it. */
+/*
+ * Under radius compensation the next corner determines where a block ends: no statement before the corner may need
+ * that end.
+ */
 static bool check_comp(struct lexer *lexer, const struct statement *statement)
 {
 	return statement->compensated || !klartext_comp_is_selected(lexer->context) ||
@@ -248,7 +251,7 @@ static bool run_statement(struct lexer *lexer, const struct statement *statement
 	return statement->run(lexer);
 }
 
-/* A block that begins with a letter. */
+/* Carries out a block that begins with a letter. */
 static bool run_block(struct lexer *lexer, bool *bare)
 {
 	const size_t start = lexer->position;
@@ -272,7 +275,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
 }
 
-/* "%NAME G71": a program in DIN/ISO, which these controls read as well. */
+/* "%NAME G71" begins a program in DIN/ISO, which these controls read as well. */
 static bool refuse_iso(struct lexer *lexer)
 {
 	return fault(lexer->at, klartext_column(lexer),
@@ -286,7 +289,7 @@ static bool count_block(struct interp *interp)
 	       program_count(&interp->program, interp->config->read.max_blocks, &interp->at);
 }
 
-/* Behind M2 and M30 stand subprograms, up to END PGM. */
+/* After M2 and M30 the subprograms follow, up to END PGM. */
 static bool pass_by(struct lexer *lexer)
 {
 	return !klartext_take(lexer, "END") || end(lexer);
@@ -307,7 +310,8 @@ static bool check_begun(struct lexer *lexer)
 }
 
 /*
- * Between a corner, or APPR, and the path behind it nothing moves: what waits would be lost. Q parameters may change.
+ * May this block stand between a corner, or APPR, and the path after it? The block that waits needs that path: blocks
+ * between them may change Q parameters, but must not move an axis.
  */
 static bool may_follow_corner(const struct lexer *before)
 {
@@ -412,7 +416,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	return run_block(lexer, bare);
 }
 
-/* A definition that ends in this line: without '~', it goes on only in lines that hold nothing but parameters. */
+/* Ends a definition before this line, unless the line continues it: without '~' only a line of parameters does. */
 static bool end_definition(struct interp *interp, const struct lexer *before)
 {
 	struct lexer lexer = *before;
@@ -459,7 +463,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	if (!klartext_join(interp, begins_block))
 		return false;
 	lexer = klartext_lexer(interp);
-	/* The line in hand is no part of a definition that is faulty: a label that it ends would be missed. */
+	/* A fault of the definition does not concern the current line: it is carried out, because it can be a label. */
 	good = !definition->open || end_definition(interp, &lexer);
 	if (!good && !interp->config->read.all_faults)
 		return false;

@@ -10,7 +10,7 @@
 /* Carries out the text after PLANE. False: reported, or the sink wants no more. */
 bool klartext_plane_run(struct lexer *lexer);
 
-/* CYCL DEF 19, one line of it: only its reset is certain. False: reported. */
+/* Carries out CYCL DEF 19 at the end of its definition. False: reported, or the sink wants no more. */
 bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle);
 
 #endif
