@@ -42,7 +42,7 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 
 /* ------------------------------------------------------------------- frame */
 
-/* While it is on, the engine turns its moves into the coordinates in force. */
+/* While radius compensation is on, the engine converts its moves to the active coordinates. */
 static void enter_frame(struct interp *interp)
 {
 	const struct klartext_frame *frame = &klartext_of(interp)->frame;
@@ -114,8 +114,8 @@ static int side_of(enum klartext_comp comp)
 }
 
 /*
- * "Tool radius compensation" (iTNC 530 user's manual): the first block leads to the point beside the start of the next
- * one, across its direction; outside corners are rounded; inside corners are where the two paths cross.
+ * "Tool radius compensation" (iTNC 530 user's manual): the first block ends beside the start of the next one,
+ * perpendicular to its direction; outside corners are rounded; at inside corners the two paths intersect.
  */
 static bool start(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
 {
@@ -246,7 +246,7 @@ bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_
 
 /* -------------------------------------------------------------------- moves */
 
-/* What the engine asks of the block: its motion, and the column to blame. */
+/* The data of the block for the engine: its motion, and the column for messages. */
 static void describe_block(struct interp *interp, const struct klartext_path *path)
 {
 	struct block *block = &interp->block;
@@ -257,7 +257,7 @@ static void describe_block(struct interp *interp, const struct klartext_path *pa
 	block->g_column[G_MOTION] = path->column;
 }
 
-/* "Machining small contour steps: M97": at the end of its block the two paths are drawn out to where they cross. */
+/* "Machining small contour steps: M97": at the end of its block both paths are extended to their intersection. */
 static void choose_corner(struct interp *interp, const struct klartext_path *path)
 {
 	struct klartext_crossing *crossing = &klartext_of(interp)->crossing;

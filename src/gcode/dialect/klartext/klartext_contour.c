@@ -60,7 +60,7 @@ static bool read_contour(struct lexer *lexer, int *label)
 	return klartext_integer(lexer, "a label", 1, 65535, label);
 }
 
-/* TNC 640 user's manual, "CONTOUR DEF": what CYCL DEF 14 names, with pockets told from islands. */
+/* TNC 640 user's manual, "CONTOUR DEF": names contours as CYCL DEF 14 does, and says which are pockets or islands. */
 bool klartext_contour_define(struct lexer *lexer)
 {
 	struct klartext_contour *contour = &klartext_of(lexer->context)->contour;
@@ -89,7 +89,7 @@ bool klartext_contour_data(struct interp *interp, const struct klartext_cycle *c
 
 /* ------------------------------------------------------------- the contour */
 
-/* The box about what was read of a contour; programmed coordinates, mm. */
+/* The box around the part of a contour that was read; programmed coordinates, mm. */
 struct outline {
 	bool begun; /* a point is known */
 	bool has[2]; /* X and Y are */
@@ -187,7 +187,7 @@ static bool take_polar_circle(struct outline *outline, struct lexer *lexer, cons
 	return true;
 }
 
-/* L, C, and CR, whose circle is within two radii of its end. */
+/* L, C, and CR: all points of the circle of CR are at most two radii from its end. */
 static bool take_path(struct outline *outline, struct lexer *lexer, const struct klartext_words *words,
 		      const char *word)
 {
@@ -203,7 +203,7 @@ static bool take_path(struct outline *outline, struct lexer *lexer, const struct
 	return true;
 }
 
-/* One block of a contour. RND and CHF lie inside of the corner that they cut off. */
+/* Reads one block of a contour. RND and CHF stay inside the corner that they cut off. */
 static bool take_block(void *context, struct lexer *lexer)
 {
 	struct outline *outline = context;
@@ -300,8 +300,8 @@ static bool check_outside(const struct klartext_call_of *call, const struct klar
 }
 
 /*
- * iTNC 530 user's manual, "SL cycles": the tool clears what lies inside of pockets, so that its centre stays inside of
- * them by its radius; a negative allowance (Q3, Q14) lets it go farther.
+ * iTNC 530 user's manual, "SL cycles": the tool clears the inside of pockets, and its centre stays inside them by its
+ * radius; with a negative allowance (Q3, Q14) it goes farther out.
  */
 bool klartext_contour_make(const struct klartext_call_of *call)
 {

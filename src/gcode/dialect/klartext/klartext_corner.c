@@ -15,7 +15,7 @@
 #include "gcode/execute/cutter_comp/comp_turn.h"
 #include "geom/tolerance.h"
 
-/* Bytes that are enough for a block number and a word. */
+/* The number of bytes that always contain the block number and the first word. */
 #define LOOK_AHEAD 32
 
 /* Radians: a path that turns less has no corner to cut off. */
@@ -135,7 +135,7 @@ bool klartext_corner_read(struct lexer *lexer, bool chamfer)
 
 /* -------------------------------------------------------------------- shape */
 
-/* Between the block kept back and the next one, in the plane of X and Y of programmed coordinates. */
+/* A corner between the held block and the next one, in the plane of X and Y of programmed coordinates. */
 struct shape {
 	vec3 first, last; /* where it starts and ends */
 	vec3 centre; /* of a rounding */
@@ -248,7 +248,7 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 
 /* --------------------------------------------------------------------- moves */
 
-/* Carries out the block that was kept back, up to this point, as if it were in hand; tells the end of both lines. */
+/* Carries out the held block up to this point, as if it were the current one, and sends the end of both lines. */
 static bool release(struct interp *interp, vec3 end)
 {
 	const struct line_place at = interp->at;
@@ -305,8 +305,8 @@ static bool cut_off(struct interp *interp, const struct shape *shape, const stru
 }
 
 /*
- * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the chamfer's side
- * length, which is taken for what is cut off from each line.
+ * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the side length of the
+ * chamfer, which is read as the length that is cut off each line.
  */
 bool klartext_corner_make(struct interp *interp, const struct klartext_words *words, struct klartext_path *path)
 {

@@ -21,7 +21,7 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/tool_table.h"
 
-/* More pecks are a typing mistake, and carrying them out would seem to hang. */
+/* A larger number of pecks is a typing mistake, and the program would seem to hang. */
 #define PECKS_MAX 100000
 
 /* The pitch times the speed. */
@@ -52,7 +52,7 @@ static bool find_heights(const struct klartext_call_of *call, struct klartext_ho
 	return true;
 }
 
-/* How high the point of the tool in the spindle is up to this diameter. `q` asks for it. False: reported. */
+/* The height of the point of the active tool up to this diameter; Q<q> needs it. False: reported. */
 static bool find_point_height(const struct klartext_call_of *call, int q, double diameter, double *height)
 {
 	const struct interp *interp = call->interp;
@@ -88,7 +88,7 @@ static bool centre_by_diameter(const struct klartext_call_of *call, struct klart
 	return true;
 }
 
-/* "DEPTH REFERENCE": with Q395=1 the depth is that of the full diameter, so that the tip goes deeper. */
+/* "DEPTH REFERENCE": with Q395=1 the full diameter reaches the depth, and the tip goes deeper. */
 static bool go_by_full_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	const struct interp *interp = call->interp;
@@ -103,7 +103,7 @@ static bool go_by_full_diameter(const struct klartext_call_of *call, struct klar
 	return true;
 }
 
-/* Q202, Q212, Q205: a peck, by how much each is smaller, and how small it may get. */
+/* Q202: the first peck; Q212: how much smaller each further peck is; Q205: the smallest peck. */
 static bool find_pecks(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double depth = hole->start - hole->bottom;
@@ -151,7 +151,7 @@ static bool drill(const struct klartext_call_of *call, struct klartext_hole *hol
 	return true;
 }
 
-/* 201: to the bottom and back at the feed Q208, or that of the way down; 202 the same, aside at the bottom. */
+/* 201: down, and back at the feed Q208 or at that of the way down; 202: the same, with a shift at the bottom. */
 static bool ream(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double direction = klartext_parameter_or(call, 214, 0);
@@ -265,8 +265,8 @@ static bool by_parts(const struct klartext_call_of *call)
 /* --------------------------------------------------------------------- calls */
 
 /*
- * CYCL DEF has assigned the parameters of the cycle, and the program may have assigned others since: whether the call
- * takes these is not in the manuals. `but` are left out.
+ * CYCL DEF has assigned the parameters of the cycle, and the program may have changed them since. The manuals do not
+ * say whether the call uses the changed values. Parameters in `but` are not checked.
  */
 static bool check_values(struct interp *interp, int column, const struct klartext_cycle *cycle, const char *const *but)
 {
@@ -346,7 +346,7 @@ bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift
 	return good;
 }
 
-/* "PROGRAM CALL (Cycle 12)". Behind another M-function of the block the rest of it would come before the program. */
+/* "PROGRAM CALL (Cycle 12)": calls the program. */
 static bool call_program(struct interp *interp, int column)
 {
 	const char *name = klartext_of(interp)->cycles.program;
@@ -357,7 +357,7 @@ static bool call_program(struct interp *interp, int column)
 			       : fault(&interp->at, column, "CYCL DEF 12 has not named a program");
 }
 
-/* A cycle works along Z. With M128 the tool may lie otherwise: what the control does then is not in the manuals. */
+/* A cycle works along Z. The manuals do not say what the control does if M128 has turned the tool away from Z. */
 static bool check_along_z(struct interp *interp, int column)
 {
 	bool along = true;

@@ -36,7 +36,7 @@ enum m_action {
 	M_UNROTATE
 };
 
-/* What those do that are read; the others are refused or ignored (klartext_codes.c). */
+/* The effects of the M-functions that are read; klartext_codes.c says which others are refused or ignored. */
 static enum m_action action_of(int number)
 {
 	static const struct {
@@ -60,7 +60,7 @@ static enum m_action action_of(int number)
 	return M_HARMLESS;
 }
 
-/* What to write instead of a function that puts the tool elsewhere; NULL: it may be left out. */
+/* What to write instead of a function that changes where the tool is; NULL: the function may be left out. */
 static const char *instead_of(int number)
 {
 	switch (number) {
@@ -76,7 +76,7 @@ static const char *instead_of(int number)
 	}
 }
 
-/* What the machine file says of an M-function, or the control's own meaning. False: not known, which was reported. */
+/* The action of an M-function by the machine file or the control. False: it is not known, which was reported. */
 static bool find_action(struct interp *interp, const struct klartext_m *m, enum m_action *action)
 {
 	static const enum m_action actions[] = {
@@ -116,7 +116,7 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 	return true;
 }
 
-/* Under radius compensation moves wait, and some functions change which way they go. */
+/* Under radius compensation moves wait, and some functions would change their way. */
 static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m_action action)
 {
 	if (!klartext_comp_is_selected(interp))

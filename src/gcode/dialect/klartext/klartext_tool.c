@@ -133,7 +133,7 @@ bool klartext_tool_define(struct lexer *lexer)
 
 /* -------------------------------------------------------------------- call */
 
-/* DL, DR and DR2, which only counts in blocks that are refused with it. */
+/* Reads DL, DR or DR2. Only LN uses DR2, and LN with oversizes is refused. */
 static bool read_oversize(struct lexer *lexer, struct request *request)
 {
 	struct interp *interp = lexer->context;
@@ -219,8 +219,8 @@ static bool find_length(struct interp *interp, const struct request *request, do
 }
 
 /*
- * iTNC 530 user's manual, "Calling tool data": the length counts from TOOL CALL on, which moves no axis by itself;
- * where the machine's builder has the change take the axes, the machine file says.
+ * iTNC 530 user's manual, "Calling tool data": the length counts from TOOL CALL on, which moves no axis by itself. The
+ * machine file says where the tool change of the machine's builder moves the axes.
  */
 static bool change(struct interp *interp, const struct request *request)
 {
@@ -270,8 +270,8 @@ static bool change(struct interp *interp, const struct request *request)
 }
 
 /*
- * "Calling tool data": without a tool, DL and DR are those of the active one from here on; nothing moves. What becomes
- * of an oversize that stands in the call before and not in this one is not in the manual.
+ * "Calling tool data": without a tool, DL and DR are from now on those of the active tool; nothing moves. The manual
+ * does not say whether an oversize stays that the call before has given and this one has not.
  */
 static bool change_oversize(struct interp *interp, struct request *request)
 {
