@@ -15,10 +15,10 @@ const char *code_state_name(enum code_state state)
 static const char *state_meaning(enum code_state state)
 {
 	static const char *const meanings[] = {
-		[CODE_READ] = "what it does is followed as the manual says",
-		[CODE_IGNORED] = "it moves no axis and changes nothing that the check depends on",
-		[CODE_BOUNDED] = "its motion is known as a set only, and all of the set is proved",
-		[CODE_REFUSED] = "it is an error at its place, and the exit status is 2",
+		[CODE_READ] = "executed as the manual says",
+		[CODE_IGNORED] = "moves no axis and changes nothing that the check depends on",
+		[CODE_BOUNDED] = "not one known motion, but a set of possible motions; all of them are proved",
+		[CODE_REFUSED] = "an error where it is used; the exit status is then 2",
 	};
 
 	return meanings[state];

@@ -44,7 +44,8 @@ void fault_list_finish(struct fault_list *list, const char *file)
 	if (list->again)
 		diag_note(list->to, loc, "%zu more error%s as above", list->again, list->again == 1 ? "" : "s");
 	if (list->beyond)
-		diag_note(list->to, loc, "%zu more error%s: mend the first %d and read the program again", list->beyond,
+		diag_note(list->to, loc,
+			  "%zu more error%s: correct the first %d and check the program again", list->beyond,
 			  list->beyond == 1 ? "" : "s", FAULT_LIST_MAX);
 	while (list->count > 0)
 		free(list->texts[--list->count]);

@@ -84,7 +84,7 @@ static bool take_percent(struct interp *interp, const char *text)
 		return true;
 	}
 	if (!interp->percent)
-		return fault(&interp->at, column, "'%%' ends a program only if one opens it");
+		return fault(&interp->at, column, "'%%' ends a program only if one begins it");
 	interp->ended = true;
 	return true;
 }
@@ -220,7 +220,7 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 
 	switch (status) {
 	case READER_TOO_LONG:
-		diag_error(interp->diag, loc, "a line of more than %d bytes is no NC block", LINE_LENGTH_MAX);
+		diag_error(interp->diag, loc, "a line of more than %d bytes is not an NC block", LINE_LENGTH_MAX);
 		break;
 	case READER_NUL_BYTE:
 		loc.column = (int)strlen(text) + 1;
@@ -228,7 +228,8 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 		break;
 	case READER_MIXED_ENDS:
 		loc.column = (int)strlen(text) + 1;
-		diag_error(interp->diag, loc, "line ends are mixed: a carriage return alone, and line feeds");
+		diag_error(interp->diag, loc,
+			   "mixed line ends: some are a carriage return alone, some have a line feed");
 		break;
 	case READER_NO_TEXT:
 		diag_error(interp->diag, loc, "%s", text);
@@ -279,8 +280,9 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 		diag_warning(interp->diag, loc, "the program ends without M2, M30 or %%; is the file complete?");
 	else if (reader->open_end)
 		diag_warning(interp->diag, loc,
-			     "the file stops in the middle of this line, and no M2 or M30 came before: if it is not "
-			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
+			     "the file stops in the middle of this line, without M2 or M30 before: if the file is "
+			     "incomplete, write it again; otherwise end it with M2 or M30, or end this line with a "
+			     "line feed");
 }
 
 /*
@@ -310,14 +312,13 @@ static bool check_rest(struct interp *interp, struct reader *reader)
 	else if (rest.program)
 		diag_warning(
 		    interp->diag, loc,
-		    "another program begins here, after the end in line %ld: it was not checked; give it a file "
-		    "of its own",
+		    "another program begins here, after the end in line %ld: it was not checked; give it a file of its "
+		    "own",
 		    end);
 	else if (rest.motion)
 		diag_warning(
 		    interp->diag, loc,
-		    "this moves axes, but stands after the end of the program in line %ld: from here on nothing "
-		    "was checked",
+		    "this line moves axes after the end of the program in line %ld: nothing was checked from here on",
 		    end);
 	return !rest.main;
 }
@@ -336,11 +337,11 @@ static bool check_family(struct interp *interp, struct reader *reader)
 	if (found.certain)
 		diag_error(
 		    interp->diag, loc,
-		    "this looks like %s (%s), but it is to be read in the %s dialect; --dialect or the machine's "
-		    "<controller> names another one",
+		    "this looks like %s (%s), but the dialect is %s; set the right one by --dialect or in the machine "
+		    "file's <controller>",
 		    found.title, found.sign, dialect);
 	else if (found.line)
-		diag_warning(interp->diag, loc, "this looks like %s (%s), but it is read in the %s dialect",
+		diag_warning(interp->diag, loc, "this looks like %s (%s), but the dialect is %s",
 			     found.title, found.sign, dialect);
 	return !found.certain;
 }

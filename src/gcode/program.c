@@ -12,8 +12,8 @@ bool program_jump(struct program *program, const struct position *to, const stru
 {
 	if (!reader_seek(&to->source->reader, to->offset, to->line))
 		return fault(at, column,
-			     "this jumps to line %ld of %s, which a pipe can no longer deliver: it keeps the last %zu "
-			     "MiB; give the program as a file",
+			     "a jump to line %ld of %s, which is no longer available in the pipe (the last %zu MiB are "
+			     "kept); give the program as a file",
 			     to->line, to->source->name, READER_WINDOW >> 20);
 	program->source = to->source;
 	return true;
@@ -26,14 +26,14 @@ bool program_count(struct program *program, long long limit, const struct line_p
 	program->blocks++;
 	if (program->faulty && program->blocks - program->faulty_from > PROGRAM_FAULTY_BLOCKS_MAX)
 		return fault(at, 1,
-			     "%lld blocks of loops and subprograms have been carried out since the first error, "
-			     "without which they may end: what comes behind them is not searched for errors",
+			     "%lld blocks of loops and subprograms were executed since the first error, which may be "
+			     "why they do not end; the rest of the program is not searched for errors",
 			     PROGRAM_FAULTY_BLOCKS_MAX);
 	if (program->blocks <= limit)
 		return true;
 	return fault(at, 1,
-		     "%lld blocks of loops and subprograms have been carried out: is this loop endless? --max-blocks "
-		     "sets another limit",
+		     "%lld blocks of loops and subprograms were executed: is this loop endless? --max-blocks sets "
+		     "another limit",
 		     limit);
 }
 

@@ -13,7 +13,7 @@ bool restart_program(struct interp *interp, struct strbuf *variables)
 	if (interp->comp.side != 0) {
 		strbuf_release(variables);
 		return fault(&interp->at, column,
-			     "M99 starts the program anew with cutter compensation on; switch it off with G40 first");
+			     "M99 restarts the program with cutter compensation on; write G40 first");
 	}
 	strbuf_add(variables, (const char *)&interp->state, sizeof(interp->state));
 	return program_restart(&interp->program, variables, &interp->at, 1, &interp->ended);

@@ -19,10 +19,10 @@ status fivecheck -q --parse-only linuxcnc.xml text.nc
 # A second '%' ends a program, too.
 printf '%%\nG21 G90\nG0 X10\n%%\nG0 X20\n' >percent.nc
 for format in text ndjson junit; do
-	fivecheck -q --parse-only -f $format linuxcnc.xml percent.nc | grep -o 'percent.nc:5: this moves axes' | head -n 1
+	fivecheck -q --parse-only -f $format linuxcnc.xml percent.nc | grep -o 'percent.nc:5: this line moves axes' | head -n 1
 done
 for format in github sarif; do
-	fivecheck --parse-only -f $format linuxcnc.xml percent.nc 2>&1 >/dev/null | grep -o 'percent.nc:5: .*this moves axes' | head -n 1
+	fivecheck --parse-only -f $format linuxcnc.xml percent.nc 2>&1 >/dev/null | grep -o 'percent.nc:5: .*this line moves axes' | head -n 1
 done
 # A pipe is not read any further: its writer may be waiting.
 cat behind.nc | fivecheck -q --parse-only m.xml -

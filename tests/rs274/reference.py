@@ -198,8 +198,8 @@ def difference(moves, rows, to_the_end=True):
 
 # LinuxCNC 2.9 compares exactly, later versions take nearly equal numbers for equal; and where a sine vanishes, LinuxCNC's
 # is of either sign: fivecheck refuses what depends on these.
-VERSIONS_DISAGREE = re.compile(r': error: ((EQ|NE|LE|GE) of numbers that differ by \S+ only: versions of LinuxCNC disagree|'
-                               'a number that is 0 but for the last digit of a sine)')
+VERSIONS_DISAGREE = re.compile(r': error: ((EQ|NE|LE|GE) of numbers that differ by only \S+: versions of LinuxCNC disagree|'
+                               'the rounding error of a sine)')
 
 
 def stops_where_versions_disagree(programs, path):

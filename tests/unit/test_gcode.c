@@ -278,9 +278,9 @@ START_TEST(wrapped_axes)
 	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	ck_assert(!case_run(&c, "G0 C-180\nC0\nM2\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:4: error: half a turn of C: either way is as short; half_turn=\"positive\" or "
-			 "\"negative\" "
-			 "of this axis in the machine file says which one the control takes\n    G0 C-180\n       ^\n");
+			 "p.nc:1:4: error: half a turn of C is equally short in both directions: set "
+			 "half_turn=\"positive\" or \"negative\" for this axis in the machine file\n    G0 C-180\n     "
+			 "  ^\n");
 	case_release(&c);
 	for (int way = -1; way <= 1; way += 2) {
 		case_init(&c);
@@ -329,7 +329,7 @@ START_TEST(paper_block)
 	case_init(&c);
 	ck_assert(!case_run(&c, "G01 X300 Y-200 Z-200 A-3 Z-3 F15000\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:26: error: the word Z stands twice in the block, at columns 16 and 26\n"
+			 "p.nc:1:26: error: the word Z occurs twice in the block, at columns 16 and 26\n"
 			 "    G01 X300 Y-200 Z-200 A-3 Z-3 F15000\n                             ^\n");
 	case_release(&c);
 }
@@ -408,8 +408,9 @@ START_TEST(program_cut_off)
 	ck_assert(case_run(&c, "G0 X1\nG0 X12"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\nrapid 12 0 0 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2: warning: the file stops in the middle of this line, and no M2 or M30 came before: if it is not "
-			 "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed\n");
+			 "p.nc:2: warning: the file stops in the middle of this line, without M2 or M30 before: if the "
+			 "file is incomplete, write it again; otherwise end it with M2 or M30, or end this line with a "
+			 "line feed\n");
 	case_release(&c);
 }
 END_TEST

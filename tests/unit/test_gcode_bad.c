@@ -19,7 +19,7 @@ static void expect_bad(const struct bad *bad, const struct dialect *dialect, boo
 }
 
 #define PROBED \
-	"where the probe has stopped Z is not known before the program runs; lead the axis on by an absolute " \
+	"the position where the probe stopped Z is not known before the program runs; move the axis to an absolute " \
 	"coordinate (G90) first"
 
 static const struct bad texts[] = {
@@ -36,101 +36,108 @@ static const struct bad texts[] = {
     {"G0 X-\n", 1, 4, "X without a number"},
     {"G0 X.\n", 1, 4, "X without a number"},
     {"G0 X1.2.3\n", 1, 8, "unexpected '.'"},
-    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E; numbers have no exponent"},
+    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E; numbers cannot have an exponent"},
     {"G0 X1 ! Y2\n", 1, 7, "unexpected '!'"},
     {"G0 X\xc2\xb5"
      "1\n",
      1, 4, "X without a number"},
-    {"G0 X1\xc3\n", 1, 6, "unexpected byte 0xC3: only comments may have characters other than ASCII"},
+    {"G0 X1\xc3\n", 1, 6, "unexpected byte 0xC3: only comments can have characters other than ASCII"},
     {"G0 X1 /Y2\n", 1, 7, "'/' is allowed only at the start of a block"},
     {"G0 X1 % \n", 1, 7, "'%' must be alone on its line"},
     {"% part 7\n", 1, 1, "'%' must be alone on its line"},
-    {"G0 X1\n%\n", 2, 1, "'%' ends a program only if one opens it"},
-    {"(header)\n%\nG0 X1\n", 2, 1, "'%' ends a program only if one opens it"},
+    {"G0 X1\n%\n", 2, 1, "'%' ends a program only if one begins it"},
+    {"(header)\n%\nG0 X1\n", 2, 1, "'%' ends a program only if one begins it"},
     {"G0 N10 X1\n", 1, 4, "N is allowed only at the start of a block"},
     {"N1.5 X1\n", 1, 1, "a line number must be a whole number that is not negative"},
     {"N-1 X1\n", 1, 1, "a line number must be a whole number that is not negative"},
     {"N1 N2 G0\n", 1, 4, "N is allowed only at the start of a block"},
-    {"G0 @10 ^45\n", 1, 4, "@: polar coordinates are not supported yet"},
-    {"M3 $1 S5\n", 1, 4, "$: spindle numbers are not supported yet"},
-    {"(py,emccanon.MESSAGE)\n", 1, 1, "a comment that runs Python is not supported"},
-    {";py,emccanon.STRAIGHT_FEED(0)\n", 1, 1, "a comment that runs Python is not supported"},
+    {"G0 @10 ^45\n", 1, 4, "@: polar coordinates are not supported"},
+    {"M3 $1 S5\n", 1, 4, "$: spindle numbers are not supported"},
+    {"(py,emccanon.MESSAGE)\n", 1, 1, "a comment that runs Python code is not supported"},
+    {";py,emccanon.STRAIGHT_FEED(0)\n", 1, 1, "a comment that runs Python code is not supported"},
     {"( ABORT, no tool)\n", 1, 1, "the comment (ABORT, ...) stops the program here"},
 };
 
 static const struct bad codes[] = {
-    {"G12.5\n", 1, 1, "G12.5 is no G-code that is known in the linuxcnc dialect"},
-    {"G12\n", 1, 1, "G12 is no G-code that is known in the linuxcnc dialect"},
-    {"G1.05 X1\n", 1, 1, "1.05 is no G-code"},
-    {"G99999\n", 1, 1, "99999 is no G-code"},
-    {"G-1\n", 1, 1, "a G-code cannot be negative"},
-    {"M-1\n", 1, 1, "an M-code cannot be negative"},
-    {"M3.5\n", 1, 1, "3.5 is no M-code"},
-    {"G0 X1\nG41 D1 X2\n", 2, 5, "the diameter of tool T1 is not known; a setup defines it"},
-    {"G42.1\n", 1, 1, "G42.1 needs the tool's diameter in D"},
+    {"G12.5\n", 1, 1, "G12.5 is not a G-code of the linuxcnc dialect"},
+    {"G12\n", 1, 1, "G12 is not a G-code of the linuxcnc dialect"},
+    {"G1.05 X1\n", 1, 1, "1.05 is not a G-code"},
+    {"G99999\n", 1, 1, "99999 is not a G-code"},
+    {"G-1\n", 1, 1, "a G-code must not be negative"},
+    {"M-1\n", 1, 1, "an M-code must not be negative"},
+    {"M3.5\n", 1, 1, "3.5 is not an M-code"},
+    {"G0 X1\nG41 D1 X2\n", 2, 5, "the setup does not give the diameter of tool T1"},
+    {"G42.1\n", 1, 1, "G42.1 needs D (tool diameter)"},
     {"G43.1\n", 1, 1, "G43.1 needs an axis word"},
     {"G43.1 Z1 H1\n", 1, 10, "no code in the block uses the word H"},
-    {"G43.1 X1\n", 1, 7, "an offset of the tool in X is not followed, only one in Z"},
-    {"G0 G43.1 Z1\n", 1, 4, "G43.1 with axis words needs a block without motion or offsets"},
-    {"G43.2\n", 1, 1, "G43.2 needs H or axis words, and not both"},
-    {"G43.2 H1 Z1\n", 1, 1, "G43.2 needs H or axis words, and not both"},
-    {"G43.2 H7\n", 1, 7, "H7: no setup was given that defines length offsets"},
+    {"G43.1 X1\n", 1, 7, "a tool offset in X is not supported, only in Z"},
+    {"G0 G43.1 Z1\n", 1, 4, "G43.1 with axis words needs a block without motion and offsets"},
+    {"G43.2\n", 1, 1, "G43.2 needs either H or axis words"},
+    {"G43.2 H1 Z1\n", 1, 1, "G43.2 needs either H or axis words"},
+    {"G43.2 H7\n", 1, 7, "H7: no length offsets are defined, because there is no setup"},
     {"G6 X1 I1 J1\n", 1, 1, "G6: NURBS block is not supported yet"},
-    {"G96 D100\n", 1, 1, "G96 needs S, the surface speed"},
+    {"G96 D100\n", 1, 1, "G96 needs S (surface speed)"},
     {"G97 D1\n", 1, 5, "no code in the block uses the word D"},
-    {"G1 F1 X1 M62\n", 1, 10, "M62 needs P, the number of the output"},
-    {"M68 Q1\n", 1, 1, "M68 needs E, the number of the output"},
-    {"M67 E-1 Q1\n", 1, 5, "the number of an output cannot be negative"},
+    {"G1 F1 X1 M62\n", 1, 10, "M62 needs P (number of the output)"},
+    {"M68 Q1\n", 1, 1, "M68 needs E (number of the output)"},
+    {"M67 E-1 Q1\n", 1, 5, "the number of an output must not be negative"},
     {"M48 P1\n", 1, 5, "no code in the block uses the word P"},
-    {"M48 M52\n", 1, 5, "M52 and the M-code at column 1 are of one modal group; a block can have only one of them"},
-    {"M66 L0\n", 1, 1, "M66 needs the number of one input, in P or in E"},
-    {"M66 P1 E1\n", 1, 1, "M66 needs the number of one input, in P or in E"},
-    {"M66 P1 L3\n", 1, 8, "M66 with L3 waits for an input P, as long as Q says"},
-    {"M66 E1 L1 Q1\n", 1, 8, "M66 with L1 waits for an input P, as long as Q says"},
-    {"M66 P1 L5 Q1\n", 1, 8, "L5: a whole number from 0 to 4 is needed"},
-    {"M66 P1 L0\nG0 X#5399\n", 2, 5, "#5399 holds what M66 has read from an input, which is not known before the program "
-     "runs"},
-    {"M61 Q0\nG43\n", 2, 1, "after M61, which tool's length G43 takes is not the same everywhere: give H0"},
-    {"M61\n", 1, 1, "M61 needs Q, the number of the tool in the spindle"},
-    {"M61 Q-1\n", 1, 5, "Q-1: a whole number from 0 to 2147483647 is needed"},
-    {"M70 G91\n", 1, 1, "M70 stands alone in its block: which of the others come before it is not followed"},
-    {"M72\n", 1, 1, "M72 without an M70 or M73 of this subprogram before"},
-    {"M70\nM71\nM72\n", 3, 1, "M72 without an M70 or M73 of this subprogram before"},
-    {"M70\nG93\nM72\n", 3, 1, "M72 and M73 would take back the feed mode, which LinuxCNC does by halves: bring it back by "
-     "its own code first"},
+    {"M48 M52\n", 1, 5,
+     "M52 and the M-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"M66 L0\n", 1, 1, "M66 needs the number of one input, in either P or E"},
+    {"M66 P1 E1\n", 1, 1, "M66 needs the number of one input, in either P or E"},
+    {"M66 P1 L3\n", 1, 8, "M66 with L3 needs P (input) and Q (timeout)"},
+    {"M66 E1 L1 Q1\n", 1, 8, "M66 with L1 needs P (input) and Q (timeout)"},
+    {"M66 P1 L5 Q1\n", 1, 8, "L5 must be a whole number from 0 to 4"},
+    {"M66 P1 L0\nG0 X#5399\n", 2, 5, "#5399 (an input that M66 has read) is not known before the program runs"},
+    {"M61 Q0\nG43\n", 2, 1, "after M61, controls differ in the tool whose length G43 uses: write H0"},
+    {"M61\n", 1, 1, "M61 needs Q (number of the tool in the spindle)"},
+    {"M61 Q-1\n", 1, 5, "Q-1 must be a whole number from 0 to 2147483647"},
+    {"M70 G91\n", 1, 1, "M70 needs a block of its own, because its order among other words is not known"},
+    {"M72\n", 1, 1, "M72 without M70 or M73 before it in this subprogram"},
+    {"M70\nM71\nM72\n", 3, 1, "M72 without M70 or M73 before it in this subprogram"},
+    {"M70\nG93\nM72\n", 3, 1,
+     "M72 and the end of M73 restore the feed mode only partly in LinuxCNC; restore it by its own code first"},
     {"M428\n", 1, 1,
-     "M428 is not known; if it moves no axis, <mcode number=\"428\" action=\"ignore\"/> in the machine's <controller> "
-     "says so"},
-    {"G0 G1 X1\n", 1, 4, "G1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
-    {"G1 G1 X1\n", 1, 4, "G1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
-    {"G80 G80\n", 1, 5, "G80 and the G-code at column 1 are of one modal group; a block can have only one of them"},
-    {"G54 G59.1\n", 1, 5, "G59.1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
-    {"G4 P1 G53\n", 1, 7, "G53 and the G-code at column 1 are of one modal group; a block can have only one of them"},
-    {"M3 M4\n", 1, 4, "M4 and the M-code at column 1 are of one modal group; a block can have only one of them"},
-    {"M0 M30\n", 1, 4, "M30 and the M-code at column 1 are of one modal group; a block can have only one of them"},
+     "M428 is not known; if it moves no axis, set <mcode number=\"428\" action=\"ignore\"/> in the machine file's "
+     "<controller>"},
+    {"G0 G1 X1\n", 1, 4,
+     "G1 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"G1 G1 X1\n", 1, 4,
+     "G1 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"G80 G80\n", 1, 5,
+     "G80 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"G54 G59.1\n", 1, 5,
+     "G59.1 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"G4 P1 G53\n", 1, 7,
+     "G53 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"M3 M4\n", 1, 4,
+     "M4 and the M-code at column 1 belong to the same modal group; a block can have only one of them"},
+    {"M0 M30\n", 1, 4,
+     "M30 and the M-code at column 1 belong to the same modal group; a block can have only one of them"},
     {"M3 M8 M6 M0 M9\n", 1, 13, "a block can have at most 4 M-codes"},
-    {"G0 X1 Y2 X3\n", 1, 10, "the word X stands twice in the block, at columns 4 and 10"},
-    {"F1 F1\n", 1, 4, "the word F stands twice in the block, at columns 1 and 4"},
+    {"G0 X1 Y2 X3\n", 1, 10, "the word X occurs twice in the block, at columns 4 and 10"},
+    {"F1 F1\n", 1, 4, "the word F occurs twice in the block, at columns 1 and 4"},
 };
 
 static const struct bad blocks[] = {
-    {"X1\n", 1, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
-    {"G0 X1\nG80\nY1\n", 3, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
-    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion; give them a motion code instead"},
+    {"X1\n", 1, 1, "axis words without an active motion code (G0, G1, G2, G3)"},
+    {"G0 X1\nG80\nY1\n", 3, 1, "axis words without an active motion code (G0, G1, G2, G3)"},
+    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion; write a motion code instead"},
     {"G0 B1\n", 1, 4, "the machine has no B axis"},
     {"G10 L2 P1 V1\n", 1, 11, "the machine has no V axis"},
     {"G0 G92 X1\n", 1, 1, "G0 and G92 both need the axis words of the block; write two blocks"},
     {"G28 G1 X1\n", 1, 5, "G1 and G28 both need the axis words of the block; write two blocks"},
     {"G92\n", 1, 1, "G92 without an axis word"},
     {"G52\n", 1, 1, "G52 without an axis word"},
-    {"G53 X1\n", 1, 5, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+    {"G53 X1\n", 1, 5, "axis words without an active motion code (G0, G1, G2, G3)"},
     {"G53\n", 1, 1, "G53 needs G0 or G1"},
     {"G0\nG53 G2 X1 I1\n", 2, 1, "G53 needs G0 or G1"},
-    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91); G90 first"},
-    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91); G90 first"},
+    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental mode (G91); write G90 first"},
+    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental mode (G91); write G90 first"},
     {"G4\n", 1, 1, "G4 needs its time in P"},
-    {"G4 P-1\n", 1, 4, "a dwell cannot be negative"},
-    {"G4 P1 G2 X1 I1\n", 1, 1, "G4 cannot stand with G2 or G3; both use P"},
+    {"G4 P-1\n", 1, 4, "a dwell must not be negative"},
+    {"G4 P1 G2 X1 I1\n", 1, 1, "G4 is not allowed with G2 or G3, which also use P"},
     {"G0 X1 I1\n", 1, 7, "no code in the block uses the word I"},
     {"G0 X1 P1\n", 1, 7, "no code in the block uses the word P"},
     {"G0 X1 R1\n", 1, 7, "no code in the block uses the word R"},
@@ -138,23 +145,24 @@ static const struct bad blocks[] = {
     {"D1\n", 1, 1, "no code in the block uses the word D"},
     {"G0 X1 L2\n", 1, 7, "no code in the block uses the word L"},
     {"G61 P.1\n", 1, 5, "no code in the block uses the word P"},
-    {"G64 P-.1\n", 1, 5, "a path tolerance cannot be negative"},
-    {"F-1\n", 1, 1, "a feed rate cannot be negative"},
-    {"M3 S-1\n", 1, 4, "a spindle speed cannot be negative"},
-    {"M6\n", 1, 1, "M6, but no T has selected a tool"},
-    {"T1.5 M6\n", 1, 1, "T1.5: the number of a tool is whole here; where T1.1 means a tool and its offset, as on "
-     "Fagor's controls, write T1, and H1 or D1 for the offset"},
-    {"G0 W1\n", 1, 4, "the machine has no W axis; on a lathe U and W are increments of X and Z, but programs of "
-     "lathes are not read"},
-    {"T-1\n", 1, 1, "T-1: a whole number from 0 to 2147483647 is needed"},
-    {"G43 H5\n", 1, 5, "H5: no setup was given that defines length offsets"},
-    {"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of the tool in the spindle, T3, is not known; a setup defines it"},
+    {"G64 P-.1\n", 1, 5, "a path tolerance must not be negative"},
+    {"F-1\n", 1, 1, "a feed rate must not be negative"},
+    {"M3 S-1\n", 1, 4, "a spindle speed must not be negative"},
+    {"M6\n", 1, 1, "M6 without a tool: write T first"},
+    {"T1.5 M6\n", 1, 1,
+     "T1.5: a tool number must be whole; where T1.1 is a tool and its offset (Fagor), write T1, and H1 or D1 for the "
+     "offset"},
+    {"G0 W1\n", 1, 4,
+     "the machine has no W axis; on a lathe U and W are increments of X and Z, but lathe programs are not supported"},
+    {"T-1\n", 1, 1, "T-1 must be a whole number from 0 to 2147483647"},
+    {"G43 H5\n", 1, 5, "H5: no length offsets are defined, because there is no setup"},
+    {"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of T3, the tool in the spindle, is not known; give it in the setup"},
     {"G10 L2 X1\n", 1, 1, "G10 needs L and P"},
-    {"G10 L1 P1 Z1\n", 1, 8, "P1: no setup was given that defines tools"},
-    {"G10 L2 P10 X1\n", 1, 8, "P10: a whole number from 0 to 9 is needed"},
-    {"G10 L2 P1.5 X1\n", 1, 8, "P1.5: a whole number from 0 to 9 is needed"},
-    {"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported yet"},
-    {"G43.4 H0\nG43\n", 2, 1, "G43 while G43.4 is in force; cancel that with G49 first"},
+    {"G10 L1 P1 Z1\n", 1, 8, "P1: no tools are defined, because there is no setup"},
+    {"G10 L2 P10 X1\n", 1, 8, "P10 must be a whole number from 0 to 9"},
+    {"G10 L2 P1.5 X1\n", 1, 8, "P1.5 must be a whole number from 0 to 9"},
+    {"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported"},
+    {"G43.4 H0\nG43\n", 2, 1, "G43 while G43.4 is active; write G49 first"},
 };
 
 static const struct bad motions[] = {
@@ -164,29 +172,31 @@ static const struct bad motions[] = {
     {"G93 G1 X1 F1\nX2\n", 2, 1, "G1 without F in inverse time mode (G93)"},
     {"G93 G1 X1 F0\n", 1, 11, "F must be greater than 0 in inverse time mode (G93)"},
     {"F9 G2 X1\n", 1, 4, "an arc needs a centre (I, J, K) or a radius (R)"},
-    {"F9 G2 I1 R1 X1\n", 1, 10, "an arc has a radius (R) or a centre (I, J, K), not both"},
-    {"F9 G2 Z1 R1\n", 1, 10, "an arc by its radius needs X or Y"},
-    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
-     "(I, J, K)"},
-    {"F9 G2 X10 R4.99\n", 1, 11, "a radius of 4.99 mm does not reach from the start of the arc to its end"},
-    {"F9 G2 X1 I0\n", 1, 4, "an arc of radius 0: 0 mm at its start, 1 mm at its end"},
+    {"F9 G2 I1 R1 X1\n", 1, 10, "an arc has either a radius (R) or a centre (I, J, K), not both"},
+    {"F9 G2 Z1 R1\n", 1, 10, "an arc with a radius (R) needs X or Y"},
+    {"F9 G2 X0 R1\n", 1, 10,
+     "an arc with a radius (R) must not end at its start; for a full circle, give the centre (I, J, K)"},
+    {"F9 G2 X10 R4.99\n", 1, 11, "the radius of 4.99 mm is too small to reach the end of the arc"},
+    {"F9 G2 X1 I0\n", 1, 4, "the radius of the arc is 0: 0 mm at its start, 1 mm at its end"},
     {"F9 G2 X10.03 I5\n", 1, 4, "the radius of the arc is 5 mm at its start and 5.03 mm at its end"},
     {"F9 G2 X200.2 I100\n", 1, 4, "the radius of the arc is 100 mm at its start and 100.2 mm at its end"},
     {"F9 G2 X20002.9 I10000\n", 1, 4, "the radius of the arc is 10000 mm at its start and 10002.9 mm at its end"},
     {"F9 G2 X1 I.5 K1\n", 1, 14, "K does not belong to the centre of an arc in the plane of G17"},
     {"G18 F9 G2 X1 I.5 J1\n", 1, 18, "J does not belong to the centre of an arc in the plane of G18"},
-    {"G90.1 F9 G2 X10 I5\n", 1, 10, "an arc with an absolute centre (G90.1) needs both its words; J is missing"},
-    {"F9 G2 X1 I.5 P0\n", 1, 14, "P0: a whole number from 1 to 2147483647 is needed"},
-    {"F9 G2 X1 I.5 P1.2\n", 1, 14, "P1.2: a whole number from 1 to 2147483647 is needed"},
+    {"G90.1 F9 G2 X10 I5\n", 1, 10, "an arc with an absolute centre (G90.1) needs both centre words; J is missing"},
+    {"F9 G2 X1 I.5 P0\n", 1, 14, "P0 must be a whole number from 1 to 2147483647"},
+    {"F9 G2 X1 I.5 P1.2\n", 1, 14, "P1.2 must be a whole number from 1 to 2147483647"},
 };
 
 static const struct bad with_setup[] = {
-    {"T3 M6\n", 1, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
+    {"T3 M6\n", 1, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with its shape"},
     {"G55\n", 1, 1, "the setup defines no work offset G55: add <work_offset name=\"G55\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
     {"G10 L2 P2 X5\nG55\nG59.3\n", 3, 1,
      "the setup defines no work offset G59.3: add <work_offset name=\"G59.3\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
-    {"T3\nM6\n", 2, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
-    {"G43 H7\n", 1, 5, "the setup defines no length offset H7: add <offset number=\"7\" length=\"\"/> with its value, or a <tool> of this number"},
+    {"T3\nM6\n", 2, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with its shape"},
+    {"G43 H7\n", 1, 5,
+     "the setup defines no length offset H7: add <offset number=\"7\" length=\"\"/> with its value, or a <tool> with "
+     "this number"},
 };
 
 static const struct bad fanuc[] = {
@@ -196,30 +206,31 @@ static const struct bad fanuc[] = {
     {":X1\n", 1, 1, "':' without a number"},
     {"G0 O1\n", 1, 4, "O is allowed only at the start of a block"},
     {"G0 X1. ; X5.\n", 1, 8,
-     "';' ends a block on this control; write what follows on a line of its own, or in parentheses if it is a comment; "
-     "if a parameter has ';' start comments, semicolon=\"comment\" in the machine's <controller> says so"},
+     "';' ends a block on this control; write the rest on a line of its own, or in parentheses if it is a comment; if "
+     "a parameter makes ';' start a comment, set semicolon=\"comment\" in the machine file's <controller>"},
     /* The same, "Additional workpiece coordinate systems": P goes with G54 and G54.1 only. */
     {"G55 P3\n", 1, 5, "no code in the block uses the word P"},
     {"G59.1\n", 1, 1,
-     "G59.1 is no G-code that is known in the fanuc dialect; <macro code=\"\"/> of the machine's <controller> declares one that the builder made"},
+     "G59.1 is not a G-code of the fanuc dialect; if the machine builder made it, set <macro code=\"\"/> in the "
+     "machine file's <controller>"},
     /* "Reference position return (G28)": the axes that return are named. */
     {"G28\n", 1, 1, "G28 without an axis word"},
-    {"G0 G43 Z1.\n", 1, 4, "G43 needs H, of which none was given before"},
+    {"G0 G43 Z1.\n", 1, 4, "G43 needs H, and no earlier block has one"},
     /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G11\nG10 L50\n", 2, 1,
-     "G10 L50 changes parameters of the control, which are not followed here; check a copy without the blocks from "
-     "G10 to G11"},
+     "G10 L50 changes parameters of the control, which are not supported; check a copy of the program without the "
+     "blocks from G10 to G11"},
     {"G10 L3\n", 1, 1,
-     "G10 L3 changes the tool life data of the control, which is not followed here; check a copy without the blocks "
-     "from G10 to G11"},
+     "G10 L3 changes the tool life data of the control, which is not supported; check a copy of the program without "
+     "the blocks from G10 to G11"},
     {"G10 L2 P0 X1.\n", 1, 11,
-     "G10 L2 P0 with anything but 0 shifts all work offsets, which is not followed: write the sum into each of them by P1 "
-     "to P6"},
-    {"G52 X1.\nG10 L2 P0 X0\n", 2, 8, "G10 L2 P0 while G52 is in force is not supported yet"},
+     "G10 L2 P0 with values other than 0 shifts all work offsets, which is not supported: write the sum into each of "
+     "them by P1 to P6"},
+    {"G52 X1.\nG10 L2 P0 X0\n", 2, 8, "G10 L2 P0 while G52 is active is not supported"},
     /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
-    {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},
-    {"G91 G52 X1.\n", 1, 5, "G52 in incremental distance mode (G91) is not supported yet"},
-    {"G92 X1.\nG52 X1.\n", 2, 1, "G52 while G92 is in force is not supported yet"},
+    {"G91 G92 X1.\n", 1, 5, "G92 in incremental mode (G91) is not supported"},
+    {"G91 G52 X1.\n", 1, 5, "G52 in incremental mode (G91) is not supported"},
+    {"G92 X1.\nG52 X1.\n", 2, 1, "G52 while G92 is active is not supported"},
     /* "Dwell (G04)". */
     {"G4 X1. P5\n", 1, 1, "G4 needs its time in one word, X, U or P"},
     {"G4 Y1.\n", 1, 1, "G4 needs its time in one word, X, U or P"},
@@ -283,8 +294,8 @@ START_TEST(wrapped_position_beyond_a_turn)
 	c.config.wrap[SLOT_A] = WRAP_SIGN;
 	ck_assert(!case_run(&c, "G0 A360\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:4: error: A360: the absolute position of a wrapped axis must lie "
-			 "between -360 and 360 degrees\n    G0 A360\n       ^\n");
+			 "p.nc:1:4: error: A360: the absolute position of a wrapped axis must be between -360 and 360 "
+			 "degrees\n    G0 A360\n       ^\n");
 	case_release(&c);
 	case_init(&c);
 	/* Fanuc B-63534EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
@@ -311,8 +322,8 @@ START_TEST(machine_axes_under_switched_kinematics)
 		ck_assert(!case_run(&c, program.text));
 		ck_assert_ptr_nonnull(
 		    strstr(strbuf_text(&c.messages),
-			   "p.nc:2:1: error: while an M-code has switched TCP on, this control takes machine "
-			   "coordinates for those of the tool point; switch TCP off first\n"));
+			   "p.nc:2:1: error: while an M-code has TCP on, this control takes machine coordinates as "
+			   "those of the tool point; cancel TCP first\n"));
 		strbuf_release(&program);
 		case_release(&c);
 	}

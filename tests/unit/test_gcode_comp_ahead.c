@@ -216,7 +216,7 @@ START_TEST(every_way_is_covered)
 		init(&c, round % 3 ? &dialect_fanuc : &dialect_haas, COMP_START_UNKNOWN, COMP_CORNER_UNKNOWN);
 		if (!case_run(&c, program.text)) {
 			/* The tool does not fit: no way. */
-			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "without gouging"));
+			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "which would gouge"));
 			case_release(&c);
 			strbuf_release(&program);
 			continue;
@@ -253,20 +253,21 @@ static const struct {
 	const struct dialect *dialect;
 	const char *program, *message;
 } bads[] = {
-	{&dialect_fanuc, "F9 G1 G41 X5\n", "G41 needs D, the number of its radius"},
+	{&dialect_fanuc, "F9 G1 G41 X5\n", "G41 needs D (number of the radius)"},
 	{&dialect_fanuc, "F9 G1 G41 D9 X5\n", "D9: the setup has no such radius; add <offset number=\"9\" radius=\"\"/>"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nG42 D1 X9\n", "another side or radius of cutter compensation while it is on"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9 D4\n", "another D while cutter compensation is on"},
-	{&dialect_fanuc, "F9 G41 D1\nG2 X5 R9\n", "cutter compensation starts and ends with G0 or G1, not with an arc"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40 G2 X20 R9\n", "cutter compensation starts and ends with G0 or G1"},
+	{&dialect_fanuc, "F9 G41 D1\nG2 X5 R9\n",
+	 "cutter compensation must start and end with G0 or G1, not with an arc"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40 G2 X20 R9\n", "cutter compensation must start and end with G0 or G1"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nZ1\nZ2\nY9\n", "2 blocks without a move in the plane"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nM0\n", "the program stops under cutter compensation"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX5\n", "the path turns back on itself under cutter compensation"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX20 A9\n", "A under cutter compensation is not supported"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG3 X11 Y2 R1.5\n", "is not greater than the radius of the compensation"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nY1\nX0\n", "cannot reach without gouging"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG92 X0\n", "G92 after G40 and before X has moved"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG2 X5 Y5 R9\n", "the move after cutter compensation (G40) must be straight"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG3 X11 Y2 R1.5\n", "is not greater than the compensation radius"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nY1\nX0\n", "which would gouge"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG92 X0\n", "G92 after G40 before X has moved"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG2 X5 Y5 R9\n", "the first move after cutter compensation (G40) must be straight"},
 };
 
 START_TEST(faults)

@@ -75,21 +75,21 @@ END_TEST
 static const struct bad {
 	const char *before, *block, *message;
 } bads[] = {
-    {"", "G68 X0. Y0. Z0. I0 J1 R90.", "G68 with I, J or K needs all three of them, and its angle in R"},
-    {"", "G68 X0. Y0. Z0. I0 J1 K0", "G68 with I, J or K needs all three of them, and its angle in R"},
+    {"", "G68 X0. Y0. Z0. I0 J1 R90.", "G68 with I, J or K needs all three of them, and R (angle)"},
+    {"", "G68 X0. Y0. Z0. I0 J1 K0", "G68 with I, J or K needs all three of them, and R (angle)"},
     {"", "G68 X0. Y0. Z0. I0 J0 K0 R90.", "I, J and K of G68 are all 0"},
-    {"", "G68 X0. Y0. I0 J1 K0 R90.", "the centre of G68 with I, J and K needs X, Y and Z"},
-    {"", "G68 I0 J1 K0 R90.", "the centre of G68 with I, J and K needs X, Y and Z"},
+    {"", "G68 X0. Y0. I0 J1 K0 R90.", "G68 with I, J and K needs X, Y and Z (centre)"},
+    {"", "G68 I0 J1 K0 R90.", "G68 with I, J and K needs X, Y and Z (centre)"},
     {"", "G68 X0. Y0. Z0. C0. I0 J1 K0 R90.", "C does not belong to G68 with I, J and K"},
-    {"G0 X1. Y1. Z2.\n" TURN, "G0 X0. Y0.", "where Z is left depends on the control"},
+    {"G0 X1. Y1. Z2.\n" TURN, "G0 X0. Y0.", "controls differ in where Z stays"},
     {"G0 X1. Y1. Z1.\n" TURN, "G91 G0 X1.", "needs X, Y and Z as absolute coordinates"},
-    {TURN "\n" TURN, TURN, "the coordinates are turned already; G69 turns them back first"},
-    {TURN, "G68 R5.", "the coordinates are turned already; G69 turns them back first"},
-    {"G68 R5.", TURN, "the coordinates are turned already; G69 turns them back first"},
-    {TURN, "G91 G28 Z0.", "G28 while G68 is in force; G69 first"},
-    {TURN, "G0 G43 H1 X0. Y0. Z0.", "which way the tool's length acts while G68 with I, J and K is in force"},
-    {"G43 H1 G0 Z0.", TURN, "which way the tool's length acts while G68 with I, J and K is in force"},
-    {TURN, "G43.4 H1", "tool centre point control while G68 is in force; G69 first"},
+    {TURN "\n" TURN, TURN, "the coordinates are already rotated; cancel this by G69 first"},
+    {TURN, "G68 R5.", "the coordinates are already rotated; cancel this by G69 first"},
+    {"G68 R5.", TURN, "the coordinates are already rotated; cancel this by G69 first"},
+    {TURN, "G91 G28 Z0.", "G28 while G68 is active; write G69 first"},
+    {TURN, "G0 G43 H1 X0. Y0. Z0.", "controls differ in the direction in which the tool length acts"},
+    {"G43 H1 G0 Z0.", TURN, "controls differ in the direction in which the tool length acts"},
+    {TURN, "G43.4 H1", "tool centre point control while G68 is active; write G69 first"},
 };
 
 START_TEST(refused)
@@ -108,7 +108,7 @@ START_TEST(haas)
 
 	init(&c, &dialect_haas, LENGTH_UNDER_G68_TURNED);
 	ck_assert(!case_run(&c, TURN "\nM30\n"));
-	ck_assert(strstr(strbuf_text(&c.messages), "is not supported by this control"));
+	ck_assert(strstr(strbuf_text(&c.messages), "this control has no three-dimensional coordinate conversion"));
 	case_release(&c);
 }
 END_TEST

@@ -44,8 +44,8 @@ START_TEST(grid)
 	c.config.dialect = &dialect_fanuc;
 	ck_assert(!case_run(&c, "F9\nG91 G81 X1. Z-2. R-1.\nG90 X5.\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:3:5: error: R of G81 was an increment (G91): where it leads in G90 depends on the control; "
-			 "give it again\n    G90 X5.\n        ^\n");
+			 "p.nc:3:5: error: R of G81 was given as an increment (G91); controls differ in what it means "
+			 "in G90; write it again\n    G90 X5.\n        ^\n");
 	case_release(&c);
 	snprintf(text, sizeof(text), program, 'L');
 	run(&dialect_haas, text, moves);
@@ -109,8 +109,8 @@ START_TEST(boring_by_hand)
 			    bores[i].dwell, bores[i].dwell);
 		/* Once a program. */
 		strbuf_addf(&messages,
-			    "p.nc:2:5: warning: %s: the operator takes the tool out by hand; it is followed straight up and "
-			    "no other way, here and further on\n    G99 %s X1. Z-8. R2. P2.\n        ^\n",
+			    "p.nc:2:5: warning: %s: the operator retracts the tool by hand; only a retract straight up is "
+			    "checked, here and further on\n    G99 %s X1. Z-8. R2. P2.\n        ^\n",
 			    bores[i].code, bores[i].code);
 		ck_assert(case_run(&c, program.text));
 		ck_assert_str_eq(strbuf_text(&c.moves), moves.text);
@@ -232,8 +232,8 @@ START_TEST(default_retract)
 			 "rapid 0 0 3 0 0\nrapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\n"
 			 "rapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 1 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:1: warning: a cycle before any G98 or G99: the tool retracts to R (G99), unless the "
-			 "machine's RS274NGC_STARTUP_CODE says otherwise\n    G81 X1 Z-1 R1\n    ^\n");
+			 "p.nc:2:1: warning: a cycle before any G98 or G99: it is assumed that the tool retracts to R "
+			 "(G99), which RS274NGC_STARTUP_CODE of the machine can change\n    G81 X1 Z-1 R1\n    ^\n");
 	case_release(&c);
 }
 END_TEST
@@ -307,8 +307,8 @@ START_TEST(level_is_kept)
 		c.config.work_offsets = offsets;
 		c.config.work_offset_count = 2;
 		case_refuses(&c,
-			     ":1: error: the coordinates have changed since the first of the cycles: whether its level and "
-			     "words change with them depends on the control; G80 first\n    X2. Y2.\n",
+			     ":1: error: the coordinates have changed since the first cycle, and the control decides "
+			     "whether the initial level and the words change with them; write G80 first\n    X2. Y2.\n",
 			     "F9 G0 Z3.\nG98 G81 X1. Z-1. R1.\n%s\nX2. Y2.\n", changes[i / 2]);
 	}
 	/* Where nothing goes by the level, or another cycle begins. */
@@ -331,8 +331,8 @@ START_TEST(drills_where_an_axis_is_named)
 	c.config.dialect = &dialect_fanuc;
 	ck_assert(!case_run(&c, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 R2.\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:3:5: error: R of G82 without an axis: whether the tool drills where it stands depends "
-			 "on the control; name an axis\n    G82 R2.\n        ^\n");
+			 "p.nc:3:5: error: R of G82 without an axis word: controls differ in whether they drill at the "
+			 "present position; write an axis word\n    G82 R2.\n        ^\n");
 	case_release(&c);
 }
 END_TEST
@@ -345,81 +345,82 @@ struct bad {
 };
 
 #define BESIDE_G70 \
-	"G70 beside a cycle, G80 or a motion code is not supported: which of them comes first is not known; write a block for " \
-	"each"
+	"G70 beside a cycle, G80 or a motion code is not supported, because their order is not known; write separate " \
+	"blocks"
 #define ORDER_OF_M6                                                                                                   \
-	"M6 in a block that moves: the builder of the machine decides whether it comes before or after the move; "    \
-	"m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two blocks"
+	"M6 in a block with motion: the machine builder decides whether it comes before or after the move: set "      \
+	"m6_with_move=\"after\" or \"before\" in the machine file's <controller>, or write two blocks"
 
 static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}};
 
 static const struct bad bads[] = {
     {&dialect_linuxcnc, "G81 X1 Z-1", 1, "G81 needs R"},
-    {&dialect_linuxcnc, "G81 X1 R1", 1, "G81 needs its depth in Z"},
-    {&dialect_linuxcnc, "G18 G81 X1 Z1 R1", 5, "G81 needs its depth in Y"},
+    {&dialect_linuxcnc, "G81 X1 R1", 1, "G81 needs Z (depth)"},
+    {&dialect_linuxcnc, "G18 G81 X1 Z1 R1", 5, "G81 needs Y (depth)"},
     {&dialect_linuxcnc, "G81 R1", 1, "G81 without an axis word"},
-    {&dialect_linuxcnc, "G81 X1 Z-1 R-2", 1, "R of G81, -2 mm, lies below the depth, -1 mm"},
-    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L0", 15, "G81 cannot be repeated 0 times"},
-    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L1.5", 15, "L1.5: a whole number from 0 to 1000000 is needed"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R-2", 1, "R of G81, -2 mm, is below the depth, -1 mm"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L0", 15, "G81 must not be repeated 0 times"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L1.5", 15, "L1.5 must be a whole number from 0 to 1000000"},
     {&dialect_linuxcnc, "G81 X1 Z-1 R1 P1", 15, "no code in the block uses the word P"},
     {&dialect_linuxcnc, "G81 X1 Z-1 R1 Q1", 15, "no code in the block uses the word Q"},
-    {&dialect_linuxcnc, "G81 X1 Z-1 R1 A5", 15, "A in a canned cycle: it moves X, Y and Z only"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 A5", 15, "A in a canned cycle, which moves only X, Y and Z"},
     {&dialect_linuxcnc, "G82 X1 Z-1 R1", 1, "G82 needs P"},
-    {&dialect_linuxcnc, "G82 X1 Z-1 R1 P-1", 15, "a dwell cannot be negative"},
+    {&dialect_linuxcnc, "G82 X1 Z-1 R1 P-1", 15, "a dwell must not be negative"},
     {&dialect_linuxcnc, "G83 X1 Z-1 R1", 1, "G83 needs Q"},
     {&dialect_linuxcnc, "G83 X1 Z-1 R1 Q0", 15, "Q of G83 must be greater than 0"},
     {&dialect_linuxcnc, "G73 X1 Z-1 R1 Q-1", 15, "Q of G73 must be greater than 0"},
     {&dialect_linuxcnc, "G83 X1 Z-1 R1 Q.0000001", 15, "Q1e-07 of G83 makes more than 1000000 pecks"},
     /* A peck below half a unit in the last place would never end. */
     {&dialect_linuxcnc, "G83 X1 Z9999999 R9999999.0005 Q.0000000009", 31,
-     "Q9e-10 of G83 is too small to be told from 0 at this height"},
-    {&dialect_linuxcnc, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
-    {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1 S1", 4, "G84 while the spindle turns counter-clockwise"},
-    {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1 S1", 4, "G74 while the spindle turns clockwise"},
+     "Q9e-10 of G83 is too small for the number format at this height"},
+    {&dialect_linuxcnc, "G84 X1 Z-1 R1", 1, "G84 with a stopped spindle"},
+    {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1 S1", 4, "G84 while the spindle runs counter-clockwise"},
+    {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1 S1", 4, "G74 while the spindle runs clockwise"},
     {&dialect_linuxcnc, "M3 G18 G84 X1 Z1 Y-1 R1 S1", 8,
-     "G84 in the plane of G18: this control confuses the axes and goes elsewhere; use G33.1"},
-    {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
+     "G84 in the plane of G18: this control mixes up the axes and moves elsewhere; use G33.1"},
+    {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 with a stopped spindle"},
     {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1 S1", 4, "G87 needs K"},
     {&dialect_linuxcnc, "G88 X1 Z-1 R1 P1", 1,
      "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
     {&dialect_linuxcnc, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
-    {&dialect_linuxcnc, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); canned cycles need G94 or G95"},
+    {&dialect_linuxcnc, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); write G94 or G95 first"},
     {&dialect_linuxcnc, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
     {&dialect_linuxcnc, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
     {&dialect_linuxcnc, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
-    {&dialect_linuxcnc, "G33 Z-1", 1, "G33 needs its pitch in K"},
-    {&dialect_linuxcnc, "G33 Z-1 K1", 1, "G33 while the spindle stands"},
-    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed; "
-     "leave F out"},
-    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K0", 15, "a pitch of 0"},
-    {&dialect_linuxcnc, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves X, Y and Z only"},
+    {&dialect_linuxcnc, "G33 Z-1", 1, "G33 needs K (pitch)"},
+    {&dialect_linuxcnc, "G33 Z-1 K1", 1, "G33 with a stopped spindle"},
+    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K1 F1", 18,
+     "F with G33: the feed is the pitch times the spindle speed; remove F"},
+    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K0", 15, "the pitch is 0"},
+    {&dialect_linuxcnc, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves only X, Y and Z"},
     {&dialect_linuxcnc, "G38.2", 1, "G38.2 without an axis word"},
-    {&dialect_linuxcnc, "G38.2 X0", 1, "G38.2 to where the probe is already"},
-    {&dialect_linuxcnc, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
+    {&dialect_linuxcnc, "G38.2 X0", 1, "the end point of G38.2 is the position of the probe"},
+    {&dialect_linuxcnc, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); write G94 first"},
     /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
     {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,
-     "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
+     "K0 with a position: controls differ in whether the tool moves there; remove one of them"},
     {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18,
-     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" of the machine's <controller> "
-     "says that"},
+     "L in a canned cycle: K repeats the cycle, unless a parameter of the control assigns this to L: if so, set "
+     "cycle_repeats=\"L\" in the machine file's <controller>"},
     {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
-    {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "G76 whose retract does not rise from the bottom"},
-    {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J in another plane than that of G17; give Q"},
+    {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "the retract of G76 does not rise from the bottom"},
+    {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J is supported only in the plane of G17; give Q"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
     {&dialect_fanuc, "G30 P3 X0.", 5,
-     "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
-    {&dialect_fanuc, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
+     "the machine file has no reference position 3: set <reference number=\"3\" X=\"\" .../> in its <controller>"},
+    {&dialect_fanuc, "G30 P5 X0.", 5, "P5 must be a whole number from 2 to 4"},
     {&dialect_fanuc, "G28 P2 X0.", 5, "no code in the block uses the word P"},
     /* Which comes first, the tool or the move? */
     {&dialect_haas, "G1 X5. T2 M6", 11, ORDER_OF_M6},
     {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER_OF_M6},
     {&dialect_haas, "T2 M6 G28", 4, ORDER_OF_M6},
-    {&dialect_haas, "G70 I2. J0. L4", 1, "G70 needs a canned cycle in force, which makes its holes"},
+    {&dialect_haas, "G70 I2. J0. L4", 1, "G70 needs an active canned cycle that makes the holes"},
     {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 30,
-     "L belongs to G70 and to G81: which of them has it is not known; write two blocks"},
+     "L can belong to G70 or to G81, and it is not known to which; write two blocks"},
     {&dialect_haas, "G70 I2. J0. L4 G80", 1, BESIDE_G70},
-    {&dialect_fanuc, "G0 X5. M428", 8, "an M-code that switches TCP in a block that moves: whether it comes before or after the move depends on the "
-     "control; write two blocks"},
+    {&dialect_fanuc, "G0 X5. M428", 8,
+     "an M-code that switches TCP in a block with motion: controls differ in whether it comes before or after the "
+     "move; write two blocks"},
 };
 
 START_TEST(refused)

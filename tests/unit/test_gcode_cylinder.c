@@ -96,16 +96,16 @@ END_TEST
 static const struct bad {
 	const char *block, *message;
 } bads[] = {
-    {"G0 C5.", "p.nc:2:1: error: G0 under cylindrical interpolation (G7.1), which needs feed moves"},
-    {"G81 Z-1. R1.", "G81 under cylindrical interpolation (G7.1), which needs feed moves"},
-    {"G28 Z0.", "G28 under cylindrical interpolation (G7.1); cancel it first"},
+    {"G0 C5.", "p.nc:2:1: error: G0 under cylindrical interpolation (G7.1), which allows only feed moves"},
+    {"G81 Z-1. R1.", "G81 under cylindrical interpolation (G7.1), which allows only feed moves"},
+    {"G28 Z0.", "G28 under cylindrical interpolation (G7.1); cancel G7.1 first"},
     {"G41 D1", "G41 under cylindrical interpolation (G7.1) is not supported"},
     {"G55", "G55 under cylindrical interpolation (G7.1) is not supported"},
     {"G18 G2 Z5. C5. K1.", "needs C, one linear axis of its plane and a radius (R)"},
     {"G18 G2 Z5. R5.", "needs C, one linear axis of its plane and a radius (R)"},
-    {"G18 G2 Z5. C5. R1.", "the radius does not reach from the start of the arc to its end on the surface"},
-    {"G7.1 C30.", "G7.1 while another one is in force; cancel that first"},
-    {"G7.1 X0.", "G7.1 needs one rotary axis, with the radius of the cylinder or 0"},
+    {"G18 G2 Z5. C5. R1.", "the radius is too small to reach the end of the arc on the surface"},
+    {"G7.1 C30.", "G7.1 inside another G7.1; cancel the first one before"},
+    {"G7.1 X0.", "G7.1 needs one rotary axis, with the radius of the cylinder, or 0 to cancel"},
 };
 
 START_TEST(refused)

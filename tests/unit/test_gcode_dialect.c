@@ -88,26 +88,27 @@ static void expect_refusal(const struct refusal *refusal, const struct dialect *
 	case_release(&c);
 }
 
-#define UNKNOWN(question) question " is not known of the bare dialect"
+#define UNKNOWN(question) "it is not known " question " in the bare dialect"
 #define PARAMETER(question, answer) \
-	"a parameter of the control decides " question ": " answer " of the machine's <controller> says it"
+	"a parameter of the control decides " question ": set " answer " in the machine file's <controller>"
 #define UNITS "power_on_units=\"mm\" or \"inch\""
 
 static const struct refusal bare_refusals[] = {
     {"G0 X1.\n", 1, PARAMETER("whether lengths are mm or inches before any G20 or G21", UNITS)},
-    {"G1 F9.\n", 4, PARAMETER("whether F counts mm or inches before any G20 or G21", UNITS)},
+    {"G1 F9.\n", 4, PARAMETER("whether F is in mm or inches before any G20 or G21", UNITS)},
     {"G0\nC90.\n", 1, PARAMETER("whether lengths are mm or inches before any G20 or G21", UNITS)},
-    {"G21\n", 1, "G21 is no G-code that is known in the bare dialect"},
-    {"G2 X1. I1.\n", 1, "G2 is no G-code that is known in the bare dialect"},
-    {"G4 P1.\n", 1, "G4 is no G-code that is known in the bare dialect"},
-    {"M30\n", 1, "M30 is not known; if it moves no axis, <mcode number=\"30\" action=\"ignore\"/> in the machine's "
-		 "<controller> says so"},
+    {"G21\n", 1, "G21 is not a G-code of the bare dialect"},
+    {"G2 X1. I1.\n", 1, "G2 is not a G-code of the bare dialect"},
+    {"G4 P1.\n", 1, "G4 is not a G-code of the bare dialect"},
+    {"M30\n", 1,
+     "M30 is not known; if it moves no axis, set <mcode number=\"30\" action=\"ignore\"/> in the machine file's "
+     "<controller>"},
     {"T1\n", 1, UNKNOWN("whether T changes the tool or selects it for M6")},
-    {"X1.\n", 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+    {"X1.\n", 1, "axis words without an active motion code (G0, G1, G2, G3)"},
     {"#1=5\n", 1, "unexpected '#'"},
     {"IF [1 EQ 1] GOTO 5\n", 1, "I without a number"},
     {"O1234\n", 1, "O is allowed only at the start of a block"},
-    {"G0 ; end\n", 4, "whether ';' starts a comment or ends the block is not known of this control"},
+    {"G0 ; end\n", 4, "it is not known whether ';' starts a comment or ends the block on this control"},
 };
 
 START_TEST(bare_table)
@@ -119,7 +120,8 @@ END_TEST
 START_TEST(no_table_at_all)
 {
 	static const struct dialect empty = {.name = "empty"};
-	static const struct refusal refusal = {"G0\n", 1, "how a block is written is not known of the empty dialect"};
+	static const struct refusal refusal = {"G0\n", 1,
+					       "it is not known how a block is written in the empty dialect"};
 
 	expect_refusal(&refusal, &empty);
 }
@@ -138,17 +140,17 @@ START_TEST(given_modes)
 END_TEST
 
 #undef UNKNOWN
-#define UNKNOWN(question) question " is not known of the silent dialect"
+#define UNKNOWN(question) "it is not known " question " in the silent dialect"
 
 static const struct refusal silent_refusals[] = {
     {"G21\nG0 X1.\n", 1,
      PARAMETER("whether coordinates are absolute before any G90 or G91", "power_on_distance=\"absolute\" or \"incremental\"")},
     {"G21 G90\nG1 X1. F9.\n", 8, UNKNOWN("what F means before any G93, G94 or G95")},
     {"G21 G90 G94\nG2 X1. I1. F9.\n", 1, 
-     PARAMETER("which plane is in force before any G17, G18 or G19", "power_on_plane=\"xy\", \"zx\" or \"yz\"")},
-    {"G21 G90 G94 G17\nG2 X1. I1. F9.\n", 1, UNKNOWN("whether I, J and K count from the start of an arc")},
+     PARAMETER("which plane is active before any G17, G18 or G19", "power_on_plane=\"xy\", \"zx\" or \"yz\"")},
+    {"G21 G90 G94 G17\nG2 X1. I1. F9.\n", 1, UNKNOWN("whether I, J and K are relative to the start of an arc")},
     {"G21 G90\nG0 X5\n", 4, UNKNOWN("what a number without a decimal point means")},
-    {"G21 G94\nF9.\nG95\n", 1, UNKNOWN("whether the feed rate outlives G93, G94 and G95")},
+    {"G21 G94\nF9.\nG95\n", 1, UNKNOWN("whether the feed rate remains valid after G93, G94 or G95")},
     {"T1\n", 1, UNKNOWN("whether T changes the tool or selects it for M6")},
 };
 
@@ -161,48 +163,48 @@ START_TEST(silent_modes)
 END_TEST
 
 static const struct refusal usual_refusals[] = {
-    {"G4 P1.\n", 1, UNKNOWN("which word of G4 has its time")},
-    {"G94 F9\nG95\n", 1, UNKNOWN("whether the feed rate outlives G93, G94 and G95")},
+    {"G4 P1.\n", 1, UNKNOWN("which word of G4 is its time")},
+    {"G94 F9\nG95\n", 1, UNKNOWN("whether the feed rate remains valid after G93, G94 or G95")},
     {"G1 F9\n", 1, UNKNOWN("whether G1 without an axis word needs a feed rate")},
     {"G64 P1\n", 5, UNKNOWN("whether P of G64 is a path tolerance")},
-    {"G61.1\n", 1, UNKNOWN("whether G61.1 keeps to the path")},
+    {"G61.1\n", 1, UNKNOWN("whether G61.1 keeps to the programmed path")},
     {"G92.1\n", 1, UNKNOWN("whether G92.1 cancels the shift or presets coordinates")},
-    {"G20 G0 X1\n", 1, UNKNOWN("whether a unit holds for all words of its block")},
-    {"F9\nG2 X1 R1 P2\n", 10, UNKNOWN("whether P of G2 and G3 is a number of turns")},
-    {"F9\nG2 X2 I1\n", 1, UNKNOWN("whether I, J and K count from the start of an arc")},
-    {"G0 C400\n", 4, UNKNOWN("where an absolute position of a turn or more leads a wrapped axis")},
+    {"G20 G0 X1\n", 1, UNKNOWN("whether a unit applies to all words of its block")},
+    {"F9\nG2 X1 R1 P2\n", 10, UNKNOWN("whether P of G2 and G3 is the number of turns")},
+    {"F9\nG2 X2 I1\n", 1, UNKNOWN("whether I, J and K are relative to the start of an arc")},
+    {"G0 C400\n", 4, UNKNOWN("where an absolute position of a turn or more moves a wrapped axis")},
     {"F9\nG81 X1 Z-5 R1\n", 1, UNKNOWN("how canned cycles drill")},
     {"F9\nG83 X1 Z-5 R1 Q1 K2\n", 1, UNKNOWN("how canned cycles drill")},
-    {"G53 G1 X1\n", 1, UNKNOWN("whether G53 with G1 moves at the feed")},
+    {"G53 G1 X1\n", 1, UNKNOWN("whether G53 with G1 moves at the feed rate")},
     {"G53\n", 1, UNKNOWN("what G53 without axis words does")},
     {"G28\n", 1, UNKNOWN("which axes G28 and G30 without an axis word move")},
     {"G30 X1 P3\n", 8, UNKNOWN("whether P of G30 is the number of a reference position")},
     {"G30 X1\n", 1,
-     "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
-    {"M428\nG53 G0 X1\n", 1, UNKNOWN("what machine coordinates are while an M-code has TCP on")},
-    {"G68 R5 X0 Y0\nG0 X1 Y1\nG28 Z1\n", 1, UNKNOWN("where G28, G30 and G53 lead while G68 is in force")},
+     "the machine file has no reference position 2: set <reference number=\"2\" X=\"\" .../> in its <controller>"},
+    {"M428\nG53 G0 X1\n", 1, UNKNOWN("what machine coordinates mean while an M-code has TCP on")},
+    {"G68 R5 X0 Y0\nG0 X1 Y1\nG28 Z1\n", 1, UNKNOWN("where G28, G30 and G53 move while G68 is active")},
     {"T1 M6 G0 X1\n", 4,
-     "M6 in a block that moves: the builder of the machine decides whether it comes before or after the move; "
-     "m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two blocks"},
+     "M6 in a block with motion: the machine builder decides whether it comes before or after the move: set "
+     "m6_with_move=\"after\" or \"before\" in the machine file's <controller>, or write two blocks"},
     {"G54.1 P1\n", 1, UNKNOWN("how many additional work offsets there are")},
     {"G54 P1\n", 5, UNKNOWN("whether G54 with P selects an additional work offset")},
     {"G10 L2 P1 X5\n", 5, UNKNOWN("which work offsets G10 writes")},
     {"G10 L20 P1 X5\n", 5, UNKNOWN("what G10 L20 writes")},
-    {"G10 L1 P1 Z5\n", 5, "G10 L1 is not supported yet"},
-    {"G91 G92 X5\n", 5, "G92 in incremental distance mode (G91) is not supported yet"},
-    {"G52 X5\nG92 X9\n", 1, "G92 while G52 is in force is not supported yet"},
-    {"G43\n", 1, UNKNOWN("which length G43 without H takes")},
-    {"G43 H0\n", 5, UNKNOWN("which length H0 is")},
+    {"G10 L1 P1 Z5\n", 5, "G10 L1 is not supported"},
+    {"G91 G92 X5\n", 5, "G92 in incremental mode (G91) is not supported"},
+    {"G52 X5\nG92 X9\n", 1, "G92 while G52 is active is not supported"},
+    {"G43\n", 1, UNKNOWN("which length G43 without H uses")},
+    {"G43 H0\n", 5, UNKNOWN("which length H0 means")},
     {"G43 H1\n", 1,
-     "whether this change of the length compensation moves Z at once depends on the control: give Z here as an "
-     "absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in the <controller> of the machine file"},
+     "controls differ in whether this change of the tool length moves Z at once: write Z in this block as an absolute "
+     "coordinate, or set length_offset_moves=\"yes\" or \"no\" in the machine file's <controller>"},
     {"G43 H1 G0 Z9\nG28 X1\nG0 Z5\n", 4,
-     "G28 may have taken the tool's length compensation back: it depends on the control where Z leads now; command "
-     "G43, G43.4 or G49 again first, or say length_after_reference=\"keeps\" or \"cancels\" in the <controller> of "
-     "the machine file"},
+     "G28 may have cancelled the tool length compensation, so the position of Z depends on the control; write G43, "
+     "G43.4 or G49 again first, or set length_after_reference=\"keeps\" or \"cancels\" in the machine file's "
+     "<controller>"},
     {"M98 P1\n", 5, "no code in the block uses the word P"},
     {"M99\n", 1, UNKNOWN("what the calls of subprograms (M97 to M99) do")},
-    {"G65 P1\n", 1, "G65 stands before every other word of its block but N"},
+    {"G65 P1\n", 1, "G65 must be the first word of its block after N"},
     {"G123.4\n", 1, "G123.4 is not supported yet"},
     {"G123.5 X1\n", 1, "G123.5: this motion is not supported yet"},
 };

@@ -86,68 +86,69 @@ struct bad {
 
 #define ON "G54 G0 C90.\nG254"
 #define LED "G54 G0 C90.\nG254\nX0. Y0. Z0."
-#define ALONE "G254 needs a block without axis words, offsets, lengths or a tool change"
+#define ALONE "G254 needs a block without axis words, offsets, tool length or tool change"
 #define UNLED(what, axis)                                                                                            \
-	what " before G0 has led " axis " to an absolute coordinate: the control needs one of X, Y and Z each "      \
-	     "before it cuts"
-#define CHANGE "a change of offsets while G254 is in force is not supported; G255 first"
-#define TCP "tool centre point control while G254 is in force; G255 first"
-#define TURNS                                                                                                        \
-	" turns while G254 is in force: whether the control then takes the work zero along is not known; G255 "      \
-	"first"
-#define READ "whether the position counts from the work zero or from where G254 has it is not known; G255 first"
+	what ", but before G0 has moved " axis " to an absolute coordinate: the control needs this for each of X, "  \
+	     "Y and Z before it cuts"
+#define CHANGE "a change of offsets while G254 is active is not supported; write G255 first"
+#define TCP "tool centre point control while G254 is active; write G255 first"
+#define TURNS " turns while G254 is active: it is not known whether the work zero turns with it; write G255 first"
+#define READ                                                                                                         \
+	"it is not known whether the position is relative to the work zero or to the one that G254 has moved; write " \
+	"G255 first"
 
 static const struct bad bads[] = {
     {"G0", "G254 X1.", 1, ALONE},
     {"", "G55 G254", 5, ALONE},
     {"", "G254 G43 H1", 1, ALONE},
     {"T1", "M6 G254", 4, ALONE},
-    {"", "G255 G53 G0 Z0.", 1, "G255 needs a block without axis words, offsets, lengths or a tool change"},
-    {"", "G254 G255", 6, "G255 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+    {"", "G255 G53 G0 Z0.", 1, "G255 needs a block without axis words, offsets, tool length or tool change"},
+    {"", "G254 G255", 6,
+     "G255 and the G-code at column 1 belong to the same modal group; a block can have only one of them"},
     {ON, "G1 X0. Y0. Z0. F9.", 1, UNLED("G1 after G254", "X")},
     {ON "\nX0.", "G1 X0. Y0. F9.", 1, UNLED("G1 after G254", "Y")},
     {"G54 G0 C90.\nG53 X0. Y0.\nG254\nG53 X0. Y0. Z0.", "G81 X0. Y0. Z0. R1. F9.", 1, UNLED("G81 after G254", "X")},
     {ON "\nX0. F9.", "G2 I5.", 1, UNLED("G2 after G254", "Y")},
     {LED "\nG255\nX0.", "G1 Z0. F9.", 1,
-     "G1 after G255 without Y: whether the axis stays where it is is not known; give its absolute coordinate"},
+     "G1 after G255 without Y: it is not known whether the axis stays in place; write its absolute coordinate"},
     {LED "\nG255\nX0.", "G91 G1 Y0. F9.", 5,
-     "G1 after G255 without Y: whether the axis stays where it is is not known; give its absolute coordinate"},
+     "G1 after G255 without Y: it is not known whether the axis stays in place; write its absolute coordinate"},
     {ON, "G91 X5.", 5,
-     "X by an increment after G254: from where the control counts it is not known; lead the axis somewhere by an "
-     "absolute coordinate first"},
+     "increment in X after G254: the start point of the increment is not known; move the axis to an absolute "
+     "coordinate first"},
     {ON "\nG91 Y0. Z1.", "G28 Y1.", 5,
-     "Y by an increment after G254: from where the control counts it is not known; lead the axis somewhere by an "
-     "absolute coordinate first"},
+     "increment in Y after G254: the start point of the increment is not known; move the axis to an absolute "
+     "coordinate first"},
     {LED "\nG255", "G91 Y1.", 5,
-     "Y by an increment after G255: from where the control counts it is not known; lead the axis somewhere by an "
-     "absolute coordinate first"},
+     "increment in Y after G255: the start point of the increment is not known; move the axis to an absolute "
+     "coordinate first"},
     {LED, "X1. C91.", 5, "C" TURNS},
     {LED, "G53 C0.", 5, "C" TURNS},
     {LED, "G91 G28 C0.", 9, "C" TURNS},
     {LED, "G28", 1, "C" TURNS},
     {LED, "G30 Z0.", 1,
-     "G30 while G254 is in force: whether the control ignores G254 on the way is not known; G255 first"},
+     "G30 while G254 is active: it is not known whether the control ignores G254 on the way; write G255 first"},
     {LED, "G55", 1,
-     "a change of the work offset while G254 is in force: the control has it selected before G254; G255 first"},
+     "a change of the work offset while G254 is active: the control needs it before G254; write G255 first"},
     {LED "\n#5221=3.", "G54", 1,
-     "a change of the work offset while G254 is in force: the control has it selected before G254; G255 first"},
+     "a change of the work offset while G254 is active: the control needs it before G254; write G255 first"},
     {LED, "G10 L2 P1 X1.", 1, CHANGE},
     {LED, "G52 X1.", 1, CHANGE},
     {LED, "G92 X1.", 1, CHANGE},
-    {LED, "G68 R5.", 1, "G68 while G254 is in force; G255 first"},
+    {LED, "G68 R5.", 1, "G68 while G254 is active; write G255 first"},
     {LED, "G234 H1", 1, TCP},
     {LED, "M428", 1, TCP},
     {LED, "X#5001", 2, READ},
     {LED "\nG255", "X#5001", 2,
-     "the position after G255 is not known; lead the axis somewhere by an absolute coordinate first"},
-    {"G234 H1", "G254", 1, "G254 under tool centre point control; cancel that first"},
-    {"G68 X0. Y0. R5.", "G254", 1, "G254 while G68 is in force; G69 first"},
+     "the position after G255 is not known; move the axis to an absolute coordinate first"},
+    {"G234 H1", "G254", 1, "G254 under tool centre point control; cancel tool centre point control first"},
+    {"G68 X0. Y0. R5.", "G254", 1, "G254 while G68 is active; write G69 first"},
     {"G52 Y1.", "G254", 1,
-     "G254 while G52 shifts Y: whether the table carries the shift along is not known; take it back first"},
-    {"G10 L2 P1 C5.", "G254", 1, "G254 with a work offset of 5 degrees in C: the control needs 0 there"},
+     "G254 while G52 shifts Y: it is not known whether the shift moves with the table; cancel the shift first"},
+    {"G10 L2 P1 C5.", "G254", 1, "G254 with a work offset of 5 degrees in C: the control needs 0"},
     {"#5221=3.", "G254", 1,
-     "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
-     "before the next move"},
+     "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
+     "again before the next move"},
 };
 
 START_TEST(refused)

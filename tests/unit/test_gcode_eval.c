@@ -111,13 +111,13 @@ static const struct {
 	{"1+", 3, "a value is needed here"},
 	{"(1+2", 5, "this expression is not closed: ')' is missing"},
 	{"(1 2", 5, "this expression is not closed: ')' is missing"},	/* blanks may stand inside of a number: 12 */
-	{"(1 X", 4, "an operator or ')' is needed here"},
+	{"(1 X", 4, "an operator or ')' is missing here"},
 	{"SQRT 4", 6, "SQRT needs a value in brackets, (...)"},
 	{"[1]", 1, "a value is needed here"},
-	{"--1", 2, "two signs"},
+	{"--1", 2, "two signs in a row"},
 	{"1 div 0", 3, "division by zero"},
 	{"1 max 2+1", 8, "MAX needs brackets"},
-	{"((((1))))", 4, "brackets are nested more than 3 deep"},
+	{"((((1))))", 4, "brackets are nested deeper than 3 levels"},
 	{"(10^999)", 1, "the result is infinite"},
 	{"-(10^999)", 2, "the result is infinite"},
 };

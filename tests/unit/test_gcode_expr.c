@@ -140,83 +140,84 @@ struct bad {
 static const struct bad bad[] = {
 	{"G0 X[1/0]\n", 1, 7, "division by zero"},
 	{"G0 X[1 MOD 0]\n", 1, 8, "division by zero"},
-	{"G0 X SQRT[-1]\n", 1, 6, "SQRT of -1: negative numbers have none"},
-	{"G0 X LN[0]\n", 1, 6, "LN of 0: only positive numbers have one"},
-	{"G0 X ACOS[1.1]\n", 1, 6, "ACOS of 1.1: only numbers from -1 to 1 have one"},
-	{"G0 X ASIN[-2]\n", 1, 6, "ASIN of -2: only numbers from -1 to 1 have one"},
-	{"G0 X ROUND[3000000000]\n", 1, 6, "ROUND of 3000000000: LinuxCNC rounds numbers below 2^31 only"},
-	{"G0 X[[-2]**0.5]\n", 1, 10, "a negative number to a power that is not whole"},
+	{"G0 X SQRT[-1]\n", 1, 6, "SQRT of -1: the value must not be negative"},
+	{"G0 X LN[0]\n", 1, 6, "LN of 0: the value must be greater than 0"},
+	{"G0 X ACOS[1.1]\n", 1, 6, "ACOS of 1.1: the value must be from -1 to 1"},
+	{"G0 X ASIN[-2]\n", 1, 6, "ASIN of -2: the value must be from -1 to 1"},
+	{"G0 X ROUND[3000000000]\n", 1, 6, "ROUND of 3000000000: LinuxCNC rounds only numbers below 2^31"},
+	{"G0 X[[-2]**0.5]\n", 1, 10, "a negative number has only whole powers"},
 	{"G0 X EXP[1000]\n", 1, 6, "the result is infinite"},
 	{"G0 X[1+2\n", 1, 9, "this expression is not closed: ']' is missing"},
-	{"G0 X[1 ? 2]\n", 1, 8, "an operator or ']' is needed here"},
-	{"G0 X[1 (one) + 2]\n", 1, 8, "an operator or ']' is needed here"},
+	{"G0 X[1 ? 2]\n", 1, 8, "an operator or ']' is missing here"},
+	{"G0 X[1 (one) + 2]\n", 1, 8, "an operator or ']' is missing here"},
 	{"G0 X[]\n", 1, 6, "a value is needed here"},
 	{"G0 X[1+]\n", 1, 8, "a value is needed here"},
 	{"G0 X ATAN[1]\n", 1, 13, "'/' is missing after ATAN[...]"},
 	{"G0 X ATAN[1]/2\n", 1, 14, "ATAN[...]/ needs a value in brackets, [...]"},
 	{"G0 X SIN 30\n", 1, 10, "the function needs a value in brackets, [...]"},
 	{"G0 X[COS[90] MOD 50]\n", 1, 14,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X[SIN[180] LT 0]\n", 1, 15,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X[0 GE SIN[180]]\n", 1, 8,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X[TAN[180] OR 0]\n", 1, 15,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X FIX[SIN[360]]\n", 1, 6,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X FUP[2*COS[270]]\n", 1, 6,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X[1/COS[90]]\n", 1, 7,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X ATAN[SIN[180]]/[-1]\n", 1, 6,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X SQRT[COS[90]]\n", 1, 6,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"#1=COS[90]\no1 if [#1]\no1 endif\n", 2, 1,
-	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	 "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or compare with "
+	 "a margin"},
 	{"G0 X[1 LE 0.9999995]\n", 1, 8,
-	 "LE of numbers that differ by 5e-07 only: versions of LinuxCNC disagree; compare with a margin"},
+	 "LE of numbers that differ by only 5e-07: versions of LinuxCNC disagree; compare with a margin"},
 	{"G0 X[1 EQ 1.000002]\n", 1, 8,
-	 "EQ of numbers that differ by 2e-06 only: versions of LinuxCNC disagree; compare with a margin"},
+	 "EQ of numbers that differ by only 2e-06: versions of LinuxCNC disagree; compare with a margin"},
 	{"G0 X#5602\n", 1, 6, "#5602: parameters are numbered from 1 to 5601"},
 	{"G0 X#0\n", 1, 6, "#0: parameters are numbered from 1 to 5601"},
-	{"G0 X#1.5\n", 1, 6, "a whole number is needed here, not 1.5"},
+	{"G0 X#1.5\n", 1, 6, "a whole number is needed, not 1.5"},
 	{"G0 X#[10**300]\n", 1, 6, "1e+300 is too large here"},
 	{"G0 X#<nothing>\n", 1, 5, "there is no parameter #<nothing>"},
-	{"G0 X#<open\n", 1, 6, "this name is not closed: '>' is missing"},
+	{"G0 X#<open\n", 1, 6, "this parameter name is not closed: '>' is missing"},
 	{"#1 5\n", 1, 5, "'=' is missing after the parameter"},
 	{"#1=\n", 1, 4, "a value is needed here"},
-	{"#5400=1\n", 1, 1, "#5400 can only be read"},
-	{"#5420=1\n", 1, 1, "#5420 can only be read"},
-	{"#<_x>=1\n", 1, 1, "#<_x> can only be read"},
-	{"G0 X#5063\n", 1, 5, "#5063 holds what a probe has found, which is not known before the program runs"},
-	{"#1=#5399\n", 1, 4, "#5399 holds what M66 has read from an input, which is not known before the program runs"},
-	{"#1=#5601\n", 1, 4, "#5601 holds what the tool changer reports, which is not known before the program runs"},
-	{"#1=#5021\n", 1, 4, "what #5021 holds differs between the versions of LinuxCNC"},
+	{"#5400=1\n", 1, 1, "#5400 is read-only"},
+	{"#5420=1\n", 1, 1, "#5420 is read-only"},
+	{"#<_x>=1\n", 1, 1, "#<_x> is read-only"},
+	{"G0 X#5063\n", 1, 5, "#5063 (a probed position) is not known before the program runs"},
+	{"#1=#5399\n", 1, 4, "#5399 (an input that M66 has read) is not known before the program runs"},
+	{"#1=#5601\n", 1, 4, "#5601 (a report of the tool changer) is not known before the program runs"},
+	{"#1=#5021\n", 1, 4, "the value of #5021 depends on the version of LinuxCNC"},
 	{"#1=#<_task>\n", 1, 4,
-	 "#<_task> depends on the machine's own state, which is not known before the program runs"},
-	{"#1=#<_ini[axis_x]home>\n", 1, 4, "#<_ini[axis_x]home> stands in the machine's INI file, which is not read"},
+	 "#<_task> depends on the state of the machine, which is not known before the program runs"},
+	{"#1=#<_ini[axis_x]home>\n", 1, 4,
+	 "#<_ini[axis_x]home> is set in the machine's INI file, which fivecheck does not read"},
 	{"#1=#<_hal[a.b]>\n", 1, 4,
-	 "#<_hal[a.b]> depends on the machine's own state, which is not known before the program runs"},
-	{"G93 G1 X1 F1\n#1=#<_feed>\n", 2, 4, "#<_feed> in inverse time mode (G93) is not defined"},
+	 "#<_hal[a.b]> depends on the state of the machine, which is not known before the program runs"},
+	{"G93 G1 X1 F1\n#1=#<_feed>\n", 2, 4, "#<_feed> is undefined in inverse time mode (G93)"},
 	{"#5221=1\n", 1, 1,
-	 "#5221 belongs to G54, which is in force: LinuxCNC would heed it only when G54 is selected again; use "
-	 "G10 L2 P1"},
-	{"#5250=1\n", 1, 1, "#5250: rotation of a coordinate system is not supported here"},
+	 "#5221 belongs to G54, which is active: LinuxCNC uses the new value only when G54 is selected again; use G10 "
+	 "L2 P1"},
+	{"#5250=1\n", 1, 1, "#5250: rotation of a coordinate system is not supported"},
 	{"#5220=2\n", 1, 1, "#5220 does not select a coordinate system; use G54 to G59.3"},
 	{"#5210=1\n", 1, 1, "#5210 does not apply the shift; use G92.2 and G92.3"},
-	{"T5 M6\nG0 X#5403\n", 2, 5, "#5403: no setup defines the tool in the spindle, T5"},
+	{"T5 M6\nG0 X#5403\n", 2, 5, "#5403: the setup does not define the tool in the spindle, T5"},
 };
 
 static void expect_bad(const struct bad *row)
@@ -248,7 +249,7 @@ START_TEST(depth_is_bounded)
 		for (int k = 0; k < 10000; k++)
 			strbuf_addf(&program, "%s", pieces[i]);
 		ck_assert(!case_run(&c, program.text));
-		ck_assert_msg(strstr(c.messages.text, "values are nested more than 256 deep"), "%.200s",
+		ck_assert_msg(strstr(c.messages.text, "values are nested deeper than 256 levels"), "%.200s",
 			      c.messages.text);
 		strbuf_release(&program);
 		case_release(&c);

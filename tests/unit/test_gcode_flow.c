@@ -77,74 +77,72 @@ END_TEST
 static const struct {
 	const char *program, *messages;
 } faults[] = {
-	{"o1 endif\n", "p.nc:1:1: error: o1 endif without its if\n    o1 endif\n    ^\n"},
-	{"o<x> else\n", "p.nc:1:1: error: o<x> else without its if\n    o<x> else\n    ^\n"},
-	{"o1 endwhile\n", "p.nc:1:1: error: o1 endwhile without its while\n    o1 endwhile\n    ^\n"},
+	{"o1 endif\n", "p.nc:1:1: error: o1 endif without if\n    o1 endif\n    ^\n"},
+	{"o<x> else\n", "p.nc:1:1: error: o<x> else without if\n    o<x> else\n    ^\n"},
+	{"o1 endwhile\n", "p.nc:1:1: error: o1 endwhile without while\n    o1 endwhile\n    ^\n"},
 	{"o1 repeat [2]\no1 break\n",
-	 "p.nc:2:1: error: o1 break without its while or do\n    o1 break\n    ^\n"},
+	 "p.nc:2:1: error: o1 break without while or do\n    o1 break\n    ^\n"},
 	{"o1 if [1]\no2 while [1]\no1 endif\n",
-	 "p.nc:3:1: error: o1 endif inside of the while of line 2, which is not closed\n    o1 endif\n    ^\n"},
+	 "p.nc:3:1: error: o1 endif inside the while of line 2, which is not closed\n    o1 endif\n    ^\n"},
 	{"o1 if [1]\no1 endif\no1 while [1]\n",
-	 "p.nc:3:1: error: the label o1 is used for another if already, in line 1 of p.nc\n    o1 while [1]\n    ^\n"},
+	 "p.nc:3:1: error: the label o1 is already used for another if in line 1 of p.nc\n    o1 while [1]\n    ^\n"},
 	{"o1 if [0]\no1 while [1]\n",
-	 "p.nc:2:1: error: the label o1 is used for the if of line 1, which is not closed\n    o1 while [1]\n    ^\n"},
+	 "p.nc:2:1: error: the label o1 is already used for the if of line 1, which is not closed\n    o1 while [1]\n  "
+	 "  ^\n"},
 	{"o1 if #1\n", "p.nc:1:7: error: if needs a value in brackets, [...]\n    o1 if #1\n          ^\n"},
 	{"o1 if [1] G0\n",
-	 "p.nc:1:11: error: nothing but a comment can follow the o-word if\n    o1 if [1] G0\n              ^\n"},
+	 "p.nc:1:11: error: only a comment can follow the o-word if\n    o1 if [1] G0\n              ^\n"},
 	{"o1 unless\n",
-	 "p.nc:1:4: error: an o-word needs one of sub, endsub, call, return, if, elseif, else, endif, while, endwhile, "
-	 "do, repeat, endrepeat, break, continue\n    o1 unless\n       ^\n"},
-	{"G0 X1\no1 if [0]\n", "p.nc:2:1: error: the end of this if is missing\n"},
-	{"o1 while [#1 LT 1]\n#1=1\n", "p.nc:2: error: the end of the while of line 1 is missing\n"},
-	{"o1 sub\nG0 X1\n", "p.nc:1:1: error: this sub is not closed: its endsub is missing\n"},
+	 "p.nc:1:4: error: an o-word must be followed by sub, endsub, call, return, if, elseif, else, endif, while, "
+	 "endwhile, do, repeat, endrepeat, break or continue\n    o1 unless\n       ^\n"},
+	{"G0 X1\no1 if [0]\n", "p.nc:2:1: error: this if is not closed\n"},
+	{"o1 while [#1 LT 1]\n#1=1\n", "p.nc:2: error: the while in line 1 is not closed\n"},
+	{"o1 sub\nG0 X1\n", "p.nc:1:1: error: this sub is not closed: endsub is missing\n"},
 	{"o1 endsub\n", "p.nc:1:1: error: o1 endsub outside of a sub\n    o1 endsub\n    ^\n"},
-	{"o1 sub\no2 sub\n", "p.nc:2:1: error: a subprogram inside of the sub of line 1, which has to end "
-	 "first\n    o2 sub\n    ^\n"},
+	{"o1 sub\no2 sub\n",
+	 "p.nc:2:1: error: a subprogram inside the sub of line 1; close that sub first\n    o2 sub\n    ^\n"},
 	{"o1 sub\no1 endsub\no1 sub\n",
-	 "p.nc:3:1: error: o1 is defined already, in line 1 of p.nc\n    o1 sub\n    ^\n"},
+	 "p.nc:3:1: error: o1 is already defined in line 1 of p.nc\n    o1 sub\n    ^\n"},
 	{"o1 call\no1 sub\no1 endsub\n",
-	 "p.nc:2:1: error: o1 sub is met again, after it was called or in a loop; LinuxCNC stops here: define "
-	 "it before "
-	 "its first call, once\n    o1 sub\n    ^\n"},
+	 "p.nc:2:1: error: o1 sub is reached again after its call, or in a loop, where LinuxCNC stops; define it once, "
+	 "before its first call\n    o1 sub\n    ^\n"},
 	{"o<none> call\n",
 	 "p.nc:1:1: error: the subprogram o<none> is neither in p.nc nor in a file none.ngc beside the program "
 	 "or in an "
 	 "--include folder\n"},
 	{"o<../a> call\n",
-	 "p.nc:1:1: error: a subprogram's file has a plain name, without folders; '../a' is none\n    o<../a> call\n"
+	 "p.nc:1:1: error: the name of a subprogram's file must not contain a folder: '../a'\n    o<../a> call\n"
 	 "    ^\n"},
 	{"o</etc/a> call\n",
-	 "p.nc:1:1: error: a subprogram's file has a plain name, without folders; '/etc/a' is none\n    "
-	 "o</etc/a> call\n"
+	 "p.nc:1:1: error: the name of a subprogram's file must not contain a folder: '/etc/a'\n    o</etc/a> call\n"
 	 "    ^\n"},
-	{"G0 X1 M98 P1\n", "p.nc:1:7: error: M98 stands at the start of its block\n    G0 X1 M98 P1\n          ^\n"},
+	{"G0 X1 M98 P1\n", "p.nc:1:7: error: M98 must be at the start of its block\n    G0 X1 M98 P1\n          ^\n"},
 	{"M98 P1 X2\n",
-	 "p.nc:1:8: error: M98 takes P and L, once each, and nothing else\n    M98 P1 X2\n           ^\n"},
-	{"M98 L2\n", "p.nc:1:1: error: M98 needs P, the number of the subprogram\n    M98 L2\n    ^\n"},
+	 "p.nc:1:8: error: M98 takes only P and L, once each\n    M98 P1 X2\n           ^\n"},
+	{"M98 L2\n", "p.nc:1:1: error: M98 needs P (subprogram number)\n    M98 L2\n    ^\n"},
 	{"M98 P1 L0\n",
-	 "p.nc:1:1: error: M98 with L0: LinuxCNC would go on as if inside of the subprogram\n    M98 P1 L0\n    ^\n"},
+	 "p.nc:1:1: error: M98 with L0: LinuxCNC would continue as if it were inside the subprogram\n    M98 P1 L0\n   "
+	 " ^\n"},
 	{"o1 sub\no1 endsub\nM98 P1\n",
 	 "p.nc:3:1: error: o1 is a sub for call, not for M98\n    M98 P1\n    ^\n"},
 	{"o1 sub\nG0 X1 M99\no1 endsub\no1 call\n",
-	 "p.nc:2:7: error: M99 of a subprogram stands alone in its block\n    G0 X1 M99\n          ^\n"
+	 "p.nc:2:7: error: M99 in a subprogram needs a block of its own\n    G0 X1 M99\n          ^\n"
 	 "p.nc:4:1: note: o1 is called from here\n"},
 	{"o1 sub\nG0 X[1/#1]\no1 endsub\no2 sub\n o1 call [#1]\no2 endsub\no2 call [0]\n",
 	 "p.nc:2:7: error: division by zero\n    G0 X[1/#1]\n          ^\n"
 	 "p.nc:5:2: note: o1 is called from here\np.nc:7:1: note: o2 is called from here\n"},
 	/* LinuxCNC's own faults, which would carry out something else than what is written. */
 	{"o1 while [1]\no1 break\no1 endwhile\no2 do\n#1=[#1+1]\no2 while [#1 LT 3]\n",
-	 "p.nc:6:1: error: an earlier o-word break still works on in LinuxCNC, which would end the loop here; "
-	 "write the "
-	 "loops without break\n    o2 while [#1 LT 3]\n    ^\n"},
+	 "p.nc:6:1: error: in LinuxCNC, an earlier o-word break still has an effect, which would end the loop here; "
+	 "write the loops without break\n    o2 while [#1 LT 3]\n    ^\n"},
 	{"o1 do\n#1=[#1+1]\no2 if [#1 EQ 1]\no1 continue\no2 endif\no1 while [#1 LT 2]\no3 repeat [1]\no3 endrepeat\n",
-	 "p.nc:8:1: error: an earlier o-word continue still works on in LinuxCNC, which would repeat the loop "
-	 "once more "
-	 "here; write the loops without continue\n    o3 endrepeat\n    ^\n"},
+	 "p.nc:8:1: error: in LinuxCNC, an earlier o-word continue still has an effect, which would repeat the loop "
+	 "again here; write the loops without continue\n    o3 endrepeat\n    ^\n"},
 	{"o1 sub\no2 repeat [5]\no1 return\no2 endrepeat\no1 endsub\no1 call\no1 call\n",
-	 "p.nc:2:1: error: this repeat was left by a return or is under way in a caller: LinuxCNC would go on counting "
-	 "where it was left\n    o2 repeat [5]\n    ^\np.nc:7:1: note: o1 is called from here\n"},
+	 "p.nc:2:1: error: this repeat was left by return or still runs in a caller: LinuxCNC would continue its old "
+	 "count\n    o2 repeat [5]\n    ^\np.nc:7:1: note: o1 is called from here\n"},
 	{"o1 sub\no1 endsub [3]\nG0 X#<_value>\n",
-	 "p.nc:3:5: error: #<_value> right after a sub whose endsub has a value: LinuxCNC computes that value here, "
+	 "p.nc:3:5: error: #<_value> directly after a sub whose endsub has a value: LinuxCNC evaluates that value even "
 	 "without a call\n    G0 X#<_value>\n        ^\n"},
 };
 
@@ -165,12 +163,12 @@ START_TEST(nesting_is_bounded)
 {
 	struct gcode_case c;
 
-	/* Nine calls inside each other, and no tenth. */
+	/* Nine nested calls, but not ten. */
 	expect_moves("o1 sub\no2 if [#1 LT 9]\no1 call [#1+1]\no2 else\nG0 X#1\no2 endif\no1 endsub\no1 call [1]\n",
 		     "rapid 9 0 0 0 0\n");
 	case_init(&c);
 	ck_assert(!case_run(&c, "o1 sub\no1 call\no1 endsub\no1 call\n"));
-	ck_assert_ptr_nonnull(strstr(c.messages.text, "p.nc:2:1: error: more than 9 calls inside each other"));
+	ck_assert_ptr_nonnull(strstr(c.messages.text, "p.nc:2:1: error: more than 9 nested calls"));
 	ck_assert_ptr_nonnull(strstr(c.messages.text, "p.nc:4:1: note: o1 is called from here\n"));
 	case_release(&c);
 }
@@ -189,8 +187,8 @@ START_TEST(endless_loops_end)
 		c.config.read.max_blocks = 1000;
 		ck_assert(!case_run(&c, endless[i]));
 		ck_assert_msg(strstr(c.messages.text,
-				     "error: 1000 blocks of loops and subprograms have been carried out: is this loop "
-				     "endless? --max-blocks sets another limit"),
+				     "error: 1000 blocks of loops and subprograms were executed: is this loop endless? "
+				     "--max-blocks sets another limit"),
 			      "%s", c.messages.text);
 		case_release(&c);
 	}
@@ -282,10 +280,9 @@ START_TEST(subprograms_in_files)
 	c.config.read.includes = includes;
 	c.config.read.include_count = 1;
 	ck_assert(!case_run(&c, "o<open> call\n"));
-	ck_assert_ptr_nonnull(strstr(c.messages.text, "/open.ngc:2: error: the file ends inside of the "
-	    "subprogram o<open>: "
-						      "its endsub is missing\np.nc:1:1: note: o<open> is called from "
-						      "here\n"));
+	ck_assert_ptr_nonnull(strstr(c.messages.text,
+				     "/open.ngc:2: error: the subprogram o<open> is not closed at the end of the file: "
+				     "endsub is missing\np.nc:1:1: note: o<open> is called from here\n"));
 	case_release(&c);
 	remove_files(folder, names, COUNT(names));
 }
@@ -348,9 +345,9 @@ START_TEST(loops_on_pipes)
 	case_release(&c);
 	case_init(&c);
 	ck_assert(!run_piped(&c, large.text, large.length));
-	ck_assert_msg(strstr(c.messages.text, "error: this jumps to line 2 of p.nc, which a pipe can no longer "
-	    "deliver: it "
-					      "keeps the last 4 MiB; give the program as a file"),
+	ck_assert_msg(strstr(c.messages.text,
+			     "error: a jump to line 2 of p.nc, which is no longer available in the pipe (the last 4 "
+			     "MiB are kept); give the program as a file"),
 		      "%s", c.messages.text);
 	case_release(&c);
 	strbuf_release(&small);

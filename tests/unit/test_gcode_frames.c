@@ -95,19 +95,20 @@ static const struct {
 	const char *program, *message;
 } unscaled[] = {
 	{"G92.1\n", "p.nc:1:1: error: G92.1 without an axis word"},
-	{"G92.1 X5.\n", "p.nc:1:7: error: G92.1 presets an axis by 0 only"},
-	{"G51.1 X0.\nG92.1 X0\n", "p.nc:2:1: error: a change of offsets while a mirror image is in force"},
-	{"G51 P2\n", "p.nc:1:5: error: P of G51 without a decimal point: a parameter decides whether it counts thousandths"},
-	{"G51 X1.\n", "p.nc:1:1: error: G51 needs its factor in P"},
+	{"G92.1 X5.\n", "p.nc:1:7: error: G92.1 presets an axis only to 0"},
+	{"G51.1 X0.\nG92.1 X0\n", "p.nc:2:1: error: a change of offsets while a mirror image is active"},
+	{"G51 P2\n", "p.nc:1:5: error: P of G51 without a decimal point: a parameter of the control decides whether it is in thousandths"},
+	{"G51 X1.\n", "p.nc:1:1: error: G51 needs P (factor)"},
 	{"G51 I1. J2. K1.\n", "p.nc:1:9: error: G51 with different factors for the axes is not supported"},
 	{"G51 P-1.\n", "p.nc:1:5: error: the factor of G51 must be greater than 0"},
-	{"G51 P2.\nG51 P2.\n", "p.nc:2:1: error: G51 of coordinates that are turned, mirrored or scaled already"},
+	{"G51 P2.\nG51 P2.\n", "p.nc:2:1: error: G51 is not supported in rotated, mirrored or scaled coordinates"},
 	{"F9 G51 P2.\nG83 X1. Z-1. R1. Q1.\n", "p.nc:2:1: error: a cycle with pecks or a shift while coordinates are scaled (G51)"},
 	{"F9 G51 P2.\nG1 G41 D1 X5.\n", "p.nc:2:4: error: cutter compensation while coordinates are scaled (G51)"},
-	{"G51 P2.\nG28 Z0.\n", "p.nc:2:1: error: a change of offsets or a move to a place of the machine while"},
-	{"G51 P2.\nG55\n", "p.nc:2:1: error: a change of offsets while coordinates are scaled (G51) is not supported; G50 first"},
-	{"G51 X9. P2.\nG0 G91 X1.\n", "p.nc:2:8: error: X by an increment after G51: the first move after it is absolute"},
-	{"G51.1 X0.\nG51 P2.\n", "p.nc:2:1: error: scaling while a mirror image is in force is not supported"},
+	{"G51 P2.\nG28 Z0.\n", "p.nc:2:1: error: a change of offsets or a move to a machine position while"},
+	{"G51 P2.\nG55\n",
+	 "p.nc:2:1: error: a change of offsets while coordinates are scaled (G51) is not supported; write G50 first"},
+	{"G51 X9. P2.\nG0 G91 X1.\n", "p.nc:2:8: error: increment in X after G51: the first move must be absolute"},
+	{"G51.1 X0.\nG51 P2.\n", "p.nc:2:1: error: scaling while a mirror image is active is not supported"},
 };
 
 START_TEST(unscaled_faults)
@@ -149,7 +150,7 @@ START_TEST(single_direction)
 		    "rapid 10 5 0 0 0 spread 0.5 0.5 0\nfeed 11 5 0 0 0\n");
 	init(&c, &dialect_haas);
 	ck_assert(!case_run(&c, "G60 X10.\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "unidirectional_overrun=\"\" of the machine's <controller>"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "set unidirectional_overrun=\"\" (in the unit of the file)"));
 	case_release(&c);
 }
 END_TEST
@@ -158,7 +159,7 @@ END_TEST
 START_TEST(arc_without_centre)
 {
 	run_with(&dialect_fanuc, "F9 G2 X5. Y5.\nX6.\nM30\n", "feed 5 5 0 0 0\nfeed 6 5 0 0 0\n",
-		 "p.nc:1:4: warning: an arc without a centre (I, J, K) and without a radius (R): this control goes straight");
+		 "p.nc:1:4: warning: an arc without centre (I, J, K) and radius (R): this control moves straight");
 }
 END_TEST
 
@@ -194,7 +195,7 @@ START_TEST(pecks)
 	    "rapid 2 0 0 0 0\nrapid 2 0 0 0 0\nfeed 2 0 -5 0 0\nrapid 2 0 0 0 0\n");
 	run_with(&dialect_fanuc, "F9 G76 G99 X1. Z-5. R0.\nM30\n",
 		 "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -5 0 0\nrapid 1 0 -5 0 0\nrapid 1 0 0 0 0\nrapid 1 0 0 0 0\n",
-		 "G76 without Q: the tool leaves the bore without a shift");
+		 "G76 without Q: it is assumed that the tool leaves the bore without a shift");
 }
 END_TEST
 
@@ -237,7 +238,7 @@ START_TEST(registers)
 			       "G10 L12 P9 R6.\nG10 L13 P9 R-1.\nG1 G41 D9 X9. Y0.\nX20.\nG40 Y9.\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 111.4 0 0\nfeed 9 2.5 111.4 0 0\nfeed 20 2.5 111.4 0 0\n"
 						"feed 20 9 111.4 0 0\n");
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "1:8: warning: the wear of H7 counts as 0 until the program writes it"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "1:8: warning: the wear of H7 is assumed to be 0 until the program sets it"));
 	case_release(&c);
 }
 END_TEST
@@ -247,39 +248,39 @@ static const struct {
 	const char *program, *message;
 } bads[] = {
 	{&dialect_fanuc, "F9 G1 X5. ,A5.\n", ",A is not supported"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1. ,C1.\n", "a block can have only one word behind a comma"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1. ,C1.\n", "a block can have only one word after a comma"},
 	{&dialect_fanuc, "F9 G0 X5. ,R1.\n", ",R needs a block with G1, G2 or G3"},
 	{&dialect_fanuc, "F9 G1 X5. ,R0.\n", ",R must be greater than 0"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1.\nZ5.\n", "need a move of G1, G2 or G3 in the plane"},
-	{&dialect_fanuc, "F9 G1 X5. Z1. ,R1.\n", "need a move of G1, G2 or G3 in the plane"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1.\nM30\n", "has a move in the plane and no other code"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1.\nF20\n", "needs a move of G1, G2 or G3 in the plane"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1.\nX9.\n", "has no corner there"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nZ5.\n", "must be moves with G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. Z1. ,R1.\n", "must be moves with G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nM30\n", "must have a move in the plane and no other code"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nF20\n", "must be a move with G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nX9.\n", "the path has no corner at"},
 	{&dialect_fanuc, "F9 G1 X5. ,R6.\nY9.\n", "is longer than one of its blocks"},
 	{&dialect_fanuc, "F9 G1 X5. ,C1.\nG2 Y9. R9.\n", "a chamfer (,C or ,R) beside an arc"},
-	{&dialect_haas, "F9 G1 X5. ,R1.\nG2 Y9. R9.\n", "beside an arc is not supported on this control"},
-	{&dialect_fanuc, "F9 G1 X5. ,R1.\n", "needs a move of G1, G2 or G3 in the plane"},
+	{&dialect_haas, "F9 G1 X5. ,R1.\nG2 Y9. R9.\n", "this control does not support a chamfer or rounding"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\n", "must be a move with G1, G2 or G3 in the plane"},
 	{&dialect_linuxcnc, "F9 G1 X5. ,R1.\n", "unexpected ','"},
 	{&dialect_fanuc, "G10 L12 P1 R5.\n", "cutter_comp_d=\"radius\" or \"diameter\""},
-	{&dialect_fanuc, "G10 L10 P1 Z5.\n", "G10 L10 needs its value in R, and has no axis words"},
-	{&dialect_fanuc, "G10 L10 P1 R5.\nG43 H1 G0 Z9.\nG10 L11 P1 R1.\n", "G10 changes H1 while it is in force"},
-	{&dialect_fanuc, "G51.1\n", "G51.1 needs the axes that it mirrors"},
+	{&dialect_fanuc, "G10 L10 P1 Z5.\n", "G10 L10 needs R (value) and no axis words"},
+	{&dialect_fanuc, "G10 L10 P1 R5.\nG43 H1 G0 Z9.\nG10 L11 P1 R1.\n", "G10 changes H1 while it is active"},
+	{&dialect_fanuc, "G51.1\n", "G51.1 needs words for the axes to mirror"},
 	{&dialect_fanuc, "G51.1 A0.\n", "a mirror image of A is not supported"},
-	{&dialect_fanuc, "G91 G51.1 X0.\n", "G51.1 in incremental distance mode (G91) is not supported"},
-	{&dialect_fanuc, "G51.1 X0. G0\n", "G51.1 with axis words needs a block without motion or offsets"},
-	{&dialect_fanuc, "G51.1 X0.\nG54\n", "a change of offsets while a mirror image is in force"},
-	{&dialect_fanuc, "G51.1 X0.\nG91 G28 Z0.\n", "a move to a place of the machine while a mirror image"},
-	{&dialect_haas, "G101 X0.\nG91 G28 X0.\n", "a move to a place of the machine while a mirror image"},
-	{&dialect_haas, "G101 X1.\n", "G101 with another figure than 0 is not supported"},
-	{&dialect_fanuc, "G51.1 X0.\nG68 X0. Y0. R9.\n", "a rotation while a mirror image is in force"},
-	{&dialect_fanuc, "G68 X0. Y0. R9.\nG51.1 X0.\n", "a mirror image of turned coordinates"},
-	{&dialect_fanuc, "F9 G51.1 Z0.\nG81 X1. Z-1. R1.\n", "a canned cycle along an axis that is mirrored"},
-	{&dialect_fanuc, "G51.1 X0.\nG0 X1.\nG50.1\nG91 X1.\n", "X by an increment after G50.1"},
+	{&dialect_fanuc, "G91 G51.1 X0.\n", "G51.1 in incremental mode (G91) is not supported"},
+	{&dialect_fanuc, "G51.1 X0. G0\n", "G51.1 with axis words needs a block without motion and offsets"},
+	{&dialect_fanuc, "G51.1 X0.\nG54\n", "a change of offsets while a mirror image is active"},
+	{&dialect_fanuc, "G51.1 X0.\nG91 G28 Z0.\n", "a move to a machine position while a mirror image"},
+	{&dialect_haas, "G101 X0.\nG91 G28 X0.\n", "a move to a machine position while a mirror image"},
+	{&dialect_haas, "G101 X1.\n", "G101 with a value other than 0 is not supported"},
+	{&dialect_fanuc, "G51.1 X0.\nG68 X0. Y0. R9.\n", "a rotation while a mirror image is active"},
+	{&dialect_fanuc, "G68 X0. Y0. R9.\nG51.1 X0.\n", "a mirror image of rotated coordinates"},
+	{&dialect_fanuc, "F9 G51.1 Z0.\nG81 X1. Z-1. R1.\n", "a canned cycle along a mirrored axis"},
+	{&dialect_fanuc, "G51.1 X0.\nG0 X1.\nG50.1\nG91 X1.\n", "increment in X after G50.1"},
 	{&dialect_fanuc, "F9 G51.1 X0.\nG1 G41 D1 X5.\nG50.1\n", "a change of the coordinates while cutter compensation is on"},
-	{&dialect_fanuc, "G16 G0 X5.\n", "the first move in polar coordinates (G16) needs both its radius in X and its angle in Y"},
-	{&dialect_fanuc, "G16 G0 X5. Y0.\nG91 X1.\n", "X by an increment (G91) in polar coordinates (G16)"},
+	{&dialect_fanuc, "G16 G0 X5.\n", "the first move in polar coordinates (G16) needs X (radius) and Y (angle)"},
+	{&dialect_fanuc, "G16 G0 X5. Y0.\nG91 X1.\n", "increment in X (G91) in polar coordinates (G16)"},
 	{&dialect_fanuc, "F9 G16 G1 X5. Y0.\nG2 X5. Y90. R5.\n", "an arc in polar coordinates (G16)"},
-	{&dialect_fanuc, "G60 G1 X5.\n", "G60 positions its axes by itself"},
+	{&dialect_fanuc, "G60 G1 X5.\n", "G60 positions the axes itself"},
 	{&dialect_haas, "F9 G2 X5. Y5.\n", "an arc needs a centre (I, J, K) or a radius (R)"},
 	{&dialect_haas, "F9 G83 X1. Z-5. R0. I0. J0. K1.\n", "I and K of G83 must be greater than 0"},
 };

@@ -437,7 +437,7 @@ START_TEST(block_limit)
 	c.config.read.max_blocks = 50;
 	ck_assert(!klartext_run(&c, "LBL 1\nL X+1 FMAX\nFN 9: IF 1 EQU 1 GOTO LBL 1\n"));
 	ck_assert_ptr_nonnull(
-	    strstr(strbuf_text(&c.messages), "50 blocks of loops and subprograms have been carried out"));
+	    strstr(strbuf_text(&c.messages), "50 blocks of loops and subprograms were executed"));
 	case_release(&c);
 }
 END_TEST

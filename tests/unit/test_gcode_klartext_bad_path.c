@@ -41,13 +41,13 @@ static const struct klartext_fault faults[] = {
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nCALL PGM X\n",
 	 "p.nc:4:10: error: CALL PGM under radius compensation is not supported; R0 comes first"},
 	{"TOOL CALL 1 Z\nL X+10 RR F100\nL X+20\nL X+10\n",
-	 "p.nc:5:3: error: the path turns back on itself under cutter compensation: which side of the corner is the "
-	 "inside depends on the control"},
+	 "p.nc:5:3: error: the path turns back on itself under cutter compensation: controls differ in which side of "
+	 "the corner is the inside"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nL Y+3\nL X+30\nL Y+0\n",
-	 "p.nc:6:3: error: the straight feed of line 5 ends in an inside corner that the tool (radius 5 mm) cannot reach "
-	 "without gouging"},
+	 "p.nc:6:3: error: the straight feed of line 5 ends in an inside corner that is too narrow for the tool "
+	 "(radius 5 mm), which would gouge"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nCR X+26 R3 DR+\n",
-	 "p.nc:5:4: error: the arc's radius, 3 mm, is not greater than the radius of the compensation, 5 mm"},
+	 "p.nc:5:4: error: the radius of the arc, 3 mm, is not greater than the compensation radius, 5 mm"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nL Z+5 R0\nCR X+26 R3 DR+\n",
 	 "p.nc:6:4: error: a circle while it is not known where the tool stands in X and Y: behind R0 without a move in the "
 	 "plane, DEP, or a cycle that mills a pocket; move X and Y first"},

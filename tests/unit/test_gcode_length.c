@@ -90,11 +90,11 @@ START_TEST(axes_move)
 END_TEST
 
 #define ASK \
-	"whether this change of the length compensation moves Z at once depends on the control: give Z here as an " \
-	"absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in the <controller> of the machine file"
+	"controls differ in whether this change of the tool length moves Z at once: write Z in this block as an " \
+	"absolute coordinate, or set length_offset_moves=\"yes\" or \"no\" in the machine file's <controller>"
 #define NOT_PLAIN \
-	"where this change of the length compensation moves Z to, with length_offset_moves=\"yes\", is not known " \
-	"here; give Z in this block as an absolute coordinate of G0 or G1"
+	"with length_offset_moves=\"yes\", this change of the tool length moves Z to an unknown position; write Z in " \
+	"this block as an absolute coordinate of G0 or G1"
 
 static const struct {
 	const struct dialect *dialect;
@@ -144,16 +144,15 @@ START_TEST(tool_change_leaves_doubt)
 		c.config.controller.tool_change = home;
 		ck_assert(!case_run(&c, "G0 G43 H1 Z5.\nT2 M6\nZ5.\nM30\n"));
 		ck_assert_str_eq(strbuf_text(&c.messages),
-				 "p.nc:3:1: error: M6 may have taken the tool's length compensation back: it depends "
-				 "on the control where Z leads now; command G43, G43.4 or G49 again first, or say "
-				 "length_after_reference=\"keeps\" or \"cancels\" in the <controller> of the machine "
-				 "file\n"
+				 "p.nc:3:1: error: M6 may have cancelled the tool length compensation, so the position "
+				 "of Z depends on the control; write G43, G43.4 or G49 again first, or set "
+				 "length_after_reference=\"keeps\" or \"cancels\" in the machine file's <controller>\n"
 				 "    Z5.\n    ^\n");
 		case_release(&c);
 		length_case(&c, dialects[i], ANSWER_NO);
 		c.config.controller.tool_change = home;
 		ck_assert(!case_run(&c, i ? "G0 G234 H1 Z5.\nT2 M6\nX5.\n" : "G0 G43.4 H1 Z5.\nT2 M6\nX5.\n"));
-		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:3:1: error: M6 may have taken"));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:3:1: error: M6 may have cancelled"));
 		case_release(&c);
 	}
 }
@@ -167,19 +166,19 @@ START_TEST(position_in_doubt)
 	length_case(&c, &dialect_fanuc, ANSWER_NO);
 	ck_assert(!case_run(&c, "G0 G43 H1 X7. Z5.\nG91 G28 Z0.\nG90 X[#5001+1.]\n#1=#5003\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 7 0 105 0 0\nrapid 7 0 105 0 0\nrapid 7 0 0 0 0\nrapid 8 0 0 0 0\n");
-	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: G28 may have taken the tool's length"), "%s",
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: G28 may have cancelled the tool length"), "%s",
 		      strbuf_text(&c.messages));
 	case_release(&c);
 	/* G92 makes a coordinate of the place. */
 	length_case(&c, &dialect_fanuc, ANSWER_NO);
 	ck_assert(!case_run(&c, "G0 G43 H1 X7. Z5.\nG91 G28 Z0.\nG90 G92 X0.\nG92 Z0.\n"));
-	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:5: error: G28 may have taken the tool's length"), "%s",
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:5: error: G28 may have cancelled the tool length"), "%s",
 		      strbuf_text(&c.messages));
 	case_release(&c);
 	/* Behind G69 X stands at 0, and its last coordinate was 10. */
 	length_case(&c, &dialect_haas, ANSWER_NO);
 	ck_assert(!case_run(&c, "G0 X0. Y0. Z5.\nG68 X0. Y0. R90.\nX10. Y0.\nG69\n#1=#5003\nY[#1]\n#1=#5002\n#1=#5001\n"));
-	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:8:4: error: the position of X behind G69 depends on the control"),
+	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:8:4: error: the position of X after G69 depends on the control"),
 		      "%s", strbuf_text(&c.messages));
 	case_release(&c);
 	length_case(&c, &dialect_haas, ANSWER_NO);

@@ -198,8 +198,8 @@ START_TEST(increments)
 	c.config.controller.least_input = 0.001;
 	ck_assert(!case_run(&c, "G20\nG65 P7 X10000 B1500\nM30\nO7\nM99\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:15: error: B1500: what an argument without a decimal point is differs here; write the "
-			 "point\n    G65 P7 X10000 B1500\n                  ^\n");
+			 "p.nc:2:15: error: B1500: the unit of this argument without a decimal point is not known; "
+			 "write the point\n    G65 P7 X10000 B1500\n                  ^\n");
 	case_release(&c);
 	/* The Q of M98 is the number of a block. */
 	case_init(&c);
@@ -239,8 +239,8 @@ START_TEST(angles)
 	ck_assert(case_run(&c, "#1=ATAN[-1]/[1]\nG0 C#1\n#1=ASIN[-.5]\nC#1\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 315\nrapid 0 0 0 0 330\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:4: warning: an angle of 315 degrees, or -45 with parameter 6004#0 (NAT) at 1: it is "
-			 "taken to be 0, here and further on\n    #1=ATAN[-1]/[1]\n       ^\n");
+			 "p.nc:1:4: warning: the control returns 315 degrees, or -45 if parameter 6004#0 (NAT) is 1; "
+			 "NAT is assumed to be 0, here and further on\n    #1=ATAN[-1]/[1]\n       ^\n");
 	case_release(&c);
 	case_init(&c);
 	c.config.dialect = &dialect_haas;
@@ -316,17 +316,15 @@ START_TEST(pipes)
 	c.config.dialect = &dialect_fanuc;
 	ck_assert(!run_pipe(&c, "G0 X1.\nGOTO 3\n", 250000, "N3 M30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:6: error: N3 is not within the last and the next 4 MiB of the pipe; give the "
-			 "program as "
-			 "a file\n    GOTO 3\n         ^\n");
+			 "p.nc:2:6: error: N3 is not within 4 MiB before or after this line of the pipe; give the "
+			 "program as a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 	case_init(&c);
 	c.config.dialect = &dialect_haas;
 	ck_assert(!run_pipe(&c, "N3 G0 X1.\n", 600000, "GOTO 3\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:600002:6: error: N3 is not within the last and the next 4 MiB of the pipe; give "
-			 "the program "
-			 "as a file\n    GOTO 3\n         ^\n");
+			 "p.nc:600002:6: error: N3 is not within 4 MiB before or after this line of the pipe; give the "
+			 "program as a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 }
 END_TEST

@@ -81,10 +81,10 @@ START_TEST(cycles_apart)
 		    "feed 2 0 5 0 0\nfeed 3 0 5 0 0\nrapid 4 0 5 0 0\n");
 		/* Which motion is in force at power-on is the control's choice. */
 		refuse(dialects[i], "G80\nX1.\n", 1,
-		       "axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of the "
-		       "machine's <controller> says which one the control starts with");
+		       "axis words without an active motion code (G0, G1, G2, G3); set power_on_motion=\"rapid\" or "
+		       "\"feed\" (the motion code at power-on) in the machine file's <controller>");
 	}
-	refuse(&dialect_linuxcnc, "G0 X1\nG80\nX2\n", 1, "axis words, but no motion code is in force (G0, G1, G2, G3)");
+	refuse(&dialect_linuxcnc, "G0 X1\nG80\nX2\n", 1, "axis words without an active motion code (G0, G1, G2, G3)");
 }
 END_TEST
 
@@ -102,13 +102,14 @@ START_TEST(modal_h)
 	run(&dialect_fanuc, "G0 G43.4 H1 X0. Y0. Z5.\nZ6. H2\nM30\n",
 	    "tcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 0 0 5 0 0 tcp\n"
 	    "tcp on length 40 zero A0 C0\nrapid 0 0 6 0 0 tcp\n");
-	refuse(&dialect_fanuc, "G0 G43 H1 Z5.\nZ6. H3\n", 5, "H3: no setup was given that defines length offsets");
+	refuse(&dialect_fanuc, "G0 G43 H1 Z5.\nZ6. H3\n", 5,
+	       "H3: no length offsets are defined, because there is no setup");
 	/* Haas mill operator's manual, "G49": H0 cancels the length, too. */
 	run(&dialect_haas, "G0 G43 H1 Z5.\nZ6. H00\nG43 H2 Z5.\nG91 G28 Z0. H0\nG90 Z7.\nM30\n",
 	    "rapid 0 0 105 0 0\nrapid 0 0 6 0 0\nrapid 0 0 45 0 0\nrapid 0 0 45 0 0\nrapid 0 0 0 0 0\n"
 	    "rapid 0 0 7 0 0\n");
 	refuse(&dialect_haas, "G0 G43 H1 Z5.\nZ6. H2\n", 5,
-	       "H2 without G43: whether it changes the length depends on the control; write G43 H2");
+	       "H2 without G43: controls differ in whether it changes the length; write G43 H2");
 }
 END_TEST
 
@@ -159,9 +160,9 @@ START_TEST(length_after_reference)
 	run_after(&dialect_haas, LENGTH_AFTER_REFERENCE_KEPT, "G0 G43 H1 Z5.\nG91 G30 Z0.\nG90 Z7.\nM30\n",
 		  "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 107 0 0\n");
 	refuse(&dialect_fanuc, "G0 G43 H1 Z5.\nG91 G28 Z0.\nG90 Z7.\n", 5,
-	       "G28 may have taken the tool's length compensation back: it depends on the control where Z leads now; "
-	       "command G43, G43.4 or G49 again first, or say length_after_reference=\"keeps\" or \"cancels\" in the "
-	       "<controller> of the machine file");
+	       "G28 may have cancelled the tool length compensation, so the position of Z depends on the control; "
+	       "write G43, G43.4 or G49 again first, or set length_after_reference=\"keeps\" or \"cancels\" in the "
+	       "machine file's <controller>");
 }
 END_TEST
 
@@ -238,8 +239,8 @@ START_TEST(g53_in_g91)
 		run_g53(dialects[i], G53_WITH_G91_INCREMENTAL, program,
 			"rapid 105 0 9 0 0\nrapid 108 0 9 0 0\nrapid 109 0 9 0 0\n");
 		refuse(dialects[i], "G91 G0 X5.\nG53 X0.\n", 1,
-		       "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
-		       "\"incremental\" in the <controller> of the machine file says what it does");
+		       "G53 in incremental mode (G91) depends on the control: set g53_with_g91=\"absolute\" or "
+		       "\"incremental\" in the machine file's <controller>");
 	}
 }
 END_TEST
@@ -273,12 +274,12 @@ START_TEST(last_of_group)
 		"rapid 0 0 5 0 0\nrapid 0 0 1 0 0\nrapid 1 0 1 0 0\n");
 	run(&dialect_fanuc, "G0 Z5.\nG53 G28 Z7.\nM30\n", "rapid 0 0 5 0 0\nrapid 0 0 7 0 0\nrapid 0 0 0 0 0\n");
 	refuse(&dialect_fanuc, "F9. G81 G0 Z1. R2.\n", 9,
-	       "G0 and the G-code at column 5 are of one modal group; a block can have only one of them");
+	       "G0 and the G-code at column 5 belong to the same modal group; a block can have only one of them");
 	refuse(&dialect_fanuc, "G0 Z5.\nG91 G28 Z0. G90\n", 13,
-	       "G90 and G91 in one block, and axis words before the second of them: which one counts for these words "
-	       "depends on the control; write two blocks");
+	       "G90 and G91 in one block, with axis words before the second one: controls differ in which of them "
+	       "applies to these words; write two blocks");
 	refuse(&dialect_haas, "G28 G53 Z1.\n", 5,
-	       "G53 and the G-code at column 1 are of one modal group; a block can have only one of them");
+	       "G53 and the G-code at column 1 belong to the same modal group; a block can have only one of them");
 }
 END_TEST
 

@@ -32,11 +32,12 @@ START_TEST(smoothing)
 	case_expect(&c, "G0 X1.\nG5.1 Q2\nX2.\nM30\n", "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
 	init(&c);
 	expect_fault(&c, "G5.1 Q3 X0 Y0 Z0\nM30\n",
-		     "G5.1 Q3 lets the control smooth the path: path_tolerance=\"\" of the machine's <controller> says how far "
-		     "from the programmed path it may go");
+		     "G5.1 Q3 lets the control smooth the path: set path_tolerance=\"\" (largest deviation from the "
+		     "programmed path) in the machine file's <controller>");
 	init(&c);
 	c.config.controller.path_tolerance = 0.02;
-	expect_fault(&c, "G5.1 Q3 X1.\nM30\n", "p.nc:1:9: error: X of G5.1 names an axis that is smoothed; its value must be 0");
+	expect_fault(&c, "G5.1 Q3 X1.\nM30\n",
+		     "p.nc:1:9: error: X in G5.1 selects an axis to smooth; its value must be 0");
 	init(&c);
 	c.config.controller.path_tolerance = 0.02;
 	expect_fault(&c, "G0 X1. G5.1 Q3\nM30\n", "G5.1 Q3 needs a block without motion");
@@ -70,7 +71,7 @@ START_TEST(many_work_offsets)
 	c.config.work_offset_count = COUNT(offsets);
 	case_expect(&c, "G54.1 P60 G0 X1.\nG54 P60 X2.\nM30\n", "rapid 8 0 0 0 0\nrapid 9 0 0 0 0\n");
 	init(&c);
-	expect_fault(&c, "G54.1 P301 G0 X1.\nM30\n", "P301: a whole number from 1 to 300 is needed");
+	expect_fault(&c, "G54.1 P301 G0 X1.\nM30\n", "P301 must be a whole number from 1 to 300");
 }
 END_TEST
 
@@ -93,12 +94,13 @@ START_TEST(setting_errors)
 	expect_fault(&c, "G54.4 P2\nM30\n", "G54.4 P2: compensation of a work setting error other than 0 is not supported");
 	init(&c);
 	expect_fault(&c, "G54.4 P3\nM30\n",
-		     "p.nc:1:1: error: G54.4 P3: the setup has no such work setting error; if the work offset already says where "
-		     "the workpiece lies, add <work_offset name=\"G54.4 P3\"/>, whose values are 0");
+		     "p.nc:1:1: error: G54.4 P3: the setup has no such work setting error; if the work offset already "
+		     "contains the position of the workpiece, add <work_offset name=\"G54.4 P3\"/>, whose values are "
+		     "0");
 	init(&c);
-	expect_fault(&c, "G54.4 P8\nM30\n", "P8: a whole number from 1 to 7 is needed");
+	expect_fault(&c, "G54.4 P8\nM30\n", "P8 must be a whole number from 1 to 7");
 	init(&c);
-	expect_fault(&c, "G54.4\nM30\n", "G54.4 without P is not supported yet");
+	expect_fault(&c, "G54.4\nM30\n", "G54.4 without P is not supported");
 }
 END_TEST
 
@@ -118,12 +120,13 @@ START_TEST(long_program_numbers)
 	snprintf(program, sizeof(program), "%s%s%s", head, two, whole);
 	init(&c);
 	expect_fault(&c, program,
-		     "p.nc:2:5: error: P30002 may call O30002 once or O2 3 times, and both are there: write L1, or P2 and L3");
+		     "p.nc:2:5: error: P30002 is ambiguous: O30002 once or O2 3 times (both programs exist); write L1, "
+		     "or P2 and L3");
 	snprintf(program, sizeof(program), "G0 X0\nM98 P30002 L1\nM98 P2 L3\nM30\n%s%s", two, whole);
 	init(&c);
 	case_expect(&c, program, "rapid 0 0 0 0 0\nrapid 9 0 0 0 0\nrapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 12 0 0 0 0\n");
 	init(&c);
-	expect_fault(&c, "M98 P30000\nM30\n", "the program's number, the last four digits of P, is 0");
+	expect_fault(&c, "M98 P30000\nM30\n", "the program number (the last four digits of P) is 0");
 }
 END_TEST
 

@@ -240,8 +240,8 @@ static void change_without_place(const struct dialect *dialect)
 	ck_assert(!case_run(&c, "G0 Z5.\nT1 M6\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:4: error: where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the "
-			 "<controller> of the machine file says it, and <tool_change/> that it moves none\n"
+			 "p.nc:2:4: error: it is not known where M6 moves the axes: set <tool_change Z=\"\" .../>, or "
+			 "<tool_change/> if it moves none, in the machine file's <controller>\n"
 			 "    T1 M6\n       ^\n");
 	case_release(&c);
 	plane_case(&c, dialect);
@@ -269,8 +269,8 @@ START_TEST(tool_change_on_a_plane)
 	c.config.controller.tool_change = (struct control_place){.given = true, .has[SLOT_A] = true};
 	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; "
-				     "G69 first\n"));
+				     "p.nc:3:4: error: M6 while G68.2 is active turns A away from its plane; write G69 "
+				     "first\n"));
 	case_release(&c);
 }
 END_TEST
@@ -292,122 +292,130 @@ struct bad {
 };
 
 #define BY_MACHINE(what)                                                                                              \
-	what " while G68 is in force: whether the way there and the coordinates behind it are turned depends on "     \
-	     "the control; G69 first"
+	what " while G68 is active: controls differ in whether the path and the coordinates after it are rotated; "   \
+	     "write G69 first"
 
 #define TILT "G68.2 X0. I180. J90."
 
 static const struct bad bads[] = {
-    {&dialect_linuxcnc, "", "G68 R5", 1, "G68 is no G-code that is known in the linuxcnc dialect"},
+    {&dialect_linuxcnc, "", "G68 R5", 1, "G68 is not a G-code of the linuxcnc dialect"},
     {&dialect_fanuc, "", "G68 X0. Y0.", 1,
-     "G68 needs its angle in R; without it a parameter or setting of the control gives the angle"},
+     "G68 needs R (angle); without R, the control takes the angle from a parameter or setting"},
     {&dialect_fanuc, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
     {&dialect_haas, "", "G68 X0. R5.", 1,
-     "the centre of G68 needs both of its words, or none for where the tool stands"},
+     "G68 needs both words of its centre, or none for the present position"},
     {&dialect_haas, "", "G68 X0. Y0. Z0. I0. J0. K1. R5.", 1,
-     "G68 with I, J, K: three-dimensional coordinate conversion is not supported by this control"},
-    {&dialect_fanuc, "G43.4 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
-    {&dialect_fanuc, "M428", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
-    {&dialect_fanuc, "G68 R5.", "M428", 1, "tool centre point control while G68 is in force; G69 first"},
-    {&dialect_haas, "G234 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+     "G68 with I, J, K: this control has no three-dimensional coordinate conversion"},
+    {&dialect_fanuc, "G43.4 H1", "G68 R5.", 1,
+     "G68 under tool centre point control; cancel tool centre point control first"},
+    {&dialect_fanuc, "M428", "G68 R5.", 1,
+     "G68 under tool centre point control; cancel tool centre point control first"},
+    {&dialect_fanuc, "G68 R5.", "M428", 1, "tool centre point control while G68 is active; write G69 first"},
+    {&dialect_haas, "G234 H1", "G68 R5.", 1,
+     "G68 under tool centre point control; cancel tool centre point control first"},
     /* Fanuc B-62764EN, "Coordinate system rotation": no reference positions and no machine coordinates meanwhile. */
-    {&dialect_fanuc, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
-    {&dialect_fanuc, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
-    {&dialect_fanuc, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is active; write G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is active; write G69 first"},
+    {&dialect_fanuc, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is active; write G69 first"},
     {&dialect_haas, "G0\nG68 R5.", "G53 X0.", 1, BY_MACHINE("G53 with X")},
     {&dialect_haas, "G68 R5.", "G91 G28 Y0. Z0.", 5, BY_MACHINE("G28 with Y")},
     {&dialect_haas, "G68 R5.", "G28", 1, BY_MACHINE("G28 with X")},
     {&dialect_haas, "G18 G68 R5.", "G30 Z5.", 1, BY_MACHINE("G30 with Z")},
     /* The same: the first move after G69 is absolute. */
     {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
-     "Y by an increment after G69: the first move after it is absolute"},
+     "increment in Y after G69: the first move must be absolute"},
     {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
-     "Y by an increment after G69: the first move after it is absolute"},
+     "increment in Y after G69: the first move must be absolute"},
     {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
-     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate "
-     "depends "
-     "on the control; name both"},
+     "X without Y in the first absolute move after G68: controls differ in whether Y keeps its programmed or its "
+     "rotated coordinate; write both"},
     {&dialect_haas, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
-     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate "
-     "depends "
-     "on the control; name both"},
-    {&dialect_fanuc, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
-    {&dialect_fanuc, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},
-    {&dialect_fanuc, "G68 R5.", "G18", 1, "a change of the plane while G68 is in force; G69 first"},
-    {&dialect_fanuc, "G68 R5.", "G55", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
-    {&dialect_fanuc, "G68 R5.", "G92 X0.", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
-    {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is in force; G69 first"},
+     "Z without X in the first absolute move after G68: controls differ in whether X keeps its programmed or its "
+     "rotated coordinate; write both"},
+    {&dialect_fanuc, "G91", "G68 X0. R5.", 1, "G68 in incremental mode (G91) is not supported"},
+    {&dialect_fanuc, "G68 R5.", "G68 R5.", 1, "the coordinates are already rotated; cancel this by G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G18", 1, "a change of the plane while G68 is active; write G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G55", 1, "a change of offsets while G68 is active is not supported; write G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G92 X0.", 1,
+     "a change of offsets while G68 is active is not supported; write G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is active; write G69 first"},
     {&dialect_fanuc, "", "G0 G68 X0. R5.", 1, "G68 needs a block without motion, offsets or a dwell"},
-    {&dialect_fanuc, "", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
+    {&dialect_fanuc, "", "G53.1", 1, "G53.1 needs a plane of G68.2 directly before it"},
     {&dialect_fanuc, TILT, "G53.1 X1.", 7,
-     "axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of the "
-     "machine's <controller> says which one the control starts with"},
+     "axis words without an active motion code (G0, G1, G2, G3); set power_on_motion=\"rapid\" or \"feed\" (the motion "
+     "code at power-on) in the machine file's <controller>"},
     {&dialect_fanuc, TILT, "G0 X1.", 1,
-     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported"},
+     "a move between G68.2 and G53.1 is not supported, because the tool does not yet stand on the plane"},
     {&dialect_fanuc, "G68.2 X0. Y0. Z0. I0. J0. K0.", "G53.1 P1", 7,
-     "which of several positions of the rotary axes P of G53.1 takes is not followed here: leave P out, and "
-     "turn the axes towards the position that is meant in a block before"},
-    {&dialect_fanuc, TILT "\nG53.1 P1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
+     "P of G53.1, which selects one of several positions of the rotary axes, is not supported: remove P, and turn the "
+     "axes towards the intended position in a block before"},
+    {&dialect_fanuc, TILT "\nG53.1 P1", "G53.1", 1, "G53.1 needs a plane of G68.2 directly before it"},
     {&dialect_fanuc, TILT "\nG53.1", "G0 C5.", 4,
-     "C while G68.2 is in force: the tool would leave the direction of its plane"},
+     "C while G68.2 is active: the tool would leave the direction of the tilted plane"},
     {&dialect_fanuc, TILT "\nG53.1", "G53 G0 A0.", 8,
-     "A while G68.2 is in force: the tool would leave the direction of its plane"},
+     "A while G68.2 is active: the tool would leave the direction of the tilted plane"},
     {&dialect_fanuc, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
-     "A while G68.2 is in force: the tool would leave the direction of its plane"},
+     "A while G68.2 is active: the tool would leave the direction of the tilted plane"},
     {&dialect_fanuc, "", "G68.3 X0. Y0. Z0.", 1,
-     "G68.3: tilted working plane by the direction of the tool (G68.2 says the plane) is not supported yet"},
-    {&dialect_fanuc, "", "G53.6", 1, "G53.6 needs a plane that G68.2 has just tilted"},
-    {&dialect_fanuc, TILT, "G53.6", 1, "G53.6 needs the length of the tool whose tip it keeps: G43 first"},
+     "G68.3: tilted working plane from the tool direction (write the plane as G68.2) is not supported yet"},
+    {&dialect_fanuc, "", "G53.6", 1, "G53.6 needs a plane of G68.2 directly before it"},
+    {&dialect_fanuc, TILT, "G53.6", 1,
+     "G53.6 needs a tool length, because it keeps the tool tip in place; write G43 first"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): which places they are, parameters say. */
     {&dialect_fanuc, "", "G91 G30 Z0.", 5,
-     "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
+     "the machine file has no reference position 2: set <reference number=\"2\" X=\"\" .../> in its <controller>"},
     {&dialect_haas, "", "G91 G30 P3 Z0.", 9,
-     "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
-    {&dialect_fanuc, TILT "\nG53.1", "G54", 1, "a change of offsets while G68.2 is in force is not supported; G69 first"},
-    {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is in force; G69 first"},
-    {&dialect_fanuc, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is in X, Y and Z"},
+     "the machine file has no reference position 3: set <reference number=\"3\" X=\"\" .../> in its <controller>"},
+    {&dialect_fanuc, TILT "\nG53.1", "G54", 1,
+     "a change of offsets while G68.2 is active is not supported; write G69 first"},
+    {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is active; write G69 first"},
+    {&dialect_fanuc, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is given by X, Y and Z"},
     {&dialect_fanuc, "", "G68.2 I5. R3.", 11, "R does not belong to this form of G68.2"},
     {&dialect_fanuc, "", "G68.2 P1 Q131 I5.", 10,
      "Q of G68.2 P1 is the order of the axes: 123, 132, 213, 231, 312 or 321"},
     {&dialect_fanuc, "", "G68.2 P2 X0. Y0. Z0.", 1,
-     "G68.2 P2 and P3 need Q, which part of the plane the block gives"},
-    {&dialect_fanuc, "", "G68.2 P2 Q2 X0. Y0. Z0.", 10, "Q2 of G68.2 P2 where Q1 comes next"},
-    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G68.2 P2 Q3 X0. Y0. Z0.", 10, "Q3 of G68.2 P2 where Q2 comes next"},
+     "G68.2 P2 and P3 need Q (which part of the plane the block gives)"},
+    {&dialect_fanuc, "", "G68.2 P2 Q2 X0. Y0. Z0.", 10, "Q2 of G68.2 P2, but Q1 must come next"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G68.2 P2 Q3 X0. Y0. Z0.", 10, "Q3 of G68.2 P2, but Q2 must come next"},
     {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G68.2 P3 Q1 I1. J0. K0.", 1,
      "another form of G68.2 before the plane is complete"},
-    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G0 X1.", 1, "the plane of G68.2 P2 is not complete: Q2 comes next"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G0 X1.", 1,
+     "the plane of G68.2 P2 is not complete: Q2 must come next"},
     {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.\nG68.2 P2 Q2 X1. Y0. Z0.", "G68.2 P2 Q3 X-3. Y0. Z0.", 1,
-     "the three points of G68.2 P2 lie on one line, or are one point"},
+     "the three points of G68.2 P2 are on one line or coincide"},
     {&dialect_fanuc, "", "G68.2 P2 Q1 X0. Z0.", 1, "a point of G68.2 P2 needs X, Y and Z"},
     {&dialect_fanuc, "G68.2 P3 Q1 X0. I1. J0. K0.", "G68.2 P3 Q2 I1. J0. K1.", 1,
-     "the two directions of G68.2 P3 do not stand at a right angle"},
-    {&dialect_fanuc, "", "G68.2 P4 I5.", 1, "G68.2 P4: a plane by projection angles is not supported; P1 or Euler's angles can say it"},
-    {&dialect_fanuc, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
+     "the two directions of G68.2 P3 are not at a right angle"},
+    {&dialect_fanuc, "", "G68.2 P4 I5.", 1, "G68.2 P4 (projection angles) is not supported; use P1 or Euler angles"},
+    {&dialect_fanuc, "G43.4 H1", "G68.2 I5.", 1,
+     "G68.2 under tool centre point control; cancel tool centre point control first"},
     {&dialect_haas, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
     {&dialect_haas, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
     {&dialect_fanuc, "", "G54.1", 1, "G54.1 needs P"},
     /* One P, and two codes that take one. */
     {&dialect_fanuc, "", "G54.1 P1 G68.2 X0. Y0. Z0. I0. J30. K0.", 7,
-     "P belongs to G54.1 and to G68.2: which of them has it is not known; write two blocks"},
+     "P can belong to G54.1 or to G68.2, and it is not known to which; write two blocks"},
     {&dialect_fanuc, "", "G54 G68.2 P1 J30.", 11,
-     "P belongs to G54 and to G68.2: which of them has it is not known; write two blocks"},
+     "P can belong to G54 or to G68.2, and it is not known to which; write two blocks"},
     {&dialect_fanuc, "", "G91 G54.1 P2 G30 Z0.", 11,
-     "P belongs to G54.1 and to G30: which of them has it is not known; write two blocks"},
+     "P can belong to G54.1 or to G30, and it is not known to which; write two blocks"},
     {&dialect_haas, "", "G154 P2 G51 X0. Y0.", 6,
-     "P belongs to G154 and to G51: which of them has it is not known; write two blocks"},
+     "P can belong to G154 or to G51, and it is not known to which; write two blocks"},
     {&dialect_fanuc, "", "G54 G82 X1. Y1. Z-1. R1. P48", 26,
-     "P belongs to G54 and to G82: which of them has it is not known; write two blocks"},
-    {&dialect_fanuc, "", "G54 G4 P5", 8, "P belongs to G54 and to G4: which of them has it is not known; write two blocks"},
+     "P can belong to G54 or to G82, and it is not known to which; write two blocks"},
+    {&dialect_fanuc, "", "G54 G4 P5", 8,
+     "P can belong to G54 or to G4, and it is not known to which; write two blocks"},
     {&dialect_fanuc, "", "G5.1 Q1 G83 X1. Y1. Z-1. R1.", 6,
-     "Q belongs to G83 and to G5.1: which of them has it is not known; write two blocks"},
-    {&dialect_haas, "", "G154 P2 G4", 6, "P belongs to G154 and to G4: which of them has it is not known; write two blocks"},
+     "Q can belong to G83 or to G5.1, and it is not known to which; write two blocks"},
+    {&dialect_haas, "", "G154 P2 G4", 6,
+     "P can belong to G154 or to G4, and it is not known to which; write two blocks"},
     {&dialect_haas, "", "G187 P2 G82 X1. Y1. Z-1. R1.", 6,
-     "P belongs to G82 and to G187: which of them has it is not known; write two blocks"},
-    {&dialect_fanuc, "", "G54.1 P301", 7, "P301: a whole number from 1 to 300 is needed"},
-    {&dialect_haas, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
+     "P can belong to G82 or to G187, and it is not known to which; write two blocks"},
+    {&dialect_fanuc, "", "G54.1 P301", 7, "P301 must be a whole number from 1 to 300"},
+    {&dialect_haas, "", "G154 P100", 6, "P100 must be a whole number from 1 to 99"},
     {&dialect_fanuc, "", "G110", 1,
-     "G110 is no G-code that is known in the fanuc dialect; <macro code=\"\"/> of the machine's <controller> "
-     "declares one that the builder made"},
+     "G110 is not a G-code of the fanuc dialect; if the machine builder made it, set <macro code=\"\"/> in the machine "
+     "file's <controller>"},
     /* Older manuals have G112 among G110 to G129, newer ones among the interpolations. */
     {&dialect_haas, "", "G112", 1,
      "G112: XY to XC interpolation (on older controls additional work offset 3: write G154 P3) is not supported yet"},

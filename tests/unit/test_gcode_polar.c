@@ -123,7 +123,7 @@ START_TEST(rounded)
 	init(&c);
 	c.config.controller.path_tolerance = 0.1;
 	ck_assert(!case_run(&c, "G0 X10. F60.\nG12.1\nG1 X0.05\nG13.1\nM30\n"));
-	ck_assert(strstr(strbuf_text(&c.messages), "leads so near to the centre of the rotary axis that the control"));
+	ck_assert(strstr(strbuf_text(&c.messages), "passes so near to the centre of the rotary axis that the control"));
 	case_release(&c);
 }
 END_TEST
@@ -164,20 +164,21 @@ END_TEST
 static const struct bad {
 	const char *block, *message;
 } bads[] = {
-    {"G0 C5.", "p.nc:3:1: error: G0 under polar coordinate interpolation (G12.1), which needs feed moves"},
-    {"M98 P9810", "p.nc:3:1: error: a rapid, as of a macro of the machine's builder, under polar coordinate interpolation"},
-    {"G81 Z-1. R1.", "G81 under polar coordinate interpolation (G12.1), which needs feed moves"},
-    {"G28 Z0.", "G28 under polar coordinate interpolation (G12.1); G13.1 first"},
-    {"G55", "G55 under polar coordinate interpolation (G12.1); G13.1 first"},
-    {"G18", "G18 under polar coordinate interpolation (G12.1); G13.1 first"},
-    {"G43 H1", "G43 under polar coordinate interpolation (G12.1); G13.1 first"},
-    {"G1 Y5.", "Y under polar coordinate interpolation (G12.1) is not supported: C is the second coordinate"},
-    {"G1 X-20.", "leads to the centre of the rotary axis"},
-    {"G12.1", "G12.1 while another one is in force"},
+    {"G0 C5.", "p.nc:3:1: error: G0 under polar coordinate interpolation (G12.1), which allows only feed moves"},
+    {"M98 P9810", "p.nc:3:1: error: a rapid (perhaps of a builder's macro) under polar coordinate interpolation"},
+    {"G81 Z-1. R1.", "G81 under polar coordinate interpolation (G12.1), which allows only feed moves"},
+    {"G28 Z0.", "G28 under polar coordinate interpolation (G12.1); write G13.1 first"},
+    {"G55", "G55 under polar coordinate interpolation (G12.1); write G13.1 first"},
+    {"G18", "G18 under polar coordinate interpolation (G12.1); write G13.1 first"},
+    {"G43 H1", "G43 under polar coordinate interpolation (G12.1); write G13.1 first"},
+    {"G1 Y5.", "Y under polar coordinate interpolation (G12.1) is not supported: C is the second axis"},
+    {"G1 X-20.", "moves to the centre of the rotary axis"},
+    {"G12.1", "G12.1 inside another G12.1"},
     {"#1=#5001", "the position under polar coordinate interpolation cannot be read"},
     {"G13.1 X5.", "G12.1 and G13.1 with axis words"},
-    {"G41 D1 G1 X30.\nG13.1", "a code that moves or shifts the machine's axes while cutter compensation is on; G40 first"},
-    {"G13.1\nG0 X0.\nG12.1", "G12.1 needs X beside the centre of the rotary axis"},
+    {"G41 D1 G1 X30.\nG13.1",
+     "a code that moves or shifts the machine's axes while cutter compensation is on; write G40 first"},
+    {"G13.1\nG0 X0.\nG12.1", "G12.1 must start with X away from 0"},
 };
 
 START_TEST(refused)

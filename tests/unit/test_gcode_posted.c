@@ -51,8 +51,9 @@ START_TEST(feed_missing)
 		init(&c, dialects[i]);
 		expect_caution(&c, "G1 X5.\nG2 X6. I.5\nM30\n",
 			       "feed 5 0 0 0 0\narc 6 0 0 0 0 centre 5.5 0 0 normal 0 0 1 sweep -180\n",
-			       "p.nc:1:1: warning: G1 without a feed rate (F): the control goes on at one that it has kept, or "
-			       "stops with an alarm; the path is followed, at the rates of the axes; here and further on");
+			       "p.nc:1:1: warning: G1 without a feed rate (F): the control uses an earlier feed rate "
+			       "or stops with an alarm; the path is checked at the largest speeds of the axes, here "
+			       "and further on");
 	}
 	init(&c, &dialect_linuxcnc);
 	expect_fault(&c, "G1 X5\nM30\n", "p.nc:1:1: error: G1 without a feed rate (F)");
@@ -77,10 +78,10 @@ START_TEST(arcs)
 	init(&c, &dialect_fanuc);
 	c.config.controller.arc_radius_tolerance = 1.9;
 	expect_fault(&c, spiral,
-		     "p.nc:2:1: error: the radius of the arc is 10 mm at its start and 12 mm at its end, which is more than "
-		     "arc_radius_tolerance of the machine file allows");
+		     "p.nc:2:1: error: the radius of the arc is 10 mm at its start and 12 mm at its end; "
+		     "arc_radius_tolerance in the machine file allows less");
 	init(&c, &dialect_fanuc);
-	expect_fault(&c, spiral, "arc_radius_tolerance=\"\" of the machine's <controller> says up to which difference");
+	expect_fault(&c, spiral, "set arc_radius_tolerance=\"\" (largest difference) in the machine file's <controller>");
 	init(&c, &dialect_haas);
 	c.config.controller.arc_radius_tolerance = 2;
 	expect_fault(&c, spiral, "the radius of the arc is 10 mm at its start and 12 mm at its end\n");
@@ -88,19 +89,19 @@ START_TEST(arcs)
 	init(&c, &dialect_haas);
 	c.config.controller.least_input = 0.001;
 	expect_fault(&c, "F9 G0 X10. Y0.\nG3 X20 Y0. I5.\nM30\n",
-		     "the radius of the arc is 5 mm at its start and 14.98 mm at its end; X, which has no decimal point, "
-		     "counts 0.02 (least_input)\n");
+		     "the radius of the arc is 5 mm at its start and 14.98 mm at its end; X has no decimal point and "
+		     "means 0.02 (least_input)\n");
 	/* Beside a spiral the engine of cutter compensation knows no point. */
 	init(&c, &dialect_fanuc);
 	c.config.controller.arc_radius_tolerance = 2;
 	c.config.radii = &(struct radius_offset){1, 2};
 	c.config.radius_count = 1;
 	expect_fault(&c, "F9 G0 X20. Y0.\nG1 G41 D1 X10.\nG3 X0. Y12. I-10. J0.\nM30\n",
-		     "such a spiral is not supported under cutter compensation");
+		     "a spiral is not supported under cutter compensation");
 	run(&dialect_fanuc, "F9 G0 X10. Y0.\nG3 X0. Y10. R10. I-3. J2.\nM30\n",
 	    "rapid 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n");
 	init(&c, &dialect_haas);
-	expect_fault(&c, "F9 G2 X5. R5. I3.\n", "an arc has a radius (R) or a centre (I, J, K), not both");
+	expect_fault(&c, "F9 G2 X5. R5. I3.\n", "an arc has either a radius (R) or a centre (I, J, K), not both");
 	/* A centre of 0 across the plane says nothing. */
 	run(&dialect_haas, "F9 G0 X10. Y0.\nG3 X0. Y10. I-10. K0.\nM30\n",
 	    "rapid 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n");
@@ -119,23 +120,23 @@ START_TEST(wrong_way_round)
 	init(&c, &dialect_fanuc);
 	expect_caution(&c, "F9 G0 Z5.\nG99 G81 X1. Z8. R2.\nG80\nM30\n",
 		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nrapid 1 0 2 0 0\nfeed 1 0 8 0 0\nrapid 1 0 2 0 0\n",
-		       "p.nc:2:5: warning: R of G81, 2 mm, lies below Z, 8 mm: the control goes to R and then to Z all the same, "
-		       "or stops with an alarm; both are covered, here and further on");
+		       "p.nc:2:5: warning: R of G81, 2 mm, is below Z, 8 mm: the control moves to R and then to Z, or "
+		       "stops with an alarm; both cases are checked, here and further on");
 	/* A peck may go down from R. */
 	init(&c, &dialect_haas);
 	expect_caution(&c, "F9 G0 Z5.\nG98 G83 X1. Z8. R2. Q3.\nG80\nM30\n",
 		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nfeed 1 0 8 0 0\n"
 		       "rapid 1 0 5 0 0\n",
-		       "R of G83, 2 mm, lies below Z, 8 mm");
+		       "R of G83, 2 mm, is below Z, 8 mm");
 	init(&c, &dialect_fanuc);
 	expect_caution(&c, "F9 G0 Z5.\nG99 G87 X1. Z-3. R2. Q.5\nG80\nM30\n",
 		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0 spread 0.5 0.5 0\nfeed 1 0 -3 0 0 spread 0.5 0.5 0\n"
 		       "rapid 1 0 5 0 0 spread 0.5 0.5 0\n",
-		       "R of G87, 2 mm, lies above Z, -3 mm");
+		       "R of G87, 2 mm, is above Z, -3 mm");
 	init(&c, &dialect_haas);
 	expect_caution(&c, "F9 G0 Z5.\nG77 X1. Z-3. R-6.\nG80\nM30\n",
 		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 -6 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 5 0 0\n",
-		       "p.nc:2:1: warning: G77 without Q: the tool enters and leaves the bore without a shift");
+		       "p.nc:2:1: warning: G77 without Q: it is assumed that the tool enters and leaves the bore without a shift");
 }
 END_TEST
 
@@ -162,8 +163,9 @@ START_TEST(parameters)
 
 	init(&c, &dialect_fanuc);
 	expect_fault(&c, "X1.\nM30\n",
-		     "p.nc:1:1: error: axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or "
-		     "\"feed\" of the machine's <controller> says which one the control starts with");
+		     "p.nc:1:1: error: axis words without an active motion code (G0, G1, G2, G3); set "
+		     "power_on_motion=\"rapid\" or \"feed\" (the motion code at power-on) in the machine file's "
+		     "<controller>");
 	init(&c, &dialect_haas);
 	c.config.controller.power_on_motion = POWER_ON_RAPID;
 	case_expect(&c, "X1.\nF9 G81 X2. Z-1. R0.\nG80 X3.\nM30\n",
@@ -225,7 +227,7 @@ START_TEST(semicolon)
 	struct gcode_case c;
 
 	init(&c, &dialect_fanuc);
-	expect_fault(&c, "G0 X1.; X2.\nM30\n", "semicolon=\"comment\" in the machine's <controller> says so");
+	expect_fault(&c, "G0 X1.; X2.\nM30\n", "set semicolon=\"comment\" in the machine file's <controller>");
 	init(&c, &dialect_fanuc);
 	c.config.controller.semicolon = SEMICOLON_STARTS_COMMENT;
 	case_expect(&c, "G0 X1.; X2. to here\n#1=3.; of three\nG0 X#1; [\nG65 P100 A1.; too\nM30\nO100\nG0 X[#1+9.];\nM99\n",
@@ -241,8 +243,8 @@ START_TEST(colon)
 
 	init(&c, &dialect_fanuc);
 	expect_fault(&c, program,
-		     "p.nc:3:1: error: another program begins here, before M2, M30 or M99; if ':' stands for N on this control, "
-		     "colon=\"block\" in the machine's <controller> says so");
+		     "p.nc:3:1: error: another program begins here before M2, M30 or M99; if ':' means N on this "
+		     "control, set colon=\"block\" in the machine file's <controller>");
 	init(&c, &dialect_fanuc);
 	c.config.controller.colon = COLON_BLOCK;
 	case_expect(&c, program, "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 0 0 0\nrapid 4 0 0 0 0\n");
@@ -275,9 +277,9 @@ START_TEST(local_zero_in_g91)
 
 	run(&dialect_fanuc, "G91 G52 X0. Y0.\nG90 G0 X5.\nM30\n", "rapid 5 0 0 0 0\n");
 	init(&c, &dialect_fanuc);
-	expect_fault(&c, "G91 G52 X1.\n", "G52 in incremental distance mode (G91) is not supported yet");
+	expect_fault(&c, "G91 G52 X1.\n", "G52 in incremental mode (G91) is not supported");
 	init(&c, &dialect_haas);
-	expect_fault(&c, "G52 X1.\nG91 G52 X0.\n", "G52 in incremental distance mode (G91) is not supported yet");
+	expect_fault(&c, "G52 X1.\nG91 G52 X0.\n", "G52 in incremental mode (G91) is not supported");
 }
 END_TEST
 
@@ -300,8 +302,9 @@ START_TEST(t_beside_m6)
 	init(&c, &dialect_fanuc);
 	c.config.controller.tool_change.given = true;
 	expect_caution(&c, waits, "tool 2\ntool 3\n",
-		       "p.nc:2:4: warning: T2 beside M6, while T1 waits: M6 is taken to load T2, but the builder may have it "
-		       "load T1; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on");
+		       "p.nc:2:4: warning: T2 beside M6 while T1 is preselected: it is assumed that M6 loads T2, but "
+		       "the builder may have it load T1; set m6_with_t=\"own\" or \"before\" in the machine file's "
+		       "<controller>; here and further on");
 	init(&c, &dialect_fanuc);
 	c.config.controller.m6_with_t = M6_LOADS_OWN_T;
 	c.config.controller.tool_change.given = true;
@@ -312,7 +315,7 @@ START_TEST(t_beside_m6)
 	case_expect(&c, "T1\nM6 T2\nM6 T3\nM6\nM30\n", "tool 1\ntool 2\ntool 3\n");
 	init(&c, &dialect_fanuc);
 	c.config.controller.m6_with_t = M6_LOADS_T_BEFORE;
-	expect_fault(&c, "M6 T2\n", "M6, but no T has selected a tool");
+	expect_fault(&c, "M6 T2\n", "M6 without a tool: write T first");
 	init(&c, &dialect_fanuc);
 	c.config.controller.m6_with_t = M6_LOADS_FIRST_T;
 	c.config.controller.tool_change.given = true;
@@ -323,7 +326,7 @@ START_TEST(t_beside_m6)
 	expect_fault(&c, "T1 T2\n", "two T in a block without M6");
 	init(&c, &dialect_fanuc);
 	c.config.controller.m6_with_t = M6_LOADS_FIRST_T;
-	expect_fault(&c, "T1 T2 T3 M6\n", "the word T stands twice in the block, at columns 1 and 7");
+	expect_fault(&c, "T1 T2 T3 M6\n", "the word T occurs twice in the block, at columns 1 and 7");
 }
 END_TEST
 
@@ -360,7 +363,7 @@ START_TEST(haas_outputs)
 		    "G0 X1. M130\nM30\n",
 		    "rapid 1 0 0 0 0\n");
 	init(&c, &dialect_haas);
-	expect_fault(&c, "M104\n", "p.nc:1:1: error: M104: move of the probe's arm is not supported yet");
+	expect_fault(&c, "M104\n", "p.nc:1:1: error: M104: motion of the probe arm is not supported yet");
 	init(&c, &dialect_haas);
 	expect_fault(&c, "M48 P1\n", "no code in the block uses the word P");
 }
@@ -376,8 +379,8 @@ START_TEST(common_shift_cleared)
 
 		init(&c, dialects[i]);
 		expect_caution(&c, "G10 L2 P1 X5.\nG90 G10 L2 P0 X0 Y0. Z0 C0\nG0 X1.\nM30\n", "rapid 6 0 0 0 0\n",
-			       "p.nc:2:12: warning: G10 L2 P0 clears the shift of all work offsets: those of the setup are taken "
-			       "to be without it");
+			       "p.nc:2:12: warning: G10 L2 P0 clears the shift of all work offsets: the setup's work "
+			       "offsets are assumed not to contain it");
 	}
 }
 END_TEST

@@ -114,15 +114,15 @@ static const struct refused_words bad[] = {
 	 "the program stops under tool radius compensation: where the tool waits depends on the control; G40 first"},
 	{TOOL "G41 G1 X10\nM30\n",
 	 "the program stops under tool radius compensation: where the tool waits depends on the control; G40 first"},
-	{TOOL "G41 G2 X10 CR=20\n", "cutter compensation starts and ends with G0 or G1, not with an arc"},
+	{TOOL "G41 G2 X10 CR=20\n", "cutter compensation must start and end with G0 or G1, not with an arc"},
 	{TOOL "G41 G1 X10\nY10\nCIP X20 I1=15 J1=15 K1=-100\n",
 	 "CIP under tool radius compensation is not supported"},
 	{TOOL "G41 G1 X10\nY10\nG40 G2 X20 CR=20\n",
 	 "tool radius compensation ends in a straight line (G0, G1), not in a circle"},
 	{TOOL "G41 G451 NORM G1 X10\nY10\nX11 Y0\n",
-	 "an outside corner at which the path turns by 174.3 degrees: whether the control draws it out or rounds it is a "
-	 "parameter's matter; G450 with DISC=0 rounds it, or, before any G450 or G451, cutter_comp_corner=\"circular\" of the "
-	 "machine's <controller>"},
+	 "the path turns by 174.3 degrees at an outside corner, and a parameter of the control decides whether the "
+	 "corner is extended or rounded: write G450 with DISC=0 to round it; if no G450 or G451 comes before, you can "
+	 "also set cutter_comp_corner=\"circular\" in the machine file's <controller>"},
 	{TOOL "OFFN=IC(3)\n", "OFFN takes a plain value, not IC()"},
 	{"F6 G500 T1 M6 D0 OFFN=2\nG41 G1 X10\n",
 	 "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool away from the contour by "
@@ -146,14 +146,14 @@ static const struct refused_words bad[] = {
 	{"F6 G500\nX10 RND=-2\n", "a chamfer or rounding cannot be negative"},
 	{"F6 G500\nG0 X10 RND=2\n", "CHF, CHR and RND need a block with G1, G2 or G3"},
 	{"F6 G500\nX10 RND=2\nM8\n",
-	 "the block behind a chamfer or rounding (CHF, CHR or RND) needs a move of G1, G2 or G3 in the plane"},
+	 "the block after a chamfer or rounding (CHF, CHR or RND) must be a move with G1, G2 or G3 in the plane"},
 	{"F6 G500\nX10 RND=2\nY1\nX5\n",
 	 "the chamfer or rounding (CHF, CHR or RND) of line 2 is longer than one of its blocks"},
 	{"F6 G500\nX10 RND=2\nX20\n",
-	 "the path of the chamfer or rounding (CHF, CHR or RND) of line 2 has no corner there"},
+	 "the path has no corner at the chamfer or rounding (CHF, CHR or RND) of line 2"},
 	{"F6 G500\nX10 Z5 RND=2\nY20\n",
-	 "the blocks on both sides of a chamfer or rounding (CHF, CHR or RND) need a move of G1, G2 or G3 in the plane, "
-	 "and in the plane only"},
+	 "the blocks before and after a chamfer or rounding (CHF, CHR or RND) must be moves with G1, G2 or G3 in the "
+	 "plane only"},
 	{"F6 G500 SCALE X2\nX10 RND=2\nY20\n", "a rounding or chamfer where the frame scales its axes differently"},
 	{"F6 G500\nX10 CHF=2\nG2 Y10 CR=20\n",
 	 "a chamfer (CHF, CHR or RND) beside an arc is not supported"},
@@ -260,12 +260,13 @@ START_TEST(idle_blocks)
 	struct gcode_case c;
 
 	sinumerik_case_init(&c);
-	case_refuses(&c, "p.nc:7:1: error: 3 blocks without a move in the plane of cutter compensation before this one: a "
-			 "parameter of the control (MD20250) decides past how many it looks ahead: "
-			 "cutter_comp_idle_blocks=\"\" of the machine's <controller> says it\n", "%s", program);
+	case_refuses(&c,
+		     "p.nc:7:1: error: 3 blocks without a move in the plane of cutter compensation before this block, "
+		     "and a parameter of the control (MD20250) decides how many it looks past: set "
+		     "cutter_comp_idle_blocks=\"\" in the machine file's <controller>\n", "%s", program);
 	sinumerik_case_init(&c);
 	c.config.controller.comp_idle_blocks = 2;
-	case_refuses(&c, "let at most 2 stand there", "%s", program);
+	case_refuses(&c, "write at most 2 such blocks in a row", "%s", program);
 	sinumerik_case_init(&c);
 	c.config.controller.comp_idle_blocks = 3;
 	ck_assert_msg(case_run(&c, program), "%s", strbuf_text(&c.messages));

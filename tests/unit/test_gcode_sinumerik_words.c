@@ -197,14 +197,14 @@ static const struct refused_words bad[] = {
 	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported yet, only RNDM=0"},
 	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nX1\n",
-	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
-	 "before the next move"},
+	 "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
+	 "again before the next move"},
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nR1=$P_EP[X]\n",
-	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
-	 "before the next move"},
+	 "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
+	 "again before the next move"},
 	{"T1 M6 D1 G54\n$P_UIFR[1,X,TR]=5\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n",
-	 "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
-	 "before the next move"},
+	 "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
+	 "again before the next move"},
 	{"T1 M6 D1 G54\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n$P_UIFR[1,X,TR]=5\nG54\nG0 X0\n",
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not certain: "
 	 "write CYCLE800 behind it"},

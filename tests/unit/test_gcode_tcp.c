@@ -235,7 +235,7 @@ START_TEST(length_in_doubt)
 	length_case(&c, doubts[_i].dialect);
 	c.config.controller.references[1].given = true;
 	strbuf_addf(&program, "%s\n%s\n", doubts[_i].before, doubts[_i].block);
-	strbuf_addf(&expected, "%s may have taken the tool's length compensation back", doubts[_i].code);
+	strbuf_addf(&expected, "%s may have cancelled the tool length compensation", doubts[_i].code);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", program.text);
 	ck_assert_msg(strstr(strbuf_text(&c.messages), expected.text) != NULL, "%s", strbuf_text(&c.messages));
 	if (doubts[_i].column) {

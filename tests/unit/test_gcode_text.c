@@ -151,9 +151,9 @@ START_TEST(faulty_files)
 		       "p.nc:1: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
 	expect_message("\x1f\x8b\x08\0\n", 5, "p.nc:1: error: this file is packed by gzip: unpack it first\n");
 	expect_message("G0 X1\nX2\rY3\n", 12,
-		       "p.nc:2:3: error: line ends are mixed: a carriage return alone, and line feeds\n");
+		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed\n");
 	expect_message("G0 X1\rX2\nY3\n", 12,
-		       "p.nc:2:3: error: line ends are mixed: a carriage return alone, and line feeds\n");
+		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed\n");
 }
 END_TEST
 
@@ -173,13 +173,15 @@ START_TEST(long_lines)
 	program.text[program.length - 8] = ' ';
 	case_init(&c);
 	ck_assert(!case_run(&c, program.text));
-	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc:2: error: a line of more than 65536 bytes is no NC block\n");
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:2: error: a line of more than 65536 bytes is not an NC block\n");
 	case_release(&c);
 	/* Without an end at all. */
 	strbuf_clear(&program);
 	for (int i = 0; i < 100000; i++)
 		strbuf_add(&program, "G0 X1 ", 6);
-	expect_message(program.text, program.length, "p.nc:1: error: a line of more than 65536 bytes is no NC block\n");
+	expect_message(program.text, program.length,
+		       "p.nc:1: error: a line of more than 65536 bytes is not an NC block\n");
 	strbuf_release(&program);
 }
 END_TEST

@@ -109,22 +109,24 @@ START_TEST(fixture_not_in_the_setup)
 END_TEST
 
 #define PROBED \
-	" measures the tool where a probe has stopped Z, which is not known before the program runs; give the length " \
-	"in the setup, or with G10 L1"
+	" measures the tool at the probed position of Z, which is not known before the program runs; give the " \
+	"length in the setup or by G10 L1"
 
 static const struct {
 	const char *program, *message;
 } bad[] = {
-    {"G10 L1 P3 Z1\n", "1:8: error: the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
-    {"G10 L1 P7 Z1\n", "1:8: error: the setup defines no tool T7: add <tool number=\"7\" length=\"\"/> with what it is made of"},
-    {"G10 L1 P1\n", "1:1: error: G10 L1 changes nothing; give the tool's Z offset, or its radius in R"},
+    {"G10 L1 P3 Z1\n", "1:8: error: the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with its shape"},
+    {"G10 L1 P7 Z1\n", "1:8: error: the setup defines no tool T7: add <tool number=\"7\" length=\"\"/> with its shape"},
+    {"G10 L1 P1\n", "1:1: error: G10 L1 without effect: give Z (tool length) or R (tool radius)"},
     {"G10 L1 P1 Z1 J3\n",
-     "1:14: error: J: the angles and the orientation of lathe tools are not supported yet"},
-    {"G10 L1 P1 Y2\n", "1:11: error: G10 L1 gives T1 an offset of 2 mm in Y, which G43 would apply to that axis; "
-		       "offsets of tools in other axes than Z are not supported yet"},
+     "1:14: error: J: angles and orientation of lathe tools are not supported"},
+    {"G10 L1 P1 Y2\n",
+     "1:11: error: G10 L1 gives T1 an offset of 2 mm in Y, which G43 would apply; only tool offsets in Z are "
+     "supported"},
     {"G0 C30\nG10 L10 P1 C0\n", "2:12: error: G10 L10 gives T1 an offset of 30 degrees in C, which"},
     {"G43.4 H1\nG10 L10 P1 Z0\n",
-     "2:1: error: G10 L10 measures the tool at the machine's position; switch TCP off first"},
+     "2:1: error: G10 L10 measures the tool at the machine position, which is not supported under TCP; cancel TCP "
+     "first"},
     {"F9 G38.2 Z-9\nG10 L11 P1 Z0\n", "2:1: error: G10 L11" PROBED},
     {"F9 G38.2 Z-9\nG91 G0 X1\nG90 X2\nG10 L10 P1 Z0\n", "4:1: error: G10 L10" PROBED},
     {"F9 G43.4 H1\nG38.3 Z-9\nG0 X1 Y1\nG49\nG10 L10 P1 Z0\n", "5:1: error: G10 L10" PROBED},

@@ -79,13 +79,13 @@ static const struct kept accepted[] = {
 static const struct kept refused[] = {
 	/* an output of the program, a place: the file cannot tell what changes */
 	{&dialect_fanuc, {VALUE("#5021", 1)}, "G90 G21 G17\nG0 X#5021\n",
-	 "#5021 holds where the machine is while the control reads ahead (the programmed position is in #5001): it is "
-	 "not known before the program runs"},
+	 "#5021 (the position of the machine during read-ahead (#5001 has the programmed position)) is not known "
+	 "before the program runs"},
 	{&dialect_fanuc, {TEXT("#500", "five")}, "G90 G21 G17\nG0 X#500\n",
-	 "#500: value=\"five\" of its <variable> is neither a number nor \"vacant\""},
+	 "#500: the value=\"five\" of its <variable> must be a number or \"vacant\""},
 	{&dialect_haas, {VALUE("#501", 1)}, "G90 G21 G17\nG0 X#500\n",
-	 "#500 keeps its value from one program to the next, and this one has given it none so far: "
-	 ASKS("#500") "what it holds"},
+	 "#500 keeps its value from earlier programs, and this program has not set it: "
+	 "set <variable name=\"#500\" value=\"\"/> in the machine file's <controller>"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 2, .size = {3, 2}}}, "G500\nG0 X=_POS[2,1]\n",
 	 "_POS[2,1] keeps its value from one program to the next, and this one has given it none so far: "
 	 ASKS("_POS[2,1]") "what it holds"},
@@ -109,11 +109,11 @@ static const struct kept refused[] = {
 	 "<variable name=\"ID50NR3IDX01\"> is no data of a table that FN 18 reads (ID 50, 51, 52, "
 	 "230, 350), such as ID50 NR3 IDX1"},
 	{&dialect_fanuc, {VALUE("#5001", 1)}, "G90 G21 G17\nG0 X#5001\n",
-	 "<variable name=\"#5001\">: the program and the setup determine this variable"},
+	 "<variable name=\"#5001\"> is not allowed: the program and the setup determine this variable"},
 	{&dialect_fanuc, {VALUE("#5221", 1)}, "G90 G21 G17\nG0 X#5221\n",
-	 "<variable name=\"#5221\">: the program and the setup determine this variable"},
+	 "<variable name=\"#5221\"> is not allowed: the program and the setup determine this variable"},
 	{&dialect_fanuc, {VALUE("#4001", 1)}, "G90 G21 G17\nG0 X#4001\n",
-	 "<variable name=\"#4001\">: the program and the setup determine this variable"},
+	 "<variable name=\"#4001\"> is not allowed: the program and the setup determine this variable"},
 	{&dialect_sinumerik, {VALUE("_POS[3]", 1)}, "G500\n",
 	 "<variable name=\"_POS[3]\">: its type is missing, type=\"REAL\" and the like"},
 	{&dialect_sinumerik, {REAL_OF("SIN", CONTROL_REAL)}, "G500\n",

@@ -81,7 +81,7 @@ START_TEST(refuses_depth)
 		strbuf_addf(&text, "</axis>");
 	strbuf_addf(&text, "</base></machine>");
 	write_text("m.xml", strbuf_text(&text));
-	assert_refused("m.xml", "m.xml:1: error: elements are nested more than 64 deep\n");
+	assert_refused("m.xml", "m.xml:1: error: elements are nested deeper than 64 levels\n");
 	strbuf_release(&text);
 }
 END_TEST

@@ -45,7 +45,7 @@ static bool is_of_tool(const struct scan_setup *setup, const char *element)
 	return is;
 }
 
-/* "...: add <tool number="1" length=""/> with what it is made of" */
+/* "...: add <tool number="1" length=""/> with its shape" */
 static void take(void *context, const struct diag_entry *entry)
 {
 	static const char key[] = "add <";

@@ -65,7 +65,7 @@ static const struct code m_codes[] = {
 	{9, M_COOLANT, CODE_IGNORED, "coolant off"},
 	{30, M_STOP, CODE_READ, "end of program and rewind"},
 	{60, GROUP_NONE, CODE_REFUSED, "pallet change"},
-	{99, M_STOP, CODE_READ, "end of a subprogram, or the program again"},
+	{99, M_STOP, CODE_READ, "end of a subprogram, or restart of the program"},
 };
 
 const struct code_set standard_g_codes = CODE_SET(g_codes);

@@ -39,7 +39,7 @@ int expr_column(struct lexer *lexer)
 bool expr_enter(struct expr *expr)
 {
 	if (expr->depth >= expr->rules->depth_max)
-		return fault(expr->lexer->at, lexer_column(expr->lexer), "%s are nested more than %d deep",
+		return fault(expr->lexer->at, lexer_column(expr->lexer), "%s are nested deeper than %d levels",
 			     expr->rules->nested, expr->rules->depth_max);
 	expr->depth++;
 	return true;
@@ -66,7 +66,7 @@ bool expr_close(struct expr *expr)
 		return fault(expr->lexer->at, lexer_column(expr->lexer),
 			     "this expression is not closed: '%c' is missing", expr->rules->close);
 	if (byte != expr->rules->close)
-		return fault(expr->lexer->at, lexer_column(expr->lexer), "an operator or '%c' is needed here",
+		return fault(expr->lexer->at, lexer_column(expr->lexer), "an operator or '%c' is missing here",
 			     expr->rules->close);
 	lexer_take(expr->lexer);
 	expr->depth--;
@@ -204,7 +204,7 @@ static bool read_exponent(struct expr *expr, double *value)
 	for (; is_digit(*text); text++)
 		exponent = exponent < EXPONENT_MAX ? 10 * exponent + (*text - '0') : exponent;
 	if (exponent >= EXPONENT_MAX)
-		return fault(lexer->at, lexer_column(lexer), "an exponent of more than two digits");
+		return fault(lexer->at, lexer_column(lexer), "an exponent has at most two digits");
 	for (; exponent > 0; exponent--)
 		*value = negative ? *value / 10 : *value * 10;
 	lexer->position = (size_t)(text - lexer->at->text);
@@ -264,7 +264,7 @@ static bool read_unsigned(struct expr *expr, struct expr_operand *value)
 		return false;
 	if (rules->has_vacant && isnan(value->number))
 		return fault(expr->lexer->at, column,
-			     "a variable without a value alone in brackets; leave the brackets out");
+			     "brackets around a variable without a value; remove the brackets");
 	return true;
 }
 
@@ -276,7 +276,7 @@ static bool read_signs(struct expr *expr, bool *negative, bool *any)
 	*negative = *any = false;
 	for (; is_sign(byte = lexer_peek(expr->lexer)); *any = true) {
 		if (*any && !expr->rules->signs_repeat)
-			return fault(expr->lexer->at, lexer_column(expr->lexer), "two signs");
+			return fault(expr->lexer->at, lexer_column(expr->lexer), "two signs in a row");
 		*negative = *negative != (byte == '-');
 		lexer_take(expr->lexer);
 	}
@@ -296,7 +296,8 @@ bool expr_value(struct expr *expr, struct expr_operand *value)
 	if (isnan(value->number) && expr->rules->has_vacant) {
 		/* If #1 is vacant, X#1 is ignored; manuals do not say whether X-#1 is ignored or is X0. */
 		return !any || fault(expr->lexer->at, start,
-				     "a sign before a variable without a value: whether that is 0 or nothing differs");
+				     "a sign before a variable without a value: controls differ in whether the result "
+				     "is 0 or has no value");
 	}
 	if (!isfinite(value->number))
 		return fault(expr->lexer->at, column, "the result is %s",

@@ -49,17 +49,17 @@ static bool compute_inverse(const struct line_place *at, int column, const struc
 	case FUNCTION_ACOS:
 	case FUNCTION_ASIN:
 		if (x < -1 || x > 1)
-			return fault(at, column, "%s of %.15g: only numbers from -1 to 1 have one", function->upper, x);
+			return fault(at, column, "%s of %.15g: the value must be from -1 to 1", function->upper, x);
 		*value = function->function == FUNCTION_ACOS ? math_acos_degrees(x) : math_asin_degrees(x);
 		return true;
 	case FUNCTION_LN:
 		if (x <= 0)
-			return fault(at, column, "%s of %.15g: only positive numbers have one", function->upper, x);
+			return fault(at, column, "%s of %.15g: the value must be greater than 0", function->upper, x);
 		*value = math_log(x);
 		return true;
 	default:
 		if (x < 0)
-			return fault(at, column, "%s of %.15g: negative numbers have none", function->upper, x);
+			return fault(at, column, "%s of %.15g: the value must not be negative", function->upper, x);
 		*value = sqrt(x);
 		return true;
 	}

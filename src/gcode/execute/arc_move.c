@@ -44,7 +44,7 @@ static bool centre_word(struct interp *interp, char letter, enum axis_slot slot,
 
 	if (state->arc_absolute && !block_has(block, letter))
 		return fault(&interp->at, block_motion_column(block),
-			     "an arc with an absolute centre (G90.1) needs both its words; %c is missing", letter);
+			     "an arc with an absolute centre (G90.1) needs both centre words; %c is missing", letter);
 	*value = block_has(block, letter) ? block_value(block, letter) * state->scale : 0;
 	*value += state->arc_absolute ? state->offset.v[slot] : start;
 	return true;
@@ -65,7 +65,7 @@ static const char *whole_number_hint(const struct interp *interp, char *text, si
 		return text;
 	for (const char *letter = "XYZIJK"; *letter && *text == '\0'; letter++) {
 		if ((whole & letter_bit(*letter)) && !same_double(block_value(block, *letter), 0))
-			snprintf(text, size, "; %c, which has no decimal point, counts %.6g (least_input)", *letter,
+			snprintf(text, size, "; %c has no decimal point and means %.6g (least_input)", *letter,
 				 block_value(block, *letter));
 	}
 	return text;
@@ -88,18 +88,18 @@ static bool check_spiral(struct interp *interp, double r0, double r1)
 	if (!(most > 0))
 		return fault(&interp->at, column,
 			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end; if this control "
-			     "makes a spiral of it, arc_radius_tolerance=\"\" of the machine's <controller> says up to "
-			     "which difference%s",
+			     "makes a spiral of it, set arc_radius_tolerance=\"\" (largest difference) in the machine "
+			     "file's <controller>%s",
 			     r0, r1, hint);
 	if (fabs(r0 - r1) > most)
 		return fault(&interp->at, column,
-			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end, which is more than "
-			     "arc_radius_tolerance of the machine file allows%s",
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end; "
+			     "arc_radius_tolerance in the machine file allows less%s",
 			     r0, r1, hint);
 	if (cutter_comp_is_on(interp) || corner_insert_concerns(interp))
 		return fault(&interp->at, column,
-			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end: such a spiral "
-			     "is not supported under cutter compensation or beside a corner of ,C or ,R",
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end; a spiral is not "
+			     "supported under cutter compensation or beside a corner with ,C or ,R",
 			     r0, r1);
 	return true;
 }
@@ -123,7 +123,8 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 		return false;
 	switch (arc_check_centre(start, end, *centre, tolerance, &r0, &r1)) {
 	case ARC_ZERO_RADIUS:
-		return fault(&interp->at, column, "an arc of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
+		return fault(&interp->at, column,
+			     "the radius of the arc is 0: %.6g mm at its start, %.6g mm at its end", r0,
 			     r1);
 	case ARC_RADII_DIFFER:
 		return check_spiral(interp, r0, r1);
@@ -143,17 +144,17 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 
 	if ((block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))) &&
 	    traits_of(interp)->arc_radius_wins != ANSWER_YES)
-		return fault(&interp->at, column, "an arc has a radius (R) or a centre (I, J, K), not both");
+		return fault(&interp->at, column, "an arc has either a radius (R) or a centre (I, J, K), not both");
 	if (!block_has(block, a) && !block_has(block, b))
-		return fault(&interp->at, column, "an arc by its radius needs %c or %c", a, b);
+		return fault(&interp->at, column, "an arc with a radius (R) needs %c or %c", a, b);
 	switch (arc_find_centre(start, end, radius, block->motion == G2, tolerance, centre)) {
 	case ARC_NO_CHORD:
 		return fault(&interp->at, column,
-			     "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+			     "an arc with a radius (R) must not end at its start; for a full circle, give the centre "
 			     "(I, J, K)");
 	case ARC_RADIUS_TOO_SMALL:
 		return fault(&interp->at, column,
-			     "a radius of %.6g mm does not reach from the start of the arc to its end", fabs(radius));
+			     "the radius of %.6g mm is too small to reach the end of the arc", fabs(radius));
 	default:
 		return true;
 	}
@@ -175,7 +176,7 @@ static bool find_turns(struct interp *interp, int *turns)
 	enum answer has_turns = traits_of(interp)->arcs_have_turns;
 
 	return is_answered(interp, block_column(&interp->block, 'P'), has_turns,
-			   "whether P of G2 and G3 is a number of turns") &&
+			   "whether P of G2 and G3 is the number of turns") &&
 	       (has_turns == ANSWER_NO || block_integer(&interp->block, &interp->at, 'P', 1, INT_MAX, turns));
 }
 
@@ -197,9 +198,8 @@ static bool go_straight(struct interp *interp)
 		return true;
 	if (!interp->cautioned_line)
 		caution(&interp->at, block_motion_column(&interp->block),
-			"an arc without a centre (I, J, K) and without a radius (R): this control goes straight to its "
-			"end, or "
-			"stops with an alarm; here and further on");
+			"an arc without centre (I, J, K) and radius (R): this control moves straight to the end point "
+			"or stops with an alarm; the straight move is checked, here and further on");
 	interp->cautioned_line = true;
 	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
 		return false;
@@ -217,10 +217,10 @@ static bool check_words(const struct interp *interp, const struct arc_plane *pla
 
 	if (interp->state.polar.on)
 		return fault(&interp->at, block_motion_column(block),
-			     "an arc in polar coordinates (G16) is not supported; G15 first");
+			     "an arc in polar coordinates (G16) is not supported; write G15 first");
 	if (!has_axis[plane->a] || !has_axis[plane->b])
 		return fault(&interp->at, block_motion_column(block),
-			     "the machine has no %c axis, which an arc in the plane of G%d needs",
+			     "the machine has no %c axis, which is needed for an arc in the plane of G%d",
 			     AXIS_LETTERS[has_axis[plane->a] ? plane->b : plane->a], plane->code / 10);
 	if (!block_has(block, 'R') && !(block->letters & offsets))
 		return fault(&interp->at, block_motion_column(block),
@@ -298,7 +298,7 @@ bool arc_move_run(struct interp *interp)
 		return false;
 	if (interp->comp.arc_refused)
 		return fault(&interp->at, block_motion_column(block),
-			     "the move after cutter compensation (G40) must be straight, not an arc");
+			     "the first move after cutter compensation (G40) must be straight, not an arc");
 	if (corner_insert_concerns(interp)) {
 		bool waits = false;
 		const struct corner_move next = {.target = &target, .move = &move, .is_arc = true, .centre = centre};

@@ -14,25 +14,25 @@ static bool check(struct interp *interp)
 
 	if (block->g[G_MOTION] != CODE_NONE)
 		return fault(&interp->at, column,
-			     "G%d beside a cycle, G80 or a motion code is not supported: which of them comes first is "
-			     "not known; write a block for each",
+			     "G%d beside a cycle, G80 or a motion code is not supported, because their order is not "
+			     "known; write separate blocks",
 			     code);
 	if (state->motion == CODE_NONE || !code_is_cycle(state->motion))
-		return fault(&interp->at, column, "G%d needs a canned cycle in force, which makes its holes", code);
+		return fault(&interp->at, column, "G%d needs an active canned cycle that makes the holes", code);
 	if (block->letters & AXIS_BITS)
 		return fault(&interp->at, column,
-			     "G%d needs a block without axis words: its centre is where the tool stands", code);
+			     "G%d needs a block without axis words: its centre is the present position", code);
 	if (state->plane != G17 || state->incremental || state->polar.on)
 		return fault(&interp->at, column,
-			     "G%d in another plane than that of G17, in G91 or after G16 is not supported", code);
+			     "G%d is supported only in the plane of G17, with G90 and without G16", code);
 	if (!block_has(block, 'I') || !(block_value(block, 'I') > 0))
-		return fault(&interp->at, column, "G%d needs I, the radius of its circle, which is more than 0", code);
+		return fault(&interp->at, column, "G%d needs I (radius of the circle), greater than 0", code);
 	if (!block_has(block, 'J') || !block_has(block, 'L'))
-		return fault(&interp->at, column, "G%d needs J, the angle of the first hole, and L, how many there are",
+		return fault(&interp->at, column, "G%d needs J (angle of the first hole) and L (number of holes)",
 			     code);
 	if (block_has(block, 'K') != (code == 71))
 		return fault(&interp->at, column,
-			     code == 71 ? "G71 needs K, the angle from hole to hole" : "K does not belong to G70");
+			     code == 71 ? "G71 needs K (angle between holes)" : "K does not belong to G70");
 	return true;
 }
 

@@ -48,7 +48,7 @@ static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
 		memory->word['Z' - 'A'] = block_value(&interp->block, letter);
 		memory->known |= letter_bit('Z');
 	} else if (!kept || !(memory->known & letter_bit('Z'))) {
-		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs its depth in %c",
+		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c (depth)",
 			     cycle->code / 10, letter);
 	}
 	*value = memory->word['Z' - 'A'];
@@ -67,8 +67,8 @@ static double find_clear(struct canned_cycle *cycle, double level)
 
 	if (starts_at_r && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
 		caution(&interp->at, block_motion_column(&interp->block),
-			"a cycle before any G98 or G99: the tool retracts to R (G99), unless the machine's "
-			"RS274NGC_STARTUP_CODE says otherwise");
+			"a cycle before any G98 or G99: it is assumed that the tool retracts to R (G99), which "
+			"RS274NGC_STARTUP_CODE of the machine can change");
 		interp->cautioned_retract = true;
 	}
 	if (retract == G99 || (starts_at_r && retract == CODE_NONE))
@@ -89,8 +89,8 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 	if (cycle->traits->level_is_coordinate == ANSWER_YES || !(moved || rescaled || memory->turned))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "the coordinates have changed since the first of the cycles: whether its level and words change "
-		     "with them depends on the control; G80 first");
+		     "the coordinates have changed since the first cycle, and the control decides whether the initial "
+		     "level and the words change with them; write G80 first");
 }
 
 /*
@@ -108,18 +108,18 @@ static bool cross_over(struct canned_cycle *cycle, double offset)
 	if (cycle->traits->any_order == ANSWER_YES && !by_ij) {
 		if (!interp->cautioned_order)
 			caution(&interp->at, column,
-				"R of G%d, %.6g mm, lies %s Z, %.6g mm: the control goes to R and then to Z all the "
-				"same, or stops with an alarm; both are covered, here and further on",
+				"R of G%d, %.6g mm, is %s Z, %.6g mm: the control moves to R and then to Z, or stops "
+				"with an alarm; both cases are checked, here and further on",
 				code, r, back ? "above" : "below", z);
 		interp->cautioned_order = true;
 		return true;
 	}
 	if (back)
 		return fault(&interp->at, column,
-			     "R of G%d, %.6g mm, lies above Z, %.6g mm: a back boring cycle goes down to R and bores "
+			     "R of G%d, %.6g mm, is above Z, %.6g mm: a back boring cycle moves down to R and bores "
 			     "upwards to Z",
 			     code, r, z);
-	return fault(&interp->at, column, "R of G%d, %.6g mm, lies below the depth, %.6g mm", code, r, z);
+	return fault(&interp->at, column, "R of G%d, %.6g mm, is below the depth, %.6g mm", code, r, z);
 }
 
 /*
@@ -141,7 +141,8 @@ static bool find_mode(struct canned_cycle *cycle, char letter, bool given, bool 
 	if (!*incremental || state->incremental)
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "%s of G%d was an increment (G91): where it leads in G90 depends on the control; give it again",
+		     "%s of G%d was given as an increment (G91); controls differ in what it means in G90; write it "
+		     "again",
 		     letter == 'R' ? "R" : "the depth", cycle->code / 10);
 }
 
@@ -194,7 +195,7 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
 		return true;
 	if (given && block_value(&interp->block, 'P') < 0)
-		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell cannot be negative");
+		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell must not be negative");
 	if (given && !motion_commands_seconds(interp, 'P', &interp->block.value['P' - 'A']))
 		return false;
 	return cycle_words_take(cycle, 'P', kept, &cycle->dwell);
@@ -246,7 +247,8 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		return true;
 	if (is_shift_by_ij(cycle, kept)) {
 		if (state->plane != G17)
-			return fault(&interp->at, column, "G%d with I and J in another plane than that of G17; give Q",
+			return fault(&interp->at, column,
+				     "G%d with I and J is supported only in the plane of G17; give Q",
 				     code);
 		cycle->shift_a = cycle_words_or_zero(cycle, 'I', kept) * state->scale;
 		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
@@ -256,7 +258,8 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		/* The tool enters and leaves on the axis of the hole. */
 		if (!interp->cautioned_no_shift)
 			caution(&interp->at, column,
-				"G%d without Q: the tool %s without a shift, here and further on", code,
+				"G%d without Q: it is assumed that the tool %s without a shift, here and further on",
+				code,
 				back ? "enters and leaves the bore" : "leaves the bore");
 		interp->cautioned_no_shift = true;
 		return true;
@@ -269,11 +272,11 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		return true;
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column,
-			     "G%d while the tool centre point is controlled: where its shift goes is not followed yet",
+			     "G%d with a shift is not supported under tool centre point control",
 			     code);
 	/* The disc is proved along the path up; without such a path there is no proof. */
 	if (!cycle->crosses && !(cycle->clear > (back ? cycle->r : cycle->bottom)))
-		return fault(&interp->at, column, "G%d whose retract does not rise from the bottom", code);
+		return fault(&interp->at, column, "the retract of G%d does not rise from the bottom", code);
 	return true;
 }
 
@@ -290,8 +293,8 @@ static bool find_repeats(struct canned_cycle *cycle)
 	/* Fanuc's parameter 0001#1 (FCV) selects the format of Series 15, where L repeats, as before Series 16. */
 	if (asks && !by_l && block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'),
-			     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" "
-			     "of the machine's <controller> says that");
+			     "L in a canned cycle: K repeats the cycle, unless a parameter of the control assigns this "
+			     "to L: if so, set cycle_repeats=\"L\" in the machine file's <controller>");
 	if (by_l && block_has(block, 'K'))
 		return fault(&interp->at, block_column(block, 'K'), "no code in the block uses the word K");
 	if (!block_has(block, letter))
@@ -299,13 +302,12 @@ static bool find_repeats(struct canned_cycle *cycle)
 	if (!block_integer(block, &interp->at, letter, 0, CYCLE_COUNT_MAX, &cycle->repeats))
 		return false;
 	if (cycle->repeats == 0 && cycle->traits->zero_repeats_refused == ANSWER_YES)
-		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
+		return fault(&interp->at, block_column(block, letter), "G%d must not be repeated 0 times",
 			     cycle->code / 10);
 	/* The words are kept and nothing is drilled; controls differ in whether the tool moves to the position. */
 	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
 		return fault(&interp->at, block_column(block, letter),
-			     "%c0 with a position: whether the tool goes there depends on the control; leave out one "
-			     "of them",
+			     "%c0 with a position: controls differ in whether the tool moves there; remove one of them",
 			     letter);
 	return true;
 }
@@ -320,7 +322,7 @@ static bool find_holes(struct canned_cycle *cycle)
 	for (int slot = 0; slot < SLOT_COUNT && cycle->traits->only_xyz == ANSWER_YES; slot++) {
 		if (slot > SLOT_Z && block_has(&interp->block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
-				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
+				     "%c in a canned cycle, which moves only X, Y and Z", AXIS_LETTERS[slot]);
 	}
 	if (!endpoint_find(interp, false, &target) ||
 	    tool_length_is_in_doubt(interp, (int)cycle->depth, block_motion_column(&interp->block)))
@@ -345,7 +347,7 @@ static bool check_tap_plane(struct canned_cycle *cycle)
 	    (cycle->code != G74 && cycle->code != G84))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "G%d in the plane of G%d: this control confuses the axes and goes elsewhere; use G33.1",
+		     "G%d in the plane of G%d: this control mixes up the axes and moves elsewhere; use G33.1",
 		     cycle->code / 10, interp->state.plane / 10);
 }
 
@@ -358,9 +360,9 @@ static bool check_spindle(struct canned_cycle *cycle)
 	if (cycle->traits->spindle_must_turn == ANSWER_NO || (code != G74 && code != G84 && code != G86 && code != G87))
 		return true;
 	if (turn == SPINDLE_STOPPED)
-		return fault(&interp->at, column, "G%d while the spindle stands", code / 10);
+		return fault(&interp->at, column, "G%d with a stopped spindle", code / 10);
 	if (code == (turn == SPINDLE_CLOCKWISE ? G74 : G84))
-		return fault(&interp->at, column, "G%d while the spindle turns %s", code / 10,
+		return fault(&interp->at, column, "G%d while the spindle runs %s", code / 10,
 			     turn == SPINDLE_CLOCKWISE ? "clockwise" : "counter-clockwise");
 	return true;
 }
@@ -438,8 +440,8 @@ static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 		return true;
 	if (cycle->repeats > 0 && !axes && block_has(block, 'R'))
 		*good = fault(&cycle->interp->at, block_column(block, 'R'),
-			      "R of G%d without an axis: whether the tool drills where it stands depends on the "
-			      "control; name an axis",
+			      "R of G%d without an axis word: controls differ in whether they drill at the present "
+			      "position; write an axis word",
 			      cycle->code / 10);
 	return cycle->repeats > 0 && axes;
 }
@@ -461,7 +463,7 @@ bool canned_cycle_run(struct interp *interp)
 			return false;
 	}
 	if (state->feed_mode == FEED_INVERSE_TIME)
-		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
+		return fault(&interp->at, column, "G%d in inverse time mode (G93); write G94 or G95 first",
 			     cycle.code / 10);
 	if (state->cycle.known && cycle.traits->words_outlive_cycle == ANSWER_YES &&
 	    (state->motion == CODE_NONE || !code_is_cycle(state->motion)))

@@ -32,8 +32,9 @@ static bool check_state(struct interp *interp)
 	if (state->plane != G17)
 		return refuse(interp, "needs the plane of G17");
 	if (state->frame.on || state->tcp != TCP_OFF || state->polar.on || cutter_comp_is_on(interp))
-		return refuse(interp, "in changed coordinates, under tool centre point control or under cutter "
-				      "compensation is not supported");
+		return refuse(interp,
+			      "is not supported in changed coordinates, under tool centre point control or under "
+			      "cutter compensation");
 	for (const char *letter = "ABCUVW"; *letter; letter++) {
 		if (block_has(&interp->block, *letter))
 			return fault(&interp->at, block_column(&interp->block, *letter), "%c with G%d is not supported",
@@ -50,7 +51,7 @@ static bool find_radius(struct interp *interp, struct pocket *pocket)
 	const struct radius_offset *tool;
 
 	if (!block_has(block, letter))
-		return refuse(interp, "needs I or K, the radius of the pocket");
+		return refuse(interp, "needs I or K (radius of the pocket)");
 	pocket->radius = block_value(block, letter) * interp->state.scale;
 	tool = interp->comp.number > 0 ? tool_table_radius(&interp->tools, interp->comp.number) : NULL;
 	if (interp->comp.number > 0 && interp->config->has_setup && !tool)
@@ -59,7 +60,7 @@ static bool find_radius(struct interp *interp, struct pocket *pocket)
 			     interp->comp.number);
 	pocket->radius -= tool ? fabs(tool->radius) : 0;
 	return pocket->radius > 0 ||
-	       fault(&interp->at, block_column(block, letter), "the pocket is smaller than the tool");
+	       fault(&interp->at, block_column(block, letter), "the tool is too large for the pocket");
 }
 
 /* With G91 each of the L passes is deeper by Z. */

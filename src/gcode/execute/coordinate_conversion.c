@@ -40,15 +40,15 @@ static bool check_form(struct interp *interp)
 
 		if (given && slot > SLOT_Z)
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c does not belong to G68 with I, J and K, whose centre is in X, Y and Z",
+				     "%c does not belong to G68 with I, J and K, whose centre is given by X, Y and Z",
 				     AXIS_LETTERS[slot]);
 		centre += given;
 	}
 	if (!block_has(block, 'I') || !block_has(block, 'J') || !block_has(block, 'K') || !block_has(block, 'R'))
-		return fault(&interp->at, column, "G68 with I, J or K needs all three of them, and its angle in R");
+		return fault(&interp->at, column, "G68 with I, J or K needs all three of them, and R (angle)");
 	if (centre == 3 || (centre == 0 && interp->state.frame.conversions > 0))
 		return true;
-	return fault(&interp->at, column, "the centre of G68 with I, J and K needs X, Y and Z");
+	return fault(&interp->at, column, "G68 with I, J and K needs X, Y and Z (centre)");
 }
 
 /*
@@ -87,9 +87,9 @@ bool coordinate_conversion_knows_length(const struct interp *interp, int column,
 	    interp->config->controller.length_under_g68 != LENGTH_UNDER_G68_UNKNOWN)
 		return true;
 	return fault(&interp->at, column,
-		     "which way the tool's length acts while G68 with I, J and K is in force depends on the control: "
-		     "length_under_g68=\"turned\" (along the turned Z) or \"straight\" (along Z of the machine) in the "
-		     "machine's <controller> says it");
+		     "controls differ in the direction in which the tool length acts while G68 with I, J and K is "
+		     "active: set length_under_g68=\"turned\" (rotated Z) or \"straight\" (Z of the machine) in the "
+		     "machine file's <controller>");
 }
 
 bool coordinate_conversion_check_words(const struct interp *interp, bool absolute)
@@ -104,7 +104,7 @@ bool coordinate_conversion_check_words(const struct interp *interp, bool absolut
 		if (state->unsure[slot] && (!absolute || !block_has(block, AXIS_LETTERS[slot])))
 			return fault(&interp->at, block_motion_column(block),
 				     "the first move after G68 with I, J and K needs X, Y and Z as absolute "
-				     "coordinates: where %c is left depends on the control",
+				     "coordinates, because controls differ in where %c stays",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;

@@ -47,7 +47,7 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 	if (words != 1)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_ROTATION],
-		     "the centre of G68 needs both of its words, or none for where the tool stands");
+		     "G68 needs both words of its centre, or none for the present position");
 }
 
 /*
@@ -63,17 +63,16 @@ static bool turn_in_plane(struct interp *interp)
 	vec3 centre = {0, 0, 0};
 
 	if (state->tcp != TCP_OFF)
-		return fault(&interp->at, column, "G68 under tool centre point control; cancel that first");
+		return fault(&interp->at, column,
+			     "G68 under tool centre point control; cancel tool centre point control first");
 	if (coordinate_conversion_is(&interp->block) && traits_of(interp)->g68_in_space != ANSWER_YES)
 		return fault(&interp->at, column,
-			     "G68 with I, J, K: three-dimensional coordinate conversion is not supported by this "
-			     "control");
+			     "G68 with I, J, K: this control has no three-dimensional coordinate conversion");
 	if (coordinate_conversion_is(&interp->block))
 		return coordinate_conversion_turn(interp);
 	if (!block_has(&interp->block, 'R'))
 		return fault(&interp->at, column,
-			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
-			     "the angle");
+			     "G68 needs R (angle); without R, the control takes the angle from a parameter or setting");
 	if (!find_centre(interp, &centre))
 		return false;
 	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
@@ -93,11 +92,12 @@ static bool tilt(struct interp *interp)
 
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, block->g_column[G_ROTATION],
-			     "G68.2 under tool centre point control; cancel that first");
+			     "G68.2 under tool centre point control; cancel tool centre point control first");
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c does not belong to G68.2, whose origin is in X, Y and Z", AXIS_LETTERS[slot]);
+				     "%c does not belong to G68.2, whose origin is given by X, Y and Z",
+				     AXIS_LETTERS[slot]);
 	}
 	if (!tilted_plane_take(interp, &complete, &frame.turn, &frame.origin))
 		return false;
@@ -137,8 +137,8 @@ static bool check_both_words(struct interp *interp)
 		    !state->unsure[other])
 			continue;
 		return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or "
-			     "its turned coordinate depends on the control; name both",
+			     "%c without %c in the first absolute move after G68: controls differ in whether %c keeps "
+			     "its programmed or its rotated coordinate; write both",
 			     AXIS_LETTERS[slot], AXIS_LETTERS[other], AXIS_LETTERS[other]);
 	}
 	return true;
@@ -167,7 +167,7 @@ bool coordinate_rotation_check_words(struct interp *interp, bool machine)
 
 		if (state->unsure[slot] && state->unsure_code != G68 && !absolute && !same_double(value, 0))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c by an increment after G%g: the first move after it is absolute",
+				     "increment in %c after G%g: the first move must be absolute",
 				     AXIS_LETTERS[slot], state->unsure_code / 10.0);
 		state->unsure[slot] = state->unsure[slot] && !(named && absolute);
 		left = left || state->unsure[slot];
@@ -186,12 +186,12 @@ bool coordinate_rotation_turn(struct interp *interp)
 		return true;
 	state->cycle.turned = true;
 	if (code == G68_4 && !(state->frame.on && state->frame.waits_for_tool))
-		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 without a G53.1 after it");
+		return fault(&interp->at, column, "G68.4 needs an active G68.2 that is not followed by G53.1");
 	if (state->frame.on && code != G68_4 && !coordinate_conversion_goes_on(interp))
-		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
+		return fault(&interp->at, column, "the coordinates are already rotated; cancel this by G69 first");
 	/* In G91, parameters decide whether R adds to the former angle and whether X Y Z are relative to the tool. */
 	if (state->incremental)
-		return fault(&interp->at, column, "%s in incremental distance mode (G91) is not supported yet",
+		return fault(&interp->at, column, "%s in incremental mode (G91) is not supported",
 			     code == G68 ? "G68" : "G68.2");
 	return code == G68 ? turn_in_plane(interp) : tilt(interp);
 }
@@ -203,7 +203,8 @@ static bool turn_about_tip(struct interp *interp, int column, slot_values target
 	struct canon_move move = {.kind = CANON_RAPID};
 
 	if (state->length_code != G43 || state->length_doubt != CODE_NONE)
-		return fault(&interp->at, column, "G53.6 needs the length of the tool whose tip it keeps: G43 first");
+		return fault(&interp->at, column,
+			     "G53.6 needs a tool length, because it keeps the tool tip in place; write G43 first");
 	if (!tool_length_switch_tcp(interp, column, TCP_BY_LENGTH))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
@@ -231,8 +232,8 @@ static bool check_choice(struct interp *interp, const struct kinematics_orientat
 	}
 	return (reached < 2 && !free) ||
 	       fault(&interp->at, column,
-		     "which of several positions of the rotary axes P of %s takes is not followed here: leave P out, "
-		     "and turn the axes towards the position that is meant in a block before",
+		     "P of %s, which selects one of several positions of the rotary axes, is not supported: remove P, "
+		     "and turn the axes towards the intended position in a block before",
 		     orientation->command);
 }
 
@@ -252,7 +253,7 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 	slot_values target = state->position;
 
 	if (!state->frame.on || !state->frame.waits_for_tool)
-		return fault(&interp->at, column, "%s needs a plane that G68.2 has just tilted", name);
+		return fault(&interp->at, column, "%s needs a plane of G68.2 directly before it", name);
 	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
 	orientation.rotary_zero = tool_length_rotary_zero(interp);
 	if (!check_choice(interp, &orientation))
@@ -288,17 +289,17 @@ static bool check_by_machine(struct interp *interp)
 	if (code != G28 && code != G30 && code != G53)
 		return true;
 	if (!is_answered(interp, block->g_column[G_NONMODAL], traits_of(interp)->turned_by_machine,
-			 "where G28, G30 and G53 lead while G68 is in force"))
+			 "where G28, G30 and G53 move while G68 is active"))
 		return false;
 	if (traits_of(interp)->turned_by_machine == TURNED_BY_MACHINE_REFUSED)
-		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
+		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is active; write G69 first",
 			     code / 10);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (slot != across &&
 		    (block_has(block, AXIS_LETTERS[slot]) || (code != G53 && !(block->letters & AXIS_BITS))))
 			return fault(&interp->at, block->g_column[G_NONMODAL],
-				     "G%d with %c while G68 is in force: whether the way there and the coordinates "
-				     "behind it are turned depends on the control; G69 first",
+				     "G%d with %c while G68 is active: controls differ in whether the path and the "
+				     "coordinates after it are rotated; write G69 first",
 				     code / 10, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -321,25 +322,25 @@ bool coordinate_rotation_start_block(struct interp *interp)
 		return turn_back(interp);
 	if (changes_offsets(block))
 		return fault(&interp->at, block->g[G_SYSTEM] != CODE_NONE ? block->g_column[G_SYSTEM] : column,
-			     "a change of offsets while %s is in force is not supported; G69 first", name);
+			     "a change of offsets while %s is active is not supported; write G69 first", name);
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
-			     "tool centre point control while %s is in force; G69 first", name);
+			     "tool centre point control while %s is active; write G69 first", name);
 	if (block->m[M_TCP] == MCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
 		return fault(&interp->at, block->m_column[M_TCP],
-			     "tool centre point control while %s is in force; G69 first", name);
+			     "tool centre point control while %s is active; write G69 first", name);
 	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
 		if (!check_by_machine(interp))
 			return false;
 		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
 			return fault(&interp->at, block->g_column[G_PLANE],
-				     "a change of the plane while G68 is in force; G69 first");
+				     "a change of the plane while G68 is active; write G69 first");
 		return true;
 	}
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]) && block->g[G_ROTATION] == CODE_NONE)
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c while G68.2 is in force: the tool would leave the direction of its plane",
+				     "%c while G68.2 is active: the tool would leave the direction of the tilted plane",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;

@@ -65,8 +65,8 @@ bool corner_insert_start_block(struct interp *interp)
 	if (interp->corner.on && more) {
 		fault_report(
 		    &interp->at, 1,
-		    "the block behind a chamfer or rounding (%s) has a move in the plane and "
-		    "no other code", names(interp));
+		    "the block after a chamfer or rounding (%s) must have a move in the plane and no other code",
+		    names(interp));
 		return drop(interp);
 	}
 	if (block->corner == '\0')
@@ -155,7 +155,7 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	angle = math_atan2(cross(ahead, onward), dot(ahead, onward));
 	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the path of the chamfer or rounding (%s) of line %ld has no corner there", names(interp),
+			     "the path has no corner at the chamfer or rounding (%s) of line %ld", names(interp),
 			     corner->at.line);
 	insertion->clockwise = angle < 0;
 	if (corner->letter != 'R' && (before.is_arc || after.is_arc))
@@ -261,14 +261,12 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 	*waits = false;
 	if (leaves_plane(interp, next->target) || block->motion < G1)
 		return fault(&interp->at, block_motion_column(block),
-			     "the blocks on both sides of a chamfer or rounding (%s) need a move of "
-			     "G1, G2 or G3 in the "
-			     "plane, and in the plane only",
+			     "the blocks before and after a chamfer or rounding (%s) must be moves with G1, G2 or G3 "
+			     "in the plane only",
 			     names(interp));
 	if (next->is_arc && !arcs)
 		return fault(&interp->at, block_motion_column(block),
-			     "a chamfer or rounding (%s) beside an arc is not supported "
-			     "on this control", names(interp));
+			     "this control does not support a chamfer or rounding (%s) beside an arc", names(interp));
 	if (corner->on && (!find_insertion(interp, next, &insertion) || !make_waiting(interp, &insertion)))
 		return drop(interp);
 	if (block->corner == '\0')
@@ -307,7 +305,7 @@ bool corner_insert_end_block(struct interp *interp)
 		return true;
 	}
 	fault_report(&interp->at, 1,
-		     "the block behind a chamfer or rounding (%s) needs a move of G1, G2 or G3 "
-		     "in the plane", names(interp));
+		     "the block after a chamfer or rounding (%s) must be a move with G1, G2 or G3 in the plane",
+		     names(interp));
 	return drop(interp);
 }

@@ -104,8 +104,8 @@ static bool bore_by_hand(struct canned_cycle *cycle)
 	if (!interp->cautioned_by_hand)
 		caution(
 		    &interp->at, block_motion_column(&interp->block),
-		    "G%d: the operator takes the tool out by hand; it is followed straight up and no other way, here "
-		    "and further on",
+		    "G%d: the operator retracts the tool by hand; only a retract straight up is checked, here and "
+		    "further on",
 		    cycle->code / 10);
 	interp->cautioned_by_hand = true;
 	return feed(cycle, cycle->bottom) && rest(cycle) && cycle_hole_rapid(cycle, cycle->clear);

@@ -41,7 +41,7 @@ static bool check_pecks(struct canned_cycle *cycle, int column, double q)
 			     CYCLE_COUNT_MAX);
 	/* Rounding would make such a peck 0, and the pecks would never reach the bottom. */
 	if (cycle->peck_least < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
-		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
+		return fault(&interp->at, column, "Q%g of G%d is too small for the number format at this height", q,
 			     cycle->code / 10);
 	return true;
 }

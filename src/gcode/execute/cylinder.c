@@ -33,7 +33,8 @@ bool cylinder_switch(struct interp *interp)
 		slot = block_has(block, AXIS_LETTERS[i]) ? i : slot;
 	}
 	if (words != 1 || !slot_is_rotary(slot))
-		return fault(&interp->at, column, "G7.1 needs one rotary axis, with the radius of the cylinder or 0");
+		return fault(&interp->at, column,
+			     "G7.1 needs one rotary axis, with the radius of the cylinder, or 0 to cancel");
 	letter = AXIS_LETTERS[slot];
 	/* The word was read as an angle: in inches, an increment of a length is smaller. */
 	if (!(block->points & letter_bit(letter)) && state->scale > 1 && increment < 1 &&
@@ -43,12 +44,12 @@ bool cylinder_switch(struct interp *interp)
 	radius = block_value(block, letter) * state->scale;
 	if (state->tcp != TCP_OFF || state->frame.on || state->polar.on || cutter_comp_is_on(interp))
 		return fault(&interp->at, column,
-			     "G7.1 in changed coordinates, under tool centre point control or cutter compensation is "
-			     "not supported");
+			     "G7.1 is not supported in changed coordinates, under tool centre point control or under "
+			     "cutter compensation");
 	if (radius < 0 || (radius > 0 && state->cylinder.on))
 		return fault(&interp->at, column,
-			     radius < 0 ? "the radius of G7.1 cannot be negative"
-					: "G7.1 while another one is in force; cancel that first");
+			     radius < 0 ? "the radius of G7.1 must not be negative"
+					: "G7.1 inside another G7.1; cancel the first one before");
 	state->cylinder = (struct cylinder){.on = radius > 0, .slot = slot, .radius = radius};
 	return true;
 }
@@ -72,15 +73,15 @@ bool cylinder_check_block(struct interp *interp)
 	}
 	if (code != CODE_NONE && code != G4)
 		return fault(&interp->at, block->g_column[G_NONMODAL],
-			     "G%g under cylindrical interpolation (G7.1); cancel it first", code / 10.0);
+			     "G%g under cylindrical interpolation (G7.1); cancel G7.1 first", code / 10.0);
 	if (block->m[M_TOOL] != CODE_NONE || block->m[M_TCP] != CODE_NONE || block_has(block, 'H') || block->corner)
 		return fault(&interp->at, 1,
-			     "a tool, its length or a corner of ,C or ,R under cylindrical interpolation (G7.1) is not "
-			     "supported");
+			     "a tool, its length or a corner with ,C or ,R under cylindrical interpolation (G7.1) is "
+			     "not supported");
 	if (block->motion == CODE_NONE || block->motion == G80 || (block->motion >= G1 && block->motion <= G3))
 		return true;
 	return fault(&interp->at, block_motion_column(block),
-		     "G%g under cylindrical interpolation (G7.1), which needs feed moves", block->motion / 10.0);
+		     "G%g under cylindrical interpolation (G7.1), which allows only feed moves", block->motion / 10.0);
 }
 
 /* The linear axis of the arc, and whether the rotary axis stands for the first axis of the plane. */
@@ -140,8 +141,8 @@ bool cylinder_arc(struct interp *interp)
 	if (arc_find_centre(start, end, block_value(block, 'R') * interp->state.scale, block->motion == G2, tolerance,
 			    &centre) != ARC_OK)
 		return fault(&interp->at, block_column(block, 'R'),
-			     "the radius does not reach from the start of the arc to its end on the surface, or they "
-			     "are one point");
+			     "the radius is too small to reach the end of the arc on the surface, or start and end are "
+			     "the same point");
 	radius = math_hypot(start.a - centre.a, start.b - centre.b);
 	sweep = arc_sweep(start, end, centre, block->motion == G2, 1, 0);
 	pieces = (int)fmax(fmin(ceil(fabs(sweep) / sqrt(8 * BESIDE / radius)), PIECES_MAX), 1);

@@ -28,24 +28,24 @@ bool dynamic_work_offset_start_block(struct interp *interp)
 
 	if (given != CODE_NONE && !stands_alone(block))
 		return fault(&interp->at, block->g_column[G_DYNAMIC],
-			     "G%d needs a block without axis words, offsets, lengths or a tool change", given / 10);
+			     "G%d needs a block without axis words, offsets, tool length or tool change", given / 10);
 	if (!interp->state.dynamic.on || given != CODE_NONE)
 		return true;
 	if (other == G10 || other == G52 || other == G92)
 		return fault(&interp->at, column,
-			     "a change of offsets while G254 is in force is not supported; G255 first");
+			     "a change of offsets while G254 is active is not supported; write G255 first");
 	if (other == G30)
 		return fault(&interp->at, column,
-			     "G30 while G254 is in force: whether the control ignores G254 on the way is not known; "
-			     "G255 first");
+			     "G30 while G254 is active: it is not known whether the control ignores G254 on the way; "
+			     "write G255 first");
 	if (block->g[G_ROTATION] == G68)
-		return fault(&interp->at, block->g_column[G_ROTATION], "G68 while G254 is in force; G255 first");
+		return fault(&interp->at, block->g_column[G_ROTATION], "G68 while G254 is active; write G255 first");
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
-			     "tool centre point control while G254 is in force; G255 first");
+			     "tool centre point control while G254 is active; write G255 first");
 	if (block->m[M_TCP] == MCODE_TCP_ON)
 		return fault(&interp->at, block->m_column[M_TCP],
-			     "tool centre point control while G254 is in force; G255 first");
+			     "tool centre point control while G254 is active; write G255 first");
 	return true;
 }
 
@@ -56,8 +56,8 @@ bool dynamic_work_offset_check_system(struct interp *interp, int system)
 	if (!state->dynamic.on || (system == state->system && !interp->state.work_assigned))
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_SYSTEM],
-		     "a change of the work offset while G254 is in force: the control has it selected before G254; "
-		     "G255 first");
+		     "a change of the work offset while G254 is active: the control needs it before G254; write G255 "
+		     "first");
 }
 
 /* Marks the coordinates that have changed without a move of the axes. */
@@ -83,12 +83,12 @@ static bool check_offset(struct interp *interp, int column)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!is_zero(state->shift.v[slot]))
 			return fault(&interp->at, column,
-				     "G254 while G%d shifts %c: whether the table carries the shift along is not "
-				     "known; take it back first",
+				     "G254 while G%d shifts %c: it is not known whether the shift moves with the "
+				     "table; cancel the shift first",
 				     state->shift_code / 10, AXIS_LETTERS[slot]);
 		if (slot_is_rotary(slot) && !is_zero(state->offset.v[slot]))
 			return fault(&interp->at, column,
-				     "G254 with a work offset of %.9g degrees in %c: the control needs 0 there",
+				     "G254 with a work offset of %.9g degrees in %c: the control needs 0",
 				     state->offset.v[slot], AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -100,9 +100,10 @@ static bool switch_on(struct interp *interp, int column)
 	axis_values zero = state->canonical;
 
 	if (state->tcp != TCP_OFF)
-		return fault(&interp->at, column, "G254 under tool centre point control; cancel that first");
+		return fault(&interp->at, column,
+			     "G254 under tool centre point control; cancel tool centre point control first");
 	if (state->frame.on)
-		return fault(&interp->at, column, "G254 while G68 is in force; G69 first");
+		return fault(&interp->at, column, "G254 while G68 is active; write G69 first");
 	if (!check_offset(interp, column) || !work_offset_use_require(interp, state->system, column))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -149,8 +150,8 @@ bool dynamic_work_offset_check_words(struct interp *interp)
 			continue;
 		if (interp->state.incremental && !is_zero(block_value(block, AXIS_LETTERS[slot])))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c by an increment after G%d: from where the control counts it is not known; "
-				     "lead the axis somewhere by an absolute coordinate first",
+				     "increment in %c after G%d: the start point of the increment is not known; move "
+				     "the axis to an absolute coordinate first",
 				     AXIS_LETTERS[slot], dynamic->unsure_code / 10);
 		dynamic->unsure[slot] = by_machine || interp->state.incremental;
 	}
@@ -173,13 +174,13 @@ bool dynamic_work_offset_check_cut(struct interp *interp)
 
 		if (dynamic->unsure[slot] && dynamic->unsure_code == G254)
 			return fault(&interp->at, block_motion_column(block),
-				     "G%d after G254 before G0 has led %c to an absolute coordinate: the control needs "
-				     "one of X, Y and Z each before it cuts",
+				     "G%d after G254, but before G0 has moved %c to an absolute coordinate: the "
+				     "control needs this for each of X, Y and Z before it cuts",
 				     block->motion / 10, AXIS_LETTERS[slot]);
 		if (dynamic->unsure[slot] && !led)
 			return fault(&interp->at, block_motion_column(block),
-				     "G%d after G255 without %c: whether the axis stays where it is is not known; give "
-				     "its absolute coordinate",
+				     "G%d after G255 without %c: it is not known whether the axis stays in place; "
+				     "write its absolute coordinate",
 				     block->motion / 10, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -202,8 +203,8 @@ bool dynamic_work_offset_check_turn(struct interp *interp, const slot_values *po
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (!is_zero(position->v[slot] - state->position.v[slot]))
 			return fault(&interp->at, turn_column(&interp->block, slot),
-				     "%c turns while G254 is in force: whether the control then takes the work zero "
-				     "along is not known; G255 first",
+				     "%c turns while G254 is active: it is not known whether the work zero turns with "
+				     "it; write G255 first",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -215,12 +216,12 @@ bool dynamic_work_offset_check_read(struct interp *interp, int slot, int column)
 
 	if (dynamic->on)
 		return fault(&interp->at, column,
-			     "whether the position counts from the work zero or from where G254 has it is not known; "
-			     "G255 first");
+			     "it is not known whether the position is relative to the work zero or to the one that "
+			     "G254 has moved; write G255 first");
 	if (slot > SLOT_Z || !dynamic->unsure[slot])
 		return true;
 	return fault(&interp->at, column,
-		     "the position after G%d is not known; lead the axis somewhere by an absolute coordinate first",
+		     "the position after G%d is not known; move the axis to an absolute coordinate first",
 		     dynamic->unsure_code / 10);
 }
 

@@ -25,8 +25,8 @@ static bool shortest(struct interp *interp, int slot, double aim, int column, do
 	if (fabs(way) >= 180 - SAME_DEGREES) {
 		if (!half_turn)
 			return fault(&interp->at, column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
-				     "\"negative\" of this axis in the machine file says which one the control takes",
+				     "half a turn of %c is equally short in both directions: set "
+				     "half_turn=\"positive\" or \"negative\" for this axis in the machine file",
 				     AXIS_LETTERS[slot]);
 		way = half_turn * fabs(way);
 	}
@@ -61,11 +61,11 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 	if (config->wrap[slot] == WRAP_SHORTEST)
 		return shortest(interp, slot, value + origin, column, target);
 	if (fabs(value) >= 360 && !is_answered(interp, column, traits_of(interp)->wrap_below_turn,
-					       "where an absolute position of a turn or more leads a wrapped axis"))
+					       "where an absolute position of a turn or more moves a wrapped axis"))
 		return false;
 	if (fabs(value) >= 360 && traits_of(interp)->wrap_below_turn == ANSWER_YES)
 		return fault(&interp->at, column,
-			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
+			     "%c%.15g: the absolute position of a wrapped axis must be between -360 and 360 degrees",
 			     AXIS_LETTERS[slot], value);
 	*target = directed(interp, slot, fabs(value) + origin, signbit(value));
 	return true;
@@ -88,9 +88,9 @@ static void caution_probe(struct interp *interp)
 		return;
 	interp->cautioned_probe = true;
 	caution(&interp->at, block_motion_column(&interp->block),
-		"this path depends on where the probe has stopped: under TCP, in turned coordinates, with cutter "
-		"compensation and for rotary axes it is proved from the end of the probe's way only, here and further "
-		"on; lead the probed axis back by an absolute coordinate in a block of its own first");
+		"this path depends on where the probe stopped; under TCP, in rotated coordinates, with cutter "
+		"compensation and for rotary axes, only the path from the end point of the probing move is checked, "
+		"here and further on; move the probed axis to an absolute coordinate in a block of its own first");
 }
 
 /* An absolute word makes the position of a probed axis known, unless its interval is followed (probed_axes.h). */
@@ -140,7 +140,8 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		return true;
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
-			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
+			     "a move between G68.2 and G53.1 is not supported, because the tool does not yet stand on "
+			     "the plane");
 	if ((state->unsure_code != CODE_NONE && !coordinate_rotation_check_words(interp, machine)) ||
 	    (state->dynamic.unsure_code != CODE_NONE && !dynamic_work_offset_check_words(interp)))
 		return false;

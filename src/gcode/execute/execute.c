@@ -47,7 +47,7 @@ static bool refuse_mode(const struct interp *interp, const struct mode_question 
 	if (!mode->answer)
 		return is_answered(interp, mode->column, false, mode->question);
 	return fault(&interp->at, mode->column,
-		     "a parameter of the control decides %s: %s of the machine's <controller> says it", mode->question,
+		     "a parameter of the control decides %s: set %s in the machine file's <controller>", mode->question,
 		     mode->answer);
 }
 
@@ -64,13 +64,13 @@ static APART bool check_modes(struct interp *interp)
 	int column = block_motion_column(block), feed_column = feed ? block_column(block, 'F') : 0;
 	const struct mode_question modes[] = {
 	    {G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21", UNITS_ANSWER},
-	    {G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21", UNITS_ANSWER},
+	    {G_UNITS, feed, feed_column, "whether F is in mm or inches before any G20 or G21", UNITS_ANSWER},
 	    {G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91",
 	     "power_on_distance=\"absolute\" or \"incremental\""},
-	    {G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19",
+	    {G_PLANE, in_plane, column, "which plane is active before any G17, G18 or G19",
 	     "power_on_plane=\"xy\", \"zx\" or \"yz\""},
 	    {G_ARC_DISTANCE, arc && (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))), column,
-	     "whether I, J and K count from the start of an arc", NULL},
+	     "whether I, J and K are relative to the start of an arc", NULL},
 	    {G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95", NULL},
 	};
 
@@ -95,7 +95,7 @@ static bool execute_feed(struct interp *interp)
 		state->feed_mode = state_feed_mode(block->g[G_FEED_MODE]);
 		if (state->feed_linear > 0 &&
 		    !is_answered(interp, block->g_column[G_FEED_MODE], traits_of(interp)->feed_forgotten,
-				 "whether the feed rate outlives G93, G94 and G95"))
+				 "whether the feed rate remains valid after G93, G94 or G95"))
 			return false;
 		if (traits_of(interp)->feed_forgotten == FEED_FORGOTTEN_BY_CODE || state->feed_mode != before)
 			state->feed_linear = state->feed_angular = 0;
@@ -104,7 +104,7 @@ static bool execute_feed(struct interp *interp)
 		return true;
 	feed = block_value(block, 'F');
 	if (feed < 0)
-		return fault(&interp->at, block_column(block, 'F'), "a feed rate cannot be negative");
+		return fault(&interp->at, block_column(block, 'F'), "a feed rate must not be negative");
 	if (state->feed_mode != FEED_INVERSE_TIME) {
 		state->feed_linear = feed * state->scale;
 		state->feed_angular = feed;
@@ -119,7 +119,7 @@ static bool execute_speed(struct interp *interp)
 	if (!block_has(block, 'S'))
 		return true;
 	if (block_value(block, 'S') < 0)
-		return fault(&interp->at, block_column(block, 'S'), "a spindle speed cannot be negative");
+		return fault(&interp->at, block_column(block, 'S'), "a spindle speed must not be negative");
 	interp->state.speed = block_value(block, 'S');
 	interp->state.speed_is_zero = !(interp->state.speed > 0);
 	return true;
@@ -134,7 +134,7 @@ static void miss_speed(struct interp *interp, int code)
 		return;
 	state->speed_missed = true;
 	caution(&interp->at, interp->block.m_column[M_SPINDLE],
-		"M%d without a spindle speed (S) so far: the spindle is taken to turn, but the control may have kept a "
+		"M%d without a spindle speed (S): the spindle is assumed to turn, but the control may have kept a "
 		"speed of 0",
 		code);
 }
@@ -178,7 +178,7 @@ static bool execute_path(struct interp *interp)
 		return true;
 	if (block->g[G_PATH] == G61_1 &&
 	    !is_answered(interp, block->g_column[G_PATH], traits_of(interp)->g64_has_tolerance,
-			 "whether G61.1 keeps to the path"))
+			 "whether G61.1 keeps to the programmed path"))
 		return false;
 	if (state->contour && blends) {
 		state->blend_before = true;
@@ -186,7 +186,7 @@ static bool execute_path(struct interp *interp)
 	}
 	if (state->contour)
 		return fault(&interp->at, block->g_column[G_PATH],
-			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
+			     "G%d while G5.1, G8 or G5 P10000 is active is not supported", block->g[G_PATH] / 10);
 	state->blend = blends;
 	state->blend_tolerance = 0;
 	if (!state->blend || !block_has(block, 'P') || traits_of(interp)->g64_has_tolerance == ANSWER_NO)
@@ -195,7 +195,7 @@ static bool execute_path(struct interp *interp)
 			 "whether P of G64 is a path tolerance"))
 		return false;
 	if (block_value(block, 'P') < 0)
-		return fault(&interp->at, block_column(block, 'P'), "a path tolerance cannot be negative");
+		return fault(&interp->at, block_column(block, 'P'), "a path tolerance must not be negative");
 	state->blend_tolerance = block_value(block, 'P') * state->scale;
 	return true;
 }
@@ -421,7 +421,7 @@ static bool execute_codes(struct interp *interp)
 
 	if (block->g[G_UNITS] != CODE_NONE && block->letters &&
 	    !is_answered(interp, block->g_column[G_UNITS], dialect->traits.known_order,
-			 "whether a unit holds for all words of its block"))
+			 "whether a unit applies to all words of its block"))
 		return false;
 	/* Fanuc and Haas: the unit is at the start of the program, and is valid for its whole block. */
 	if (block->g[G_UNITS] != CODE_NONE && dialect->traits.known_order != ANSWER_YES)

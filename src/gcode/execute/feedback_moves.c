@@ -18,16 +18,16 @@ static bool find_pitch_feed(struct interp *interp, struct canon_feed *feed)
 	const char *tenths = block->motion == G33_1 ? ".1" : "";
 
 	if (!block_has(block, 'K'))
-		return fault(&interp->at, column, "G33%s needs its pitch in K", tenths);
+		return fault(&interp->at, column, "G33%s needs K (pitch)", tenths);
 	if (block_has(block, 'F'))
 		return fault(&interp->at, block_column(block, 'F'),
-			     "F with G33%s, whose feed is its pitch times the spindle speed; leave F out", tenths);
+			     "F with G33%s: the feed is the pitch times the spindle speed; remove F", tenths);
 	if (state->spindle == SPINDLE_STOPPED || !(state->speed > 0))
-		return fault(&interp->at, column, "G33%s while the spindle stands", tenths);
+		return fault(&interp->at, column, "G33%s with a stopped spindle", tenths);
 	feed->linear = fabs(block_value(block, 'K')) * state->scale * state->speed / SECONDS_PER_MINUTE;
 	feed->angular = radians(fabs(block_value(block, 'K')) * state->speed) / SECONDS_PER_MINUTE;
 	if (!(feed->linear > 0))
-		return fault(&interp->at, block_column(block, 'K'), "a pitch of 0");
+		return fault(&interp->at, block_column(block, 'K'), "the pitch is 0");
 	return true;
 }
 
@@ -39,7 +39,7 @@ static bool tap(struct interp *interp, const slot_values *target, struct canon_m
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c with G33.1, which moves X, Y and Z only", AXIS_LETTERS[slot]);
+				     "%c with G33.1, which moves only X, Y and Z", AXIS_LETTERS[slot]);
 	}
 	/* Down and back to the start; the retract is I times as fast if I > 1. */
 	if (!motion_commands_go(interp, target, move))
@@ -62,19 +62,20 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	int column = block_motion_column(block);
 
 	if (interp->comp.side != 0)
-		return fault(&interp->at, column, "probing under cutter compensation; G40 first");
+		return fault(&interp->at, column, "probing under cutter compensation; write G40 first");
 	/* Fanuc B-64484EN and Haas, "G31": a move without a signal is no error, and G95 is a feed like any other. */
 	if (is_skip(block->motion))
 		return true;
 	if (interp->state.feed_mode == FEED_PER_REVOLUTION)
-		return fault(&interp->at, column, "G38.%d in feed per revolution (G95); G94 first", block->motion % 10);
+		return fault(&interp->at, column,
+			     "G38.%d in feed per revolution (G95); write G94 first", block->motion % 10);
 	if (block->motion != G38_2 && block->motion != G38_4)
 		return true;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!same_double(target->v[slot], start.v[slot]))
 			return true;
 	}
-	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
+	return fault(&interp->at, column, "the end point of G38.%d is the position of the probe", block->motion % 10);
 }
 
 /* The probe stops where it finds something, or at the end of its path. */

@@ -11,8 +11,8 @@ static void caution_wear(struct interp *interp, char letter, int number, bool is
 		return;
 	interp->cautioned_wear = true;
 	caution(&interp->at, block_column(&interp->block, 'L'),
-		is_wear ? "the length or radius that the setup has for %c%d counts as without wear, here and further on"
-			: "the wear of %c%d counts as 0 until the program writes it, here and further on",
+		is_wear ? "the length or radius of %c%d in the setup is assumed to have no wear, here and further on"
+			: "the wear of %c%d is assumed to be 0 until the program sets it, here and further on",
 		letter, number);
 }
 
@@ -24,8 +24,8 @@ static bool check_in_use(struct interp *interp, char letter, int number)
 
 	return !used ||
 	       fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G10 changes %c%d while it is in force: from which block on the change holds depends on the "
-		     "control; write it before",
+		     "G10 changes %c%d while it is active: controls differ in the block from which the change is "
+		     "valid; change it earlier",
 		     letter, number);
 }
 
@@ -36,9 +36,9 @@ static bool find_factor(struct interp *interp, double *factor)
 
 	*factor = form == COMP_D_DIAMETER ? 0.5 : 1;
 	return form != COMP_D_UNKNOWN || fault(&interp->at, block_column(&interp->block, 'R'),
-					       "a parameter of the control decides whether D counts a radius or a "
-					       "diameter: cutter_comp_d=\"radius\" or "
-					       "\"diameter\" of the machine's <controller> says it");
+					       "a parameter of the control decides whether D is a radius or a "
+					       "diameter: set cutter_comp_d=\"radius\" or \"diameter\" in the machine "
+					       "file's <controller>");
 }
 
 bool g10_registers_write(struct interp *interp, int mode)
@@ -51,7 +51,7 @@ bool g10_registers_write(struct interp *interp, int mode)
 
 	if (!block_has(block, 'R') || (block->letters & AXIS_BITS))
 		return fault(&interp->at, block->g_column[G_NONMODAL],
-			     "G10 L%d needs its value in R, and has no axis words", mode);
+			     "G10 L%d needs R (value) and no axis words", mode);
 	if (!block_integer(block, &interp->at, 'P', 1, NUMBER_MAX, &number) || !check_in_use(interp, letter, number))
 		return false;
 	if (!is_length && !find_factor(interp, &factor))

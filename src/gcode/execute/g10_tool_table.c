@@ -33,9 +33,9 @@ static bool find_tool(struct interp *interp, int *number)
 	if (tool_table_find(&interp->tools, *number))
 		return true;
 	if (!interp->config->has_setup)
-		return fault(&interp->at, column, "P%d: no setup was given that defines tools", *number);
+		return fault(&interp->at, column, "P%d: no tools are defined, because there is no setup", *number);
 	return fault(&interp->at, column,
-		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
+		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with its shape",
 		     *number, *number);
 }
 
@@ -46,12 +46,12 @@ static bool check_words(struct interp *interp, int mode)
 	for (const char *letter = "IJQ"; *letter; letter++) {
 		if (block_has(block, *letter))
 			return fault(&interp->at, block_column(block, *letter),
-				     "%c: the angles and the orientation of lathe tools are not supported yet",
+				     "%c: angles and orientation of lathe tools are not supported",
 				     *letter);
 	}
 	if (!(block->letters & (AXIS_BITS | letter_bit('R'))))
 		return fault(&interp->at, block->g_column[G_NONMODAL],
-			     "G10 L%d changes nothing; give the tool's Z offset, or its radius in R", mode);
+			     "G10 L%d without effect: give Z (tool length) or R (tool radius)", mode);
 	return true;
 }
 
@@ -62,12 +62,13 @@ static bool check_position(struct interp *interp, int mode)
 
 	if (interp->state.tcp != TCP_OFF)
 		return fault(&interp->at, column,
-			     "G10 L%d measures the tool at the machine's position; switch TCP off first", mode);
+			     "G10 L%d measures the tool at the machine position, which is not supported under TCP; "
+			     "cancel TCP first", mode);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (interp->state.probed[slot])
 			return fault(&interp->at, column,
-				     "G10 L%d measures the tool where a probe has stopped %c, which is not known "
-				     "before the program runs; give the length in the setup, or with G10 L1",
+				     "G10 L%d measures the tool at the probed position of %c, which is not known "
+				     "before the program runs; give the length in the setup or by G10 L1",
 				     mode, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -86,8 +87,8 @@ static bool check_offsets(struct interp *interp, int mode, int number)
 		offset = offset_of(interp, mode, slot, block_value(block, letter));
 		if (slot != SLOT_Z && fabs(offset) > SAME_POINT)
 			return fault(&interp->at, block_column(block, letter),
-				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply to that axis"
-				     "; offsets of tools in other axes than Z are not supported yet",
+				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply; only tool "
+				     "offsets in Z are supported",
 				     mode, number, offset, slot_is_rotary(slot) ? "degrees" : "mm", letter);
 	}
 	return true;

@@ -67,15 +67,14 @@ bool length_change_settle(struct interp *interp, const struct length_change *cha
 		return true;
 	if (interp->config->controller.length_moves == ANSWER_UNKNOWN)
 		return fault(&interp->at, change->column,
-			     "whether this change of the length compensation moves %c at once depends on the control: "
-			     "give %c here as an absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in "
-			     "the <controller> of the machine file",
+			     "controls differ in whether this change of the tool length moves %c at once: write %c in "
+			     "this block as an absolute coordinate, or set length_offset_moves=\"yes\" or \"no\" in "
+			     "the machine file's <controller>",
 			     AXIS_LETTERS[open], AXIS_LETTERS[open]);
 	if (!is_plain(interp, change))
 		return fault(&interp->at, change->column,
-			     "where this change of the length compensation moves %c to, with "
-			     "length_offset_moves=\"yes\", is not known here; give %c in this block as an absolute "
-			     "coordinate of G0 or G1",
+			     "with length_offset_moves=\"yes\", this change of the tool length moves %c to an unknown "
+			     "position; write %c in this block as an absolute coordinate of G0 or G1",
 			     AXIS_LETTERS[open], AXIS_LETTERS[open]);
 	state->length_moves = true;
 	state->length_shift = change->shift;

@@ -5,7 +5,8 @@
 
 static bool refuse(struct interp *interp, int column, const char *what)
 {
-	return fault(&interp->at, column, "%s while a mirror image is in force is not supported; cancel it first",
+	return fault(&interp->at, column,
+		     "%s while a mirror image is active is not supported; cancel the mirror image first",
 		     what);
 }
 
@@ -40,7 +41,7 @@ static bool check_cycle(struct interp *interp)
 	if (block->motion == CODE_NONE || !code_is_cycle(block->motion))
 		return true;
 	if (is_mirrored(&interp->state, depth))
-		return refuse(interp, block_motion_column(block), "a canned cycle along an axis that is mirrored");
+		return refuse(interp, block_motion_column(block), "a canned cycle along a mirrored axis");
 	if (block->motion != G83 && block->motion != G73 && (block->letters & (letter_bit('I') | letter_bit('J'))))
 		return refuse(interp, block_motion_column(block), "a shift by I and J");
 	return true;
@@ -60,7 +61,7 @@ bool mirror_image_start_block(struct interp *interp)
 	if (block->g[G_SCALING] == G51)
 		return refuse(interp, block->g_column[G_SCALING], "scaling");
 	if ((code == G28 || code == G30 || code == G53) && !check_by_machine(interp))
-		return refuse(interp, block->g_column[G_NONMODAL], "a move to a place of the machine");
+		return refuse(interp, block->g_column[G_NONMODAL], "a move to a machine position");
 	return check_cycle(interp);
 }
 
@@ -73,7 +74,7 @@ static bool add_mirrors(struct interp *interp, double sign[3], double at[3])
 	bool any = false;
 
 	if (state->incremental)
-		return fault(&interp->at, column, "G%g in incremental distance mode (G91) is not supported; G90 first",
+		return fault(&interp->at, column, "G%g in incremental mode (G91) is not supported; write G90 first",
 			     code / 10.0);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
@@ -86,12 +87,12 @@ static bool add_mirrors(struct interp *interp, double sign[3], double at[3])
 		/* Haas mirrors at the zero of the work offset; its manual does not explain other values. */
 		if (code == G101 && !same_double(block_value(block, letter), 0))
 			return fault(&interp->at, block_column(block, letter),
-				     "G101 with another figure than 0 is not supported");
+				     "G101 with a value other than 0 is not supported");
 		any = true;
 		sign[slot] = -1;
 		at[slot] = block_value(block, letter) * state->scale;
 	}
-	return any || fault(&interp->at, column, "G%g needs the axes that it mirrors", code / 10.0);
+	return any || fault(&interp->at, column, "G%g needs words for the axes to mirror", code / 10.0);
 }
 
 bool mirror_image_switch(struct interp *interp)
@@ -111,7 +112,7 @@ bool mirror_image_switch(struct interp *interp)
 	if ((state->frame.on && !was_on) || state->tcp != TCP_OFF)
 		return fault(
 		    &interp->at, block->g_column[G_MIRROR],
-		    "a mirror image of turned coordinates, or under tool centre point control, is not supported");
+		    "a mirror image of rotated coordinates, or under tool centre point control, is not supported");
 	if (was_on) {
 		sign[0] = turn->x.x, sign[1] = turn->y.y, sign[2] = turn->z.z;
 		at[0] = origin->x / 2, at[1] = origin->y / 2, at[2] = origin->z / 2;

@@ -242,7 +242,7 @@ bool motion_commands_dwell(struct interp *interp)
 	if (!motion_commands_seconds(interp, letter, &seconds))
 		return false;
 	if (seconds < 0)
-		return fault(&interp->at, block_column(block, letter), "a dwell cannot be negative");
+		return fault(&interp->at, block_column(block, letter), "a dwell must not be negative");
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
@@ -261,8 +261,8 @@ static bool keep_feed(struct interp *interp, struct canon_feed *feed)
 		return fault(&interp->at, column, "G%d without a feed rate (F)", code);
 	if (!interp->cautioned_feed)
 		caution(&interp->at, column,
-			"G%d without a feed rate (F): the control goes on at one that it has kept, or stops with an "
-			"alarm; the path is followed, at the rates of the axes; here and further on",
+			"G%d without a feed rate (F): the control uses an earlier feed rate or stops with an alarm; "
+			"the path is checked at the largest speeds of the axes, here and further on",
 			code);
 	interp->cautioned_feed = true;
 	feed->linear = FASTEST_FEED;

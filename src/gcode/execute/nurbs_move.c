@@ -30,10 +30,10 @@ static bool check(struct interp *interp)
 	const struct block *block = &interp->block;
 
 	if (state->tcp != TCP_OFF || interp->comp.side != 0 || state->feed_mode != FEED_PER_MINUTE)
-		return refuse(interp, "G6.2 under tool centre point control, cutter compensation, G93 or G95 is not "
-				      "supported");
+		return refuse(interp,
+			      "G6.2 is not supported under tool centre point control, cutter compensation, G93 or G95");
 	if (state->incremental || state->frame.on || state->polar.on)
-		return refuse(interp, "G6.2 in G91 or in turned, scaled or polar coordinates is not supported");
+		return refuse(interp, "G6.2 is not supported in G91 or in rotated, scaled or polar coordinates");
 	if (block->m[M_TOOL] != CODE_NONE)
 		return fault(&interp->at, block->m_column[M_TOOL], "M%d beside G6.2 is not supported; write two blocks",
 			     block->m[M_TOOL]);
@@ -70,10 +70,11 @@ static bool add_knot(struct interp *interp)
 	double knot;
 
 	if (!block_has(&interp->block, 'K'))
-		return refuse(interp, "every block of a G6.2 needs K, a knot of its curve");
+		return refuse(interp, "every block of G6.2 needs K (knot)");
 	knot = block_value(&interp->block, 'K');
 	if (memory->knot_count > 0 && knot < memory->knots[memory->knot_count - 1])
-		return fault(&interp->at, block_column(&interp->block, 'K'), "a knot (K) below the one before");
+		return fault(&interp->at, block_column(&interp->block, 'K'),
+			     "this knot (K) is smaller than the one before");
 	memory->knots[memory->knot_count++] = knot;
 	return true;
 }
@@ -93,28 +94,31 @@ static bool add_point(struct interp *interp, vec3 here)
 	slot_values target;
 
 	if (memory->knot_count > memory->count + 1)
-		return refuse(interp, "a point of a G6.2 behind knots that stand alone, which end its curve");
+		return refuse(interp, "a control point of G6.2 after knots without points, which end the curve");
 	if (memory->count == SPLINE_POINTS_MAX)
-		return fault(&interp->at, block_motion_column(block), "more than %d points in a G6.2",
+		return fault(&interp->at, block_motion_column(block), "more than %d control points in a G6.2 curve",
 			     SPLINE_POINTS_MAX);
 	if (!endpoint_find(interp, false, &target))
 		return false;
 	point.at = linear(&target);
 	if (memory->count == 0 && vec3_norm(vec3_sub(point.at, here)) > SAME_COORDINATE)
-		return refuse(interp, "the first point of a G6.2 is not where the tool stands");
+		return refuse(interp, "the first control point of G6.2 must be the present position");
 	if (axes && memory->axes && axes != memory->axes)
-		return refuse(interp, "each point of a G6.2 needs a word for each axis of its curve, and for no other");
+		return refuse(interp,
+			      "each control point of G6.2 needs a word for every axis of the curve and for no other "
+			      "axis");
 	memory->axes |= axes;
 	/* The weight of a point without R is always 1. */
 	if (block_has(block, 'R') && !(block->points & letter_bit('R')) &&
 	    !same_double(interp->config->controller.least_input, 1))
 		return fault(&interp->at, block_column(block, 'R'),
-			     "R, the weight of a point, needs a decimal point: whether 1 is 1.0 or counts least input "
-			     "increments is not known");
+			     "R (weight of a control point) needs a decimal point: it is not known whether 1 means 1.0 "
+			     "or one least input increment");
 	if (block_has(block, 'R'))
 		point.weight = block_value(block, 'R');
 	if (!(point.weight > 0))
-		return fault(&interp->at, block_column(block, 'R'), "R, the weight of a point, must be more than 0");
+		return fault(&interp->at, block_column(block, 'R'),
+			     "R (weight of a control point) must be greater than 0");
 	memory->points[memory->count++] = point;
 	return true;
 }
@@ -128,15 +132,15 @@ static bool check_knots(struct interp *interp)
 
 	if (memory->count < order)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "a G6.2 of rank %d needs as many points", memory->order);
+			     "a G6.2 curve of rank %d needs at least as many control points", memory->order);
 	if (!same_double(knots[0], knots[order - 1]) || !same_double(knots[last], knots[last + order - 1]))
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the first knot and the last knot of a G6.2 of rank %d must stand %d times each",
+			     "the first and the last knot of a G6.2 curve of rank %d must occur %d times each",
 			     memory->order, memory->order);
 	for (size_t i = 0; i < last; i++) {
 		if (i > 0 && same_double(knots[i], knots[i + order - 1]))
 			return refuse(interp,
-				      "a knot of a G6.2 stands too often inside of its curve, which would jump");
+				      "a knot inside the G6.2 curve occurs too often: the curve would jump");
 	}
 	return true;
 }
@@ -216,12 +220,12 @@ bool nurbs_move_run(struct interp *interp)
 		return false;
 	if (!opens && block_has(block, 'P'))
 		return fault(&interp->at, block_column(block, 'P'),
-			     "P, the rank of the curve, belongs beside its G6.2");
+			     "P (rank of the curve) is allowed only in the block with G6.2");
 	if (!add_knot(interp))
 		return false;
 	if (opens || (block->letters & AXIS_BITS))
 		return add_point(interp, linear(&here));
 	if (block_has(block, 'R'))
-		return fault(&interp->at, block_column(block, 'R'), "a weight (R) without a point of the curve");
+		return fault(&interp->at, block_column(block, 'R'), "a weight (R) without a control point");
 	return memory->knot_count < memory->count + (size_t)memory->order || finish(interp);
 }

@@ -87,7 +87,7 @@ static bool refuse_incremental(struct interp *interp)
 	if (same)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);
+		     "G%d in incremental mode (G91) is not supported", code / 10);
 }
 
 /*
@@ -185,17 +185,17 @@ static bool clear_common(struct interp *interp)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (slot_word(interp, slot, &word) && !same_double(word, 0))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "G10 L2 P0 with anything but 0 shifts all work offsets, which is not followed: "
-				     "write the sum into each of them by P1 to P%d",
+				     "G10 L2 P0 with values other than 0 shifts all work offsets, which is not "
+				     "supported: write the sum into each of them by P1 to P%d",
 				     traits_of(interp)->g10_last);
 	}
 	if (is_shifted(&interp->state))
 		return fault(&interp->at, block_column(block, 'P'),
-			     "G10 L2 P0 while G%d is in force is not supported yet", interp->state.shift_code / 10);
+			     "G10 L2 P0 while G%d is active is not supported", interp->state.shift_code / 10);
 	if (!interp->cautioned_common)
 		caution(&interp->at, block_column(block, 'P'),
-			"G10 L2 P0 clears the shift of all work offsets: those of the setup are taken to be without "
-			"it");
+			"G10 L2 P0 clears the shift of all work offsets: the setup's work offsets are assumed not to "
+			"contain it");
 	interp->cautioned_common = true;
 	return true;
 }
@@ -208,8 +208,8 @@ static bool check_data(struct interp *interp, int mode)
 	if (traits_of(interp)->g10_writes_registers != ANSWER_YES || (!parameters && !life))
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks "
-		     "from G10 to G11",
+		     "G10 L%d changes %s of the control, which %s not supported; check a copy of the program without "
+		     "the blocks from G10 to G11",
 		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
 }
 
@@ -230,7 +230,7 @@ bool offsets_set(struct interp *interp)
 
 	if (tools && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
 		return fault(&interp->at, block_column(block, 'L'),
-			     "G10 L0 reads the file of the tool table again, which is not known here");
+			     "G10 L0 reloads the tool table, whose contents are not known");
 	if (!block_has(block, 'L'))
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode) || !check_data(interp, mode))
@@ -242,10 +242,10 @@ bool offsets_set(struct interp *interp)
 	if (tools && block_writes_tool_table(mode))
 		return g10_tool_table_write(interp, mode);
 	if (mode != 2 && mode != 20)
-		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
+		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported", mode);
 	if (block_has(block, 'R') && !turns_nothing(interp, mode))
 		return fault(&interp->at, block_column(block, 'R'),
-			     "G10 with R: rotation of a coordinate system is not supported yet");
+			     "G10 with R: rotation of a coordinate system is not supported");
 	if (mode == 2 && traits->g10_first == 1 && same_double(block_value(block, 'P'), 0))
 		return clear_common(interp);
 	if (!find_written(interp, mode, &system))
@@ -298,12 +298,13 @@ static bool preset(struct interp *interp)
 	if (state->frame.on || state->tcp != TCP_OFF || interp->comp.side != 0 || !same_double(state->length, 0))
 		return fault(
 		    &interp->at, column,
-		    "G92.1 in changed coordinates or under compensation (G41, G43) is not supported; G49 first");
+		    "G92.1 in changed coordinates or with an active compensation (G41, G43) is not supported; write "
+		    "G49 first");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 
 		if (block_has(block, letter) && !same_double(block_value(block, letter), 0))
-			return fault(&interp->at, block_column(block, letter), "G92.1 presets an axis by 0 only");
+			return fault(&interp->at, block_column(block, letter), "G92.1 presets an axis only to 0");
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		state->shift.v[slot] = block_has(block, AXIS_LETTERS[slot]) ? 0 : state->shift.v[slot];
@@ -332,7 +333,7 @@ bool offsets_shift(struct interp *interp)
 	if (!refuse_incremental(interp))
 		return false;
 	if (traits_of(interp)->one_shift != ANSWER_YES && state->shift_code != code && is_shifted(state))
-		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
+		return fault(&interp->at, column, "G%d while G%d is active is not supported", code / 10,
 			     state->shift_code / 10);
 	if ((code != G52 && !check_place(interp)) ||
 	    !change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))

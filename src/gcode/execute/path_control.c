@@ -33,11 +33,11 @@ static bool select_smoothing(struct interp *interp, int q)
 	for (const char *letter = AXIS_LETTERS; *letter; letter++)
 		if (block_has(block, *letter) && !same_double(block_value(block, *letter), 0))
 			return fault(&interp->at, block_column(block, *letter),
-				     "%c of G5.1 names an axis that is smoothed; its value must be 0", *letter);
+				     "%c in G5.1 selects an axis to smooth; its value must be 0", *letter);
 	if (!(interp->config->controller.path_tolerance > 0))
 		return fault(&interp->at, block->g_column[G_CONTOUR],
-			     "G5.1 Q%d lets the control smooth the path: path_tolerance=\"\" of the machine's "
-			     "<controller> says how far from the programmed path it may go",
+			     "G5.1 Q%d lets the control smooth the path: set path_tolerance=\"\" (largest deviation "
+			     "from the programmed path) in the machine file's <controller>",
 			     q);
 	switch_contour(&interp->state, true);
 	return true;
@@ -93,7 +93,7 @@ static bool select_accuracy(struct interp *interp)
 	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 1, 3, &p))
 		return false;
 	if (block_has(block, 'E') && block_value(block, 'E') < 0)
-		return fault(&interp->at, block_column(block, 'E'), "a rounding of corners cannot be negative");
+		return fault(&interp->at, block_column(block, 'E'), "the rounding of corners must not be negative");
 	state->blend = true;
 	state->blend_tolerance = block_has(block, 'E') ? block_value(block, 'E') * state->scale : 0;
 	return true;

@@ -23,13 +23,14 @@ static bool check_outline_block(struct interp *interp)
 	for (int group = 0; group < G_GROUPS; group++) {
 		if (block->g[group] != CODE_NONE && group != G_MOTION && group != G_DISTANCE && group != G_PATH)
 			return fault(&interp->at, block->g_column[group],
-				     "G%g in the outline of a pocket of G150, which is made of G1, G2 and G3",
+				     "G%g in the outline of a G150 pocket, which can have only G1, G2 and G3",
 				     block->g[group] / 10.0);
 	}
 	if (block->m_count > ends || (ends && block_has(block, 'P')) || block->corner ||
 	    (block->motion != CODE_NONE && !moves) || (block->letters & AXIS_BITS & ~letter_bits("XY")))
 		return fault(&interp->at, 1,
-			     "the outline of a pocket of G150 is made of moves of X and Y by G1, G2 and G3, up to M99");
+			     "the outline of a G150 pocket must consist of moves of X and Y by G1, G2 and G3, up to "
+			     "M99");
 	return true;
 }
 
@@ -61,17 +62,17 @@ static bool check_block_behind(struct interp *interp)
 		pocket->compensated = false;
 	if (changes_coordinates(block))
 		return fault(&interp->at, 1,
-			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by "
+			     "the position of the tool in the G150 pocket is not known: move to absolute X, Y and Z by "
 			     "G0 or G1 before the coordinates change");
 	if (block->words == 0 || (block->motion == CODE_NONE && block->g[G_NONMODAL] == CODE_NONE &&
 				  block->m[M_TOOL] == CODE_NONE))
 		return true;
 	if (pocket->compensated)
-		return fault(&interp->at, 1, "the cutter compensation of G150 is still on: G40 first");
+		return fault(&interp->at, 1, "the cutter compensation of G150 is still on; write G40 first");
 	if (block->motion > G1 || block->g[G_NONMODAL] != CODE_NONE || block->m[M_TOOL] != CODE_NONE || incremental ||
 	    (block->letters & AXIS_BITS & ~letter_bits("XYZ")))
 		return fault(&interp->at, 1,
-			     "where the tool stands in the pocket of G150 is not known: go to absolute X, Y and Z by "
+			     "the position of the tool in the G150 pocket is not known: move to absolute X, Y and Z by "
 			     "G0 or G1 first");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		pocket->open[slot] = pocket->open[slot] && !block_has(block, AXIS_LETTERS[slot]);
@@ -108,8 +109,9 @@ static bool check_state(struct interp *interp)
 	if (state->plane != G17 || state->incremental)
 		return refuse(interp, "needs the plane of G17 and G90");
 	if (state->frame.on || state->tcp != TCP_OFF || state->polar.on || interp->comp.side != 0 || state->dynamic.on)
-		return refuse(interp, "in changed coordinates, under tool centre point control or under cutter "
-				      "compensation is not supported");
+		return refuse(interp,
+			      "is not supported in changed coordinates, under tool centre point control or under "
+			      "cutter compensation");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (!probed_axes_is_known(interp, slot, column))
 			return false;
@@ -122,17 +124,18 @@ static bool check_words(struct interp *interp)
 	const struct block *block = &interp->block;
 
 	if (block->letters & AXIS_BITS & ~letter_bits("XYZ"))
-		return refuse(interp, "with other axes than X, Y and Z is not supported");
+		return refuse(interp, "is not supported with axes other than X, Y and Z");
 	if (!block_has(block, 'P') || !block_has(block, 'Q') || !block_has(block, 'R') || !block_has(block, 'Z'))
-		return refuse(interp, "needs P, Q, R and Z: the program of the outline, the depth of each pass, where "
-				      "it begins and the depth");
+		return refuse(interp,
+			      "needs P (program of the outline), Q (depth of each pass), R (start height) and Z "
+			      "(depth)");
 	if (block_has(block, 'I') == block_has(block, 'J'))
-		return refuse(interp, "needs I or J, the width of a cut, and not both");
+		return refuse(interp, "needs either I or J (width of cut)");
 	if (!(block_value(block, 'Q') > 0) || !(block_value(block, block_has(block, 'I') ? 'I' : 'J') > 0))
-		return refuse(interp, "needs a Q, and an I or J, of more than 0");
+		return refuse(interp, "needs Q and I or J greater than 0");
 	if (block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'), "L of G150 is not supported; repeat the block");
-	return block_value(block, 'R') > block_value(block, 'Z') || refuse(interp, "needs an R above Z");
+	return block_value(block, 'R') > block_value(block, 'Z') || refuse(interp, "needs R above Z");
 }
 
 /* With a negative radius the tool leaves the outline. */
@@ -185,11 +188,12 @@ static bool check_outline(struct interp *interp)
 	const struct pocket_milling *pocket = &interp->state.pocket_milling;
 
 	if (!pocket_outline_is_closed(pocket))
-		return fault(&interp->at, 1, "the outline of the pocket of G150 is not closed: after the first move it "
-					     "comes back to where that has led");
+		return fault(&interp->at, 1,
+			     "the outline of the G150 pocket is not closed: it must return to the end point of its "
+			     "first move");
 	return pocket->side * pocket->area >= 0 ||
 	       fault(&interp->at, 1,
-		     "G%d leads the tool round the outside of this outline of G150: turn the outline round",
+		     "G%d leads the tool along the outside of this G150 outline: reverse the outline",
 		     pocket->side > 0 ? 41 : 42);
 }
 

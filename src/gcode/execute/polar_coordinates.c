@@ -53,9 +53,8 @@ static bool take_words(struct interp *interp, char radius, char angle)
 	if (block_has(block, radius)) {
 		if (state->incremental && !same_double(block_value(block, radius), 0))
 			return fault(&interp->at, block_column(block, radius),
-				     "%c by an increment (G91) in polar coordinates (G16) is not supported: it moves "
-				     "the pole to "
-				     "where the tool is",
+				     "increment in %c (G91) in polar coordinates (G16) is not supported: it moves the "
+				     "pole to the tool position",
 				     radius);
 		if (!state->incremental) {
 			polar->radius = block_value(block, radius) * state->scale;
@@ -65,7 +64,7 @@ static bool take_words(struct interp *interp, char radius, char angle)
 	if (block_has(block, angle)) {
 		if (state->incremental && !polar->has_angle)
 			return fault(&interp->at, block_column(block, angle),
-				     "%c by an increment (G91) before any angle of these polar coordinates (G16)",
+				     "increment in %c (G91) before any angle in polar coordinates (G16)",
 				     angle);
 		polar->angle = block_value(block, angle) + (state->incremental ? polar->angle : 0);
 		polar->has_angle = true;
@@ -87,7 +86,7 @@ bool polar_coordinates_find(struct interp *interp, slot_values *target)
 	if (!polar->has_radius || !polar->has_angle)
 		return fault(
 		    &interp->at, block_motion_column(&interp->block),
-		    "the first move in polar coordinates (G16) needs both its radius in %c and its angle in %c", radius,
+		    "the first move in polar coordinates (G16) needs %c (radius) and %c (angle)", radius,
 		    angle);
 	target->v[a] = state->offset.v[a] + polar->radius * math_cos_degrees(polar->angle);
 	target->v[b] = state->offset.v[b] + polar->radius * math_sin_degrees(polar->angle);

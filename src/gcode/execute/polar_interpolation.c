@@ -14,12 +14,12 @@ static bool check_start(struct interp *interp, int column)
 
 	if (!rotary)
 		return fault(&interp->at, column,
-			     "parameters 5460 and 5461 say which axes G12.1 takes: polar_axes=\"XC\" (or \"XA\", "
-			     "\"XB\") of the machine's <controller> says it");
+			     "parameters 5460 and 5461 select the axes of G12.1: set polar_axes=\"XC\" (or \"XA\", "
+			     "\"XB\") in the machine file's <controller>");
 	if (!interp->config->has_axis[rotary] || !interp->config->has_axis[SLOT_X])
 		return fault(&interp->at, column, "the machine has no X or no %c axis for G12.1", AXIS_LETTERS[rotary]);
 	if (state->polar_interpolation.on)
-		return fault(&interp->at, column, "G12.1 while another one is in force; G13.1 first");
+		return fault(&interp->at, column, "G12.1 inside another G12.1; write G13.1 first");
 	if (state->tcp != TCP_OFF || state->frame.on || state->polar.on || state->cylinder.on || state->dynamic.on)
 		return fault(&interp->at, column,
 			     "G12.1 in changed coordinates or under tool centre point control is not supported");
@@ -36,7 +36,7 @@ static bool start(struct interp *interp, int column)
 		return false;
 	if (fabs(x) < POLAR_CENTRE)
 		return fault(&interp->at, column,
-			     "G12.1 needs X beside the centre of the rotary axis, which is the zero of X");
+			     "G12.1 must start with X away from 0, the centre of the rotary axis");
 	*polar = (struct polar_interpolation){
 	    .on = true,
 	    .rotary = interp->config->controller.polar_axis,
@@ -78,7 +78,7 @@ bool polar_interpolation_switch(struct interp *interp)
 
 	if (block->letters & AXIS_BITS)
 		return fault(&interp->at, column,
-			     "G12.1 and G13.1 with axis words: a shifted centre is not supported");
+			     "G12.1 and G13.1 with axis words (shifted centre) are not supported");
 	if (block->g[G_NONMODAL] == G12_1)
 		return start(interp, column);
 	finish(interp);
@@ -96,20 +96,21 @@ static bool check_codes(struct interp *interp)
 	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
 		if (block->g[groups[i]] != CODE_NONE)
 			return fault(&interp->at, block->g_column[groups[i]],
-				     "G%g under polar coordinate interpolation (G12.1); G13.1 first",
+				     "G%g under polar coordinate interpolation (G12.1); write G13.1 first",
 				     block->g[groups[i]] / 10.0);
 	}
 	if (code != CODE_NONE && code != G4)
 		return fault(&interp->at, block->g_column[G_NONMODAL],
-			     "G%g under polar coordinate interpolation (G12.1); G13.1 first", code / 10.0);
+			     "G%g under polar coordinate interpolation (G12.1); write G13.1 first", code / 10.0);
 	if (block->m[M_TOOL] != CODE_NONE || block->m[M_TCP] != CODE_NONE || block_has(block, 'H') || block->corner)
 		return fault(&interp->at, 1,
-			     "a tool, its length or a corner of ,C or ,R under polar coordinate interpolation (G12.1) "
-			     "is not supported");
+			     "a tool, its length or a corner with ,C or ,R under polar coordinate interpolation "
+			     "(G12.1) is not supported");
 	if (block->motion == CODE_NONE || (block->motion >= G1 && block->motion <= G3))
 		return true;
 	return fault(&interp->at, block_motion_column(block),
-		     "G%g under polar coordinate interpolation (G12.1), which needs feed moves", block->motion / 10.0);
+		     "G%g under polar coordinate interpolation (G12.1), which allows only feed moves",
+		     block->motion / 10.0);
 }
 
 bool polar_interpolation_start_block(struct interp *interp)
@@ -124,8 +125,8 @@ bool polar_interpolation_start_block(struct interp *interp)
 		return false;
 	if (block_has(block, 'Y'))
 		return fault(&interp->at, block_column(block, 'Y'),
-			     "Y under polar coordinate interpolation (G12.1) is not supported: %c is the second "
-			     "coordinate of its plane",
+			     "Y under polar coordinate interpolation (G12.1) is not supported: %c is the second axis "
+			     "of its plane",
 			     letter);
 	if (!block_has(block, letter))
 		return true;

@@ -112,8 +112,8 @@ static bool tell_piece(struct interp *interp, const struct canon_move *move, con
 	nearest = fmin(before, radius) - curve->rate * (next - t) / 2;
 	if (!(nearest > rounding))
 		return fault(&interp->at, 1,
-			     "line %ld leads so near to the centre of the rotary axis that the control, which may "
-			     "leave the path (path_tolerance), may pass it on either side",
+			     "line %ld passes so near to the centre of the rotary axis that the control, which may "
+			     "deviate from the path (path_tolerance), can pass the centre on either side",
 			     move->line);
 	spread_of(curve, nearest, next - t, &beside, &turn);
 	piece.kind = CANON_FEED;
@@ -149,15 +149,14 @@ bool polar_pieces_tell(struct interp *interp, const struct canon_move *move)
 
 	if (polar->on && move->kind == CANON_RAPID)
 		return fault(&interp->at, 1,
-			     "a rapid, as of a macro of the machine's builder, under polar coordinate interpolation "
-			     "(G12.1), which needs feed moves; G13.1 first");
+			     "a rapid (perhaps of a builder's macro) under polar coordinate interpolation (G12.1), "
+			     "which allows only feed moves; write G13.1 first");
 	if (!polar->on || (move->kind != CANON_FEED && move->kind != CANON_ARC))
 		return canon_tell_move(interp->sink, move);
 	if (move->spread[SLOT_X] > 0 || move->spread[SLOT_Y] > 0)
 		return fault(&interp->at, 1,
-			     "polar coordinate interpolation (G12.1) needs to know how cutter compensation starts and "
-			     "goes round corners: cutter_comp_start and cutter_comp_corner of the machine's "
-			     "<controller> say it");
+			     "cutter compensation under polar coordinate interpolation (G12.1): set cutter_comp_start "
+			     "and cutter_comp_corner in the machine file's <controller>");
 	curve = find_curve(polar, move);
 	while (t < 1) {
 		const double radius = math_hypot(polar->at[0], polar->at[1]);
@@ -165,8 +164,8 @@ bool polar_pieces_tell(struct interp *interp, const struct canon_move *move)
 
 		if (radius < POLAR_CENTRE)
 			return fault(&interp->at, 1,
-				     "line %ld leads to the centre of the rotary axis: which way round the axis turns "
-				     "there is not known",
+				     "line %ld moves to the centre of the rotary axis, where the direction of rotation "
+				     "is not known",
 				     move->line);
 		if (!tell_piece(interp, move, &curve, t, next))
 			return false;

@@ -23,8 +23,8 @@ bool probed_axes_is_known(struct interp *interp, int slot, int column)
 	if (!interp->state.probed[slot])
 		return true;
 	return fault(&interp->at, column,
-		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
-		     "absolute coordinate (G90) first",
+		     "the position where the probe stopped %c is not known before the program runs; move the axis to "
+		     "an absolute coordinate (G90) first",
 		     AXIS_LETTERS[slot]);
 }
 

@@ -75,8 +75,8 @@ static bool find_number(struct interp *interp, int *index)
 	    (number == 2 && traits->references_in_parameters == ANSWER_YES))
 		return true;
 	return fault(&interp->at, by_p ? block_column(block, 'P') : block->g_column[G_NONMODAL],
-		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
-		     "<controller> gives it",
+		     "the machine file has no reference position %d: set <reference number=\"%d\" X=\"\" .../> in its "
+		     "<controller>",
 		     number, number);
 }
 
@@ -156,8 +156,8 @@ bool reference_return_remember(struct interp *interp)
 static bool fault_no_place(struct interp *interp, int column)
 {
 	return fault(&interp->at, column,
-		     "where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
-		     "machine file says it, and <tool_change/> that it moves none");
+		     "it is not known where M6 moves the axes: set <tool_change Z=\"\" .../>, or <tool_change/> if it "
+		     "moves none, in the machine file's <controller>");
 }
 
 bool reference_return_change_tool(struct interp *interp)
@@ -174,7 +174,7 @@ bool reference_return_change_tool(struct interp *interp)
 		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 			if (place->has[slot])
 				return fault(&interp->at, column,
-					     "M6 while G68.2 is in force turns %c away from its plane; G69 first",
+					     "M6 while G68.2 is active turns %c away from its plane; write G69 first",
 					     AXIS_LETTERS[slot]);
 		}
 	}

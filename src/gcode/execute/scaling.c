@@ -6,7 +6,8 @@
 
 static bool refuse(struct interp *interp, int column, const char *what)
 {
-	return fault(&interp->at, column, "%s while coordinates are scaled (G51) is not supported; G50 first", what);
+	return fault(&interp->at, column,
+		     "%s while coordinates are scaled (G51) is not supported; write G50 first", what);
 }
 
 /* Both manuals: pecks, shifts of bores and the radius of compensation are not scaled. */
@@ -27,7 +28,7 @@ bool scaling_start_block(struct interp *interp)
 
 	if (code != CODE_NONE && code != G4)
 		return refuse(interp, block->g_column[G_NONMODAL],
-			      "a change of offsets or a move to a place of the machine");
+			      "a change of offsets or a move to a machine position");
 	what = rotated_frame_conflict(block, &column);
 	if (what)
 		return refuse(interp, column, what);
@@ -36,7 +37,7 @@ bool scaling_start_block(struct interp *interp)
 	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
 		return refuse(interp, block->g_column[G_CUTTER], "cutter compensation");
 	if (block->corner)
-		return refuse(interp, block->corner_column, "a corner of ,C or ,R");
+		return refuse(interp, block->corner_column, "a corner with ,C or ,R");
 	return check_cycle(interp);
 }
 
@@ -50,12 +51,12 @@ static bool find_factor(struct interp *interp, double *factor)
 	for (const char *letter = first == 'P' ? "P" : "IJK"; *letter; letter++) {
 		if (!block_has(block, *letter))
 			return fault(&interp->at, column,
-				     "G51 needs its factor in P, or one each in I, J and K; without them a parameter "
-				     "of the control gives it");
+				     "G51 needs P (factor), or I, J and K; otherwise a parameter of the control gives "
+				     "the factor");
 		if (!(block->points & letter_bit(*letter)))
 			return fault(&interp->at, block_column(block, *letter),
-				     "%c of G51 without a decimal point: a parameter decides whether it counts "
-				     "thousandths; write the factor with a point",
+				     "%c of G51 without a decimal point: a parameter of the control decides whether it "
+				     "is in thousandths; write a decimal point",
 				     *letter);
 		if (!same_double(block_value(block, *letter), block_value(block, first)))
 			return fault(&interp->at, block_column(block, *letter),
@@ -94,10 +95,10 @@ static bool start(struct interp *interp)
 
 	if (state->frame.on || state->tcp != TCP_OFF || cutter_comp_is_on(interp))
 		return fault(&interp->at, column,
-			     "G51 of coordinates that are turned, mirrored or scaled already, under tool centre point "
-			     "control or under cutter compensation is not supported");
+			     "G51 is not supported in rotated, mirrored or scaled coordinates, under tool centre point "
+			     "control or under cutter compensation");
 	if (state->incremental)
-		return fault(&interp->at, column, "G51 in incremental distance mode (G91) is not supported; G90 first");
+		return fault(&interp->at, column, "G51 in incremental mode (G91) is not supported; write G90 first");
 	if (!find_factor(interp, &factor) || !find_centre(interp, centre))
 		return false;
 	state->frame = (struct rotated_frame){.on = true,

@@ -28,8 +28,8 @@ static bool follow(struct interp *interp, const struct spline *spline)
 		if (!spline_piece_find(spline, i, &piece))
 			return fault(
 			    &interp->at, block_motion_column(&interp->block),
-			    "this spline turns back on itself, or has points that coincide: how the control follows it "
-			    "is not known");
+			    "this spline turns back on itself or has coincident points: it is not known how the "
+			    "control moves there");
 		target.v[SLOT_X] = piece.end.x;
 		target.v[SLOT_Y] = piece.end.y;
 		move.spread[0] = piece.beside.x;
@@ -51,7 +51,7 @@ static bool find_first(struct interp *interp, struct spline_point *first, struct
 	if (i != j)
 		return fault(&interp->at, block_column(block, i ? 'I' : 'J'), "G5 needs both I and J, or none of them");
 	if (!i && !memory->goes_on)
-		return fault(&interp->at, block_motion_column(block), "the first G5 of a row needs I and J");
+		return fault(&interp->at, block_motion_column(block), "the first G5 in a row needs I and J");
 	first->at.x = start.at.x + (i ? length_of(interp, 'I') : -memory->p);
 	first->at.y = start.at.y + (i ? length_of(interp, 'J') : -memory->q);
 	return true;
@@ -95,9 +95,10 @@ static bool add_point(struct interp *interp, struct spline_point point)
 
 	point.weight = block_has(block, 'P') ? block_value(block, 'P') : 1;
 	if (!(point.weight > 0))
-		return fault(&interp->at, block_column(block, 'P'), "P, the weight of a point, must be more than 0");
+		return fault(&interp->at, block_column(block, 'P'),
+			     "P (weight of a control point) must be greater than 0");
 	if (memory->count == SPLINE_POINTS_MAX)
-		return fault(&interp->at, block_motion_column(block), "more than %d points from G5.2 on",
+		return fault(&interp->at, block_motion_column(block), "more than %d control points after G5.2",
 			     SPLINE_POINTS_MAX);
 	if (!memory->points)
 		memory->points = mem_alloc(SPLINE_POINTS_MAX * sizeof(*memory->points));
@@ -112,7 +113,7 @@ static bool begin(struct interp *interp, struct spline_point start)
 
 	if (block->letters & AXIS_BITS)
 		return fault(&interp->at, block_motion_column(block),
-			     "G5.2 with axis words is not supported; the first point is where the tool stands");
+			     "G5.2 with axis words is not supported; its first control point is the present position");
 	interp->spline.count = 0;
 	interp->spline.order = 3;
 	if (block_has(block, 'L') &&
@@ -129,12 +130,12 @@ static bool finish(struct interp *interp)
 	struct spline_memory *memory = &interp->spline;
 
 	if (!memory->open)
-		return fault(&interp->at, block_motion_column(&interp->block), "G5.3 without a G5.2 before");
+		return fault(&interp->at, block_motion_column(&interp->block), "G5.3 without G5.2 before it");
 	memory->open = false;
 	interp->state.motion = CODE_NONE;
 	if (memory->count < (size_t)memory->order)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "a spline of order %d needs as many points", memory->order);
+			     "a spline of order %d needs at least as many control points", memory->order);
 	return follow(interp, &(struct spline){memory->points, memory->count, memory->order, NULL});
 }
 
@@ -149,11 +150,11 @@ static bool check(struct interp *interp)
 	if (state->incremental || state->tcp != TCP_OFF || cutter_comp_is_on(interp))
 		return fault(
 		    &interp->at, column,
-		    "a spline in G91, under tool centre point control or cutter compensation is not supported");
+		    "a spline is not supported in G91, under tool centre point control or under cutter compensation");
 	for (int slot = SLOT_Z; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c with a spline, which moves X and Y", AXIS_LETTERS[slot]);
+				     "%c with a spline, which moves only X and Y", AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -201,9 +202,9 @@ static bool refuse_open(struct interp *interp)
 {
 	if (interp->spline.nurbs)
 		return fault(&interp->at, 1,
-			     "the curve of G6.2 is not complete: points with K, and behind them as many K alone as its "
-			     "rank (P, or 4), stand there and nothing else");
-	return fault(&interp->at, 1, "only points, with X, Y and P, stand between G5.2 and G5.3");
+			     "the curve of G6.2 is not complete: it needs control points with K, then as many blocks "
+			     "with only K as its rank (P, or 4), and nothing else");
+	return fault(&interp->at, 1, "only control points (X, Y and P) are allowed between G5.2 and G5.3");
 }
 
 bool spline_move_check_block(struct interp *interp)

@@ -68,12 +68,13 @@ static APART bool approach(struct interp *interp)
 		interp->state.motion = G0;
 	if (cutter_comp_is_on(interp) || interp->state.tcp != TCP_OFF || interp->state.frame.on)
 		return fault(&interp->at, column,
-			     "G60 under compensation or in changed coordinates is not supported; cancel these first");
+			     "G60 with an active compensation or in changed coordinates is not supported; cancel these "
+			     "first");
 	if (!(overrun > 0))
 		return fault(
 		    &interp->at, column,
-		    "G60 goes past its end by an overrun, which a parameter of the control gives: "
-		    "unidirectional_overrun=\"\" of the machine's <controller> says it, in the unit of the file");
+		    "G60 overruns its end point by a parameter of the control: set unidirectional_overrun=\"\" (in the "
+		    "unit of the file) in the machine file's <controller>");
 	if (!endpoint_find(interp, false, &target))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -106,7 +107,7 @@ bool straight_move_run(struct interp *interp)
 		interp->state.motion = block->motion;
 	if (machine && feeds &&
 	    !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate,
-			 "whether G53 with G1 moves at the feed"))
+			 "whether G53 with G1 moves at the feed rate"))
 		return false;
 	if (machine && traits->g53_rate == G53_RATE_RAPID)
 		feeds = false;

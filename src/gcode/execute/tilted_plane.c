@@ -105,7 +105,7 @@ static bool by_points(struct interp *interp, mat3 *turn, vec3 *origin)
 	if (shifted && parts->has_turn && fabs(parts->turn) > 0)
 		return refuse(interp, "G68.2 P2 with both R and a shift in Q0 is not supported");
 	if (!turn_of(interp, vec3_sub(p[2], p[1]), vec3_sub(p[3], p[1]),
-		     "the three points of G68.2 P2 lie on one line, or are one point", turn))
+		     "the three points of G68.2 P2 are on one line or coincide", turn))
 		return false;
 	*origin = vec3_add(p[1], mat3_apply(turn, p[0]));
 	*turn = mat3_mul(turn, &about_z);
@@ -121,9 +121,9 @@ static bool by_directions(struct interp *interp, mat3 *turn, vec3 *origin)
 	mat3 about_z = mat3_turn((vec3){0, 0, 1}, radians(parts->turn));
 
 	if (!(lengths > 0))
-		return refuse(interp, "a direction of G68.2 P3 has no length");
+		return refuse(interp, "a direction of G68.2 P3 has length 0");
 	if (fabs(vec3_dot(x, z)) > SQUARE_TOLERANCE * lengths)
-		return refuse(interp, "the two directions of G68.2 P3 do not stand at a right angle");
+		return refuse(interp, "the two directions of G68.2 P3 are not at a right angle");
 	z = vec3_scale(1 / vec3_norm(z), z);
 	x = vec3_sub(x, vec3_scale(vec3_dot(x, z), z));
 	x = vec3_scale(1 / vec3_norm(x), x);
@@ -140,7 +140,7 @@ static bool take_turn(struct interp *interp)
 	if (!block_has(&interp->block, 'R'))
 		return true;
 	if (parts->has_turn)
-		return fault(&interp->at, block_column(&interp->block, 'R'), "R stands twice in one plane of G68.2");
+		return fault(&interp->at, block_column(&interp->block, 'R'), "R occurs twice in one plane of G68.2");
 	parts->has_turn = true;
 	parts->turn = block_value(&interp->block, 'R');
 	return true;
@@ -178,14 +178,14 @@ static bool take_part(struct interp *interp, int form, bool *complete, mat3 *tur
 	int q = 0, last = form == 2 ? 3 : 2;
 
 	if (!block_has(&interp->block, 'Q'))
-		return refuse(interp, "G68.2 P2 and P3 need Q, which part of the plane the block gives");
+		return refuse(interp, "G68.2 P2 and P3 need Q (which part of the plane the block gives)");
 	if (!block_integer(&interp->block, &interp->at, 'Q', form == 2 ? 0 : 1, last, &q))
 		return false;
 	if (parts->form != 0 && parts->form != form)
 		return refuse(interp, "another form of G68.2 before the plane is complete");
 	if (q > 1 ? parts->next != q : parts->form != 0 && parts->next != q)
 		return fault(&interp->at, block_column(&interp->block, 'Q'),
-			     "Q%d of G68.2 P%d where Q%d comes next", q, form, parts->form == 0 ? 1 : parts->next);
+			     "Q%d of G68.2 P%d, but Q%d must come next", q, form, parts->form == 0 ? 1 : parts->next);
 	if (parts->form == 0)
 		*parts = (struct plane_parts){.form = form};
 	parts->next = q + 1;
@@ -209,9 +209,9 @@ bool tilted_plane_take(struct interp *interp, bool *complete, mat3 *turn, vec3 *
 	/* Only a figure of the manual shows the sign of its angle about Y. */
 	if (form == 4)
 		return refuse(
-		    interp, "G68.2 P4: a plane by projection angles is not supported; P1 or Euler's angles can say it");
+		    interp, "G68.2 P4 (projection angles) is not supported; use P1 or Euler angles");
 	if (form >= 2 && block->g[G_ROTATION] == G68_4)
-		return refuse(interp, "G68.4 with P2 or P3 is not supported; use Euler's angles or P1");
+		return refuse(interp, "G68.4 with P2 or P3 is not supported; use Euler angles or P1");
 	if (form >= 2)
 		return take_part(interp, form, complete, turn, origin);
 	if (interp->state.plane_parts.form != 0)
@@ -226,6 +226,6 @@ bool tilted_plane_check_block(struct interp *interp)
 
 	if (parts->form == 0 || interp->block.g[G_ROTATION] == G68_2 || interp->block.words == 0)
 		return true;
-	return fault(&interp->at, 1, "the plane of G68.2 P%d is not complete: Q%d comes next", parts->form,
+	return fault(&interp->at, 1, "the plane of G68.2 P%d is not complete: Q%d must come next", parts->form,
 		     parts->next);
 }

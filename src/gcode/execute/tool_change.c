@@ -21,7 +21,7 @@ static bool choose_own(struct interp *interp, int before)
 
 	if (interp->block.m[M_TOOL] != 6 || traits_of(interp)->m6_loads_own_t == ANSWER_YES)
 		return true;
-	if (!is_answered(interp, column, traits_of(interp)->m6_loads_own_t, "which tool M6 beside a T loads"))
+	if (!is_answered(interp, column, traits_of(interp)->m6_loads_own_t, "which tool M6 loads if T is in its block"))
 		return false;
 	if (answer == M6_LOADS_T_BEFORE) {
 		state->selected = before;
@@ -34,8 +34,9 @@ static bool choose_own(struct interp *interp, int before)
 	if (!interp->cautioned_t)
 		caution(
 		    &interp->at, column,
-		    "T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load "
-		    "T%d; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
+		    "T%d beside M6 while T%d is preselected: it is assumed that M6 loads T%d, but the builder may have "
+		    "it load T%d; set m6_with_t=\"own\" or \"before\" in the machine file's <controller>; here and "
+		    "further on",
 		    own, before, own, before);
 	interp->cautioned_t = true;
 	return true;
@@ -52,7 +53,7 @@ static bool choose_next(struct interp *interp)
 		return fault(&interp->at, block->next_tool_column, "two T in a block without M6");
 	if (!(block->next_tool >= 0 && block->next_tool <= INT_MAX) ||
 	    !same_double(floor(block->next_tool), block->next_tool))
-		return fault(&interp->at, block->next_tool_column, "T%.10g: the number of a tool is whole here",
+		return fault(&interp->at, block->next_tool_column, "T%.10g: a tool number must be whole",
 			     block->next_tool);
 	interp->state.selected_next = (int)block->next_tool;
 	return true;
@@ -69,8 +70,8 @@ bool tool_change_select(struct interp *interp)
 	/* block_integer judges a nearly whole number. */
 	if (fabs(number - round(number)) > 0.01)
 		return fault(&interp->at, block_column(&interp->block, 'T'),
-			     "T%.10g: the number of a tool is whole here; where T1.1 means a tool and its offset, as "
-			     "on Fagor's controls, write T1, and H1 or D1 for the offset",
+			     "T%.10g: a tool number must be whole; where T1.1 is a tool and its offset (Fagor), write "
+			     "T1, and H1 or D1 for the offset",
 			     number);
 	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
 			   "whether T changes the tool or selects it for M6") &&
@@ -85,7 +86,7 @@ static bool check_tool(struct interp *interp, int number, int column)
 		return true;
 	return read_on_without(
 	    interp, column,
-	    "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of", number,
+	    "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with its shape", number,
 	    number);
 }
 
@@ -96,7 +97,7 @@ static bool set_tool(struct interp *interp)
 	int column = interp->block.m_column[M_TOOL], number;
 
 	if (!block_has(&interp->block, 'Q'))
-		return fault(&interp->at, column, "M61 needs Q, the number of the tool in the spindle");
+		return fault(&interp->at, column, "M61 needs Q (number of the tool in the spindle)");
 	if (!block_integer(&interp->block, &interp->at, 'Q', 0, INT_MAX, &number) ||
 	    !check_tool(interp, number, block_column(&interp->block, 'Q')))
 		return false;
@@ -117,7 +118,7 @@ bool tool_change_run(struct interp *interp)
 	if (block->m[M_TOOL] == 61)
 		return set_tool(interp);
 	if (state->selected < 0)
-		return fault(&interp->at, column, "M6, but no T has selected a tool");
+		return fault(&interp->at, column, "M6 without a tool: write T first");
 	if (!check_tool(interp, state->selected, column))
 		return false;
 	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))

@@ -53,12 +53,12 @@ bool tool_length_suspend(struct interp *interp, int column, struct suspended *su
 
 	*suspended = (struct suspended){state->tcp, state->frame.on};
 	if (state->tcp == TCP_BY_MCODE && !is_answered(interp, column, traits_of(interp)->g53_under_tcp,
-						       "what machine coordinates are while an M-code has TCP on"))
+						       "what machine coordinates mean while an M-code has TCP on"))
 		return false;
 	if (state->tcp == TCP_BY_MCODE && traits_of(interp)->g53_under_tcp == G53_UNDER_TCP_TOOL_POINT)
 		return fault(&interp->at, column,
-			     "while an M-code has switched TCP on, this control takes machine coordinates for those of "
-			     "the tool point; switch TCP off first");
+			     "while an M-code has TCP on, this control takes machine coordinates as those of the tool "
+			     "point; cancel TCP first");
 	state->frame.on = false;
 	return state->tcp == TCP_OFF || switch_tcp(interp, column, TCP_OFF, state->length);
 }
@@ -110,13 +110,13 @@ bool tool_length_is_in_doubt(struct interp *interp, int slot, int column)
 	if (state->length_doubt == CODE_NONE || (state->tcp == TCP_OFF && slot != SLOT_Z))
 		return false;
 	return !fault(&interp->at, column,
-		      "%c%d may have taken the tool's length compensation back: it depends on the control where %c "
-		      "leads now; command G43, G43.4 or G49 again first%s",
+		      "%c%d may have cancelled the tool length compensation, so the position of %c depends on the "
+		      "control; write G43, G43.4 or G49 again first%s",
 		      state->length_doubt == DOUBT_M6 ? 'M' : 'G',
 		      state->length_doubt == DOUBT_M6 ? 6 : state->length_doubt / 10, AXIS_LETTERS[slot],
 		      state->tcp != TCP_OFF ? ""
-					    : ", or say length_after_reference=\"keeps\" or \"cancels\" in the "
-					      "<controller> of the machine file");
+					    : ", or set length_after_reference=\"keeps\" or \"cancels\" in the machine "
+					      "file's <controller>");
 }
 
 bool tool_length_offsets_changed(struct interp *interp, int column)
@@ -142,10 +142,10 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	/* LinuxCNC's simulator takes the length of the former tool, the control that of the tool of M61. */
 	if (interp->state.tool_by_m61)
 		return fault(&interp->at, column,
-			     "after M61, which tool's length G43 takes is not the same everywhere: give H%d", number);
+			     "after M61, controls differ in the tool whose length G43 uses: write H%d", number);
 	if (number != 0 && !tool)
 		return fault(&interp->at, column,
-			     "the length of the tool in the spindle, T%d, is not known; a setup defines it", number);
+			     "the length of T%d, the tool in the spindle, is not known; give it in the setup", number);
 	*length = tool ? tool->length_offset : 0;
 	return true;
 }
@@ -159,14 +159,14 @@ static bool find_length_number(struct interp *interp, int *number)
 
 	if (block_has(block, 'H'))
 		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
-	if (!is_answered(interp, block->g_column[G_LENGTH], missing, "which length G43 without H takes"))
+	if (!is_answered(interp, block->g_column[G_LENGTH], missing, "which length G43 without H uses"))
 		return false;
 	*number = missing == H_MISSING_SPINDLE ? 0 : interp->state.length_number;
 	snprintf(code, sizeof(code), "%g", block->g[G_LENGTH] / 10.0);
 	if (missing == H_MISSING_REFUSED)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
 	if (*number < 0)
-		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before",
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, and no earlier block has one",
 			     code);
 	return true;
 }
@@ -182,7 +182,7 @@ static bool find_length(struct interp *interp, double *length)
 	if (!find_length_number(interp, &number))
 		return false;
 	interp->state.length_number = number;
-	if (number == 0 && !is_answered(interp, column, zero, "which length H0 is"))
+	if (number == 0 && !is_answered(interp, column, zero, "which length H0 means"))
 		return false;
 	if (number == 0 && zero == H_ZERO_SPINDLE)
 		return find_spindle_length(interp, column, length);
@@ -195,12 +195,12 @@ static bool find_length(struct interp *interp, double *length)
 		return true;
 	}
 	if (!interp->config->has_setup)
-		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
+		return fault(&interp->at, column,
+			     "H%d: no length offsets are defined, because there is no setup", number);
 	return read_on_without(
 	    interp, column,
-	    "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, "
-	    "or a <tool> of "
-	    "this number",
+	    "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, or a "
+	    "<tool> with this number",
 	    number, number);
 }
 
@@ -219,11 +219,11 @@ static bool find_length_in_words(struct interp *interp, int code, double *length
 
 		if (slot != SLOT_Z && block_has(block, letter) && !same_double(block_value(block, letter), 0))
 			return fault(&interp->at, block_column(block, letter),
-				     "an offset of the tool in %c is not followed, only one in Z", letter);
+				     "a tool offset in %c is not supported, only in Z", letter);
 	}
 	if (by_axes == (adds && block_has(block, 'H')))
 		return fault(&interp->at, block->g_column[G_LENGTH],
-			     adds ? "G43.2 needs H or axis words, and not both" : "G43.1 needs an axis word");
+			     adds ? "G43.2 needs either H or axis words" : "G43.1 needs an axis word");
 	if (by_axes) {
 		*length = block_has(block, 'Z') ? block_value(block, 'Z') * interp->state.scale + (adds ? before : 0)
 						: before;
@@ -293,7 +293,7 @@ static bool take_h_alone(struct interp *interp)
 		return false;
 	if (h_alone == H_ALONE_CANCELS && number != 0)
 		return fault(&interp->at, column,
-			     "H%d without G43: whether it changes the length depends on the control; write G43 H%d",
+			     "H%d without G43: controls differ in whether it changes the length; write G43 H%d",
 			     number, number);
 	if (cancelled || state->length_code == G49) {
 		state->length_number = number;
@@ -321,10 +321,10 @@ static bool check_length_axis(const struct interp *interp, int column, double le
 	    (same_double(length, 0) && same_double(state->length, 0)))
 		return true;
 	return fault(&interp->at, column,
-		     "%s: a parameter of the control (5001#0 and #1) decides along which axis the tool's length acts: "
-		     "tool_length_axis=\"z\" of the machine's <controller> says that it is always Z; another axis is "
+		     "%s: a parameter of the control (5001#0 and #1) decides along which axis the tool length acts: if "
+		     "always along Z, set tool_length_axis=\"z\" in the machine file's <controller>; other axes are "
 		     "not supported",
-		     alone ? "G43 beside one axis other than Z" : "G43 in G18 or G19");
+		     alone ? "G43 with one axis other than Z" : "G43 in G18 or G19");
 }
 
 bool tool_length_select(struct interp *interp)
@@ -354,9 +354,9 @@ bool tool_length_select(struct interp *interp)
 	if (code == G43 && !check_length_axis(interp, column, length))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
-		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");
+		return fault(&interp->at, column, "G43 while G43.4 is active; write G49 first");
 	if (code == G43_4 && source == TCP_BY_MCODE)
-		return fault(&interp->at, column, "G43.4 while an M-code has switched TCP on; switch that off first");
+		return fault(&interp->at, column, "G43.4 while an M-code has TCP on; cancel TCP first");
 	if (code == G43_4)
 		source = TCP_BY_LENGTH;
 	else if (source == TCP_BY_LENGTH)

@@ -57,17 +57,17 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 				    : &items[found->count == 2 && !items[0].within_limits];
 	if (!*chosen || !(*chosen)->within_limits)
 		return fault(&interp->at, column,
-			     "the rotary axes of this machine cannot turn the tool into the direction of I, J and K%s",
+			     "the rotary axes of this machine cannot turn the tool to the direction I, J, K%s",
 			     found->count ? " within their limits" : "");
 	if (both && by == 0 && compare(way_of(interp, &items[0], found->primary), 0) != 0)
 		return fault(
 		    &interp->at, column,
-		    "two positions of the rotary axes give the tool the direction of I, J and K, and are as near");
+		    "two positions of the rotary axes give the tool the direction I, J, K and are equally near");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if ((*chosen)->tie[slot])
 			return fault(&interp->at, column,
-				     "%c could turn either way to the direction of I, J and K, which is as near; "
-				     "half_turn=\"\" of this axis in the machine file says which one the control takes",
+				     "%c can turn in both directions to I, J, K, equally far: set half_turn=\"\" for "
+				     "this axis in the machine file",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -84,7 +84,7 @@ static bool check_words(struct interp *interp)
 	}
 	if (block_has(block, 'Q') && !same_double(block_value(block, 'Q'), 0))
 		return fault(&interp->at, block_column(block, 'Q'),
-			     "Q of G43.5, an inclination towards the way, is not supported");
+			     "Q of G43.5 (inclination towards the path) is not supported");
 	return true;
 }
 
@@ -98,9 +98,9 @@ static bool check_way(struct interp *interp, int column)
 	default:
 		return fault(
 		    &interp->at, column,
-		    "how the tool turns under G43.5 is an option of the control: "
-		    "orientation_interpolation=\"axes\" of the machine's <controller> says that the rotary axes "
-		    "turn evenly, \"vector\" that the tool turns on a great circle (tool posture control)");
+		    "an option of the control decides how the tool turns under G43.5: set "
+		    "orientation_interpolation=\"axes\" (the rotary axes turn evenly) or \"vector\" (the tool turns on "
+		    "a great circle: tool posture control) in the machine file's <controller>");
 	}
 }
 
@@ -122,7 +122,7 @@ bool tool_vector_take(struct interp *interp, slot_values *target)
 	if (!block_has(block, 'I') && !block_has(block, 'J') && !block_has(block, 'K'))
 		return true;
 	if (!(vec3_norm(vector) > LEAST_VECTOR))
-		return fault(&interp->at, column, "the direction of I, J and K has no length");
+		return fault(&interp->at, column, "the direction I, J, K has length 0");
 	orientation.direction = vec3_unit(vector);
 	if (!kinematics->orientations(kinematics->context, line_loc(&interp->at, column), &orientation, &found) ||
 	    !choose(interp, column, &found, &chosen))
@@ -145,7 +145,7 @@ bool tool_vector_check_block(struct interp *interp)
 	for (const char *letter = "IJKQ"; *letter && !straight; letter++) {
 		if (block_has(block, *letter) && !(cycle && *letter == 'Q'))
 			return fault(&interp->at, block_column(block, *letter),
-				     "%c under G43.5 needs a straight move, G0 or G1, whose tool it turns", *letter);
+				     "%c under G43.5 needs a straight move (G0 or G1)", *letter);
 	}
 	return true;
 }

@@ -9,7 +9,7 @@
 void work_offset_use_note(struct interp *interp, int system, int column)
 {
 	if (interp->config->has_setup && !interp->state.work_known[system])
-		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
+		caution(&interp->at, column, "the setup defines no work offset %s; it is assumed to be 0",
 			state_system_name(system));
 	interp->state.work_known[system] = true;
 }
@@ -32,8 +32,8 @@ bool work_offset_use_fault(const struct interp *interp, int column)
 	const char *name = state_system_name(interp->state.system);
 
 	return fault(&interp->at, column,
-		     "%s was changed by assignment while it was in force; controls differ in when that takes effect. "
-		     "Select %s again before the next move",
+		     "%s was changed by assignment while it was active, and controls differ in when that takes effect; "
+		     "select %s again before the next move",
 		     name, name);
 }
 
@@ -79,14 +79,14 @@ static bool use_setting_error(struct interp *interp)
 	if (!error)
 		return read_on_without(
 		    interp, column,
-		    "%s: the setup has no such work setting error; if the work offset already says where the "
-		    "workpiece lies, add <work_offset name=\"%s\"/>, whose values are 0",
+		    "%s: the setup has no such work setting error; if the work offset already contains the position of "
+		    "the workpiece, add <work_offset name=\"%s\"/>, whose values are 0",
 		    name, name);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!same_double(error->value.v[slot], 0))
 			return fault(&interp->at, column,
-				     "%s: compensation of a work setting error other than 0 is not supported; put the "
-				     "error into the work offset, and 0 into <work_offset name=\"%s\"/>",
+				     "%s: compensation of a work setting error other than 0 is not supported; add the "
+				     "error to the work offset and write 0 in <work_offset name=\"%s\"/>",
 				     name, name);
 	}
 	return true;
@@ -101,7 +101,7 @@ bool work_offset_use_check_end(struct interp *interp)
 	if (block->g[G_NONMODAL] == G54_4 && block_has(block, 'P'))
 		return use_setting_error(interp);
 	return fault(&interp->at, block->g_column[G_NONMODAL],
-		     "%s is not supported yet, and P0, which ends it, is read",
+		     "%s is not supported, only P0, which cancels it",
 		     block->g[G_NONMODAL] == G54_2
 			 ? "G54.2: rotary table dynamic fixture offset (post with a work offset for each angle)"
 			 : "G54.4 without P");

@@ -72,20 +72,21 @@ static bool find_code_of_word(struct block *block, const struct line_place *at, 
 	char text[256];
 
 	if (tenths < 0)
-		return fault(at, word->column, "a G-code cannot be negative");
+		return fault(at, word->column, "a G-code must not be negative");
 	/* LinuxCNC accepts numbers within 0.0001 of a code. */
 	if (number == 10000 || fabs(tenths - number) > 0.001)
-		return fault(at, word->column, "%g is no G-code", word->value);
+		return fault(at, word->column, "%g is not a G-code", word->value);
 	*found = code = block_find_g(block, dialect, number);
 	if (code && code->group != GROUP_STATEMENT && code->state != CODE_REFUSED)
 		return true;
 	if (!code)
-		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
+		snprintf(text, sizeof(text), " is not a G-code of the %s dialect%s", dialect->name,
 			 dialect->traits.call_letters
-			     ? "; <macro code=\"\"/> of the machine's <controller> declares one that the builder made"
+			     ? "; if the machine builder made it, set <macro code=\"\"/> in the machine file's "
+			       "<controller>"
 			     : "");
 	else if (code->group == GROUP_STATEMENT)
-		snprintf(text, sizeof(text), " stands before every other word of its block but N");
+		snprintf(text, sizeof(text), " must be the first word of its block after N");
 	else
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
 	return fault_g(at, word, number, text);
@@ -114,13 +115,14 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	if (code->group == G_DISTANCE && block->g[G_DISTANCE] != CODE_NONE && block->g[G_DISTANCE] != number &&
 	    (block->letters & AXIS_BITS))
 		return fault(at, word->column,
-			     "G90 and G91 in one block, and axis words before the second of them: which one counts for "
-			     "these words depends on the control; write two blocks");
+			     "G90 and G91 in one block, with axis words before the second one: controls differ in "
+			     "which of them applies to these words; write two blocks");
 	if (dialect->traits.last_of_group == ANSWER_YES && gives_way(code->group, block->g[code->group], number))
 		block->g[code->group] = CODE_NONE;
 	if (block->g[code->group] != CODE_NONE && (block->g[code->group] != G80 || number == G80)) {
 		snprintf(text, sizeof(text),
-			 " and the G-code at column %d are of one modal group; a block can have only one of them",
+			 " and the G-code at column %d belong to the same modal group; a block can have only one of "
+			 "them",
 			 block->g_column[code->group]);
 		return fault_g(at, word, number, text);
 	}
@@ -133,8 +135,8 @@ static bool set_m(struct block *block, const struct line_place *at, const struct
 {
 	if (block->m[group] != CODE_NONE)
 		return fault(at, word->column,
-			     "M%g and the M-code at column %d are of one modal group; "
-			     "a block can have only one of them",
+			     "M%g and the M-code at column %d belong to the same modal group; a block can have only "
+			     "one of them",
 			     word->value, block->m_column[group]);
 	block->m[group] = code;
 	block->m_column[group] = word->column;
@@ -167,9 +169,9 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	int number;
 
 	if (word->value < 0)
-		return fault(at, word->column, "an M-code cannot be negative");
+		return fault(at, word->column, "an M-code must not be negative");
 	if (word->value > 32767 || word->value != floor(word->value))
-		return fault(at, word->column, "%g is no M-code", word->value);
+		return fault(at, word->column, "%g is not an M-code", word->value);
 	if (++block->m_count > M_COUNT_MAX)
 		return fault(at, word->column, "a block can have at most %d M-codes", M_COUNT_MAX);
 	number = (int)word->value;
@@ -179,11 +181,11 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	code = code_find(config->dialect->m_codes, number);
 	if (!code)
 		return fault(at, word->column,
-			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
-			     "machine's <controller> says so",
+			     "M%d is not known; if it moves no axis, set <mcode number=\"%d\" action=\"ignore\"/> in "
+			     "the machine file's <controller>",
 			     number, number);
 	if (code->group == GROUP_STATEMENT)
-		return fault(at, word->column, "M%d stands at the start of its block", number);
+		return fault(at, word->column, "M%d must be at the start of its block", number);
 	if (code->state == CODE_REFUSED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
 	if (code->group == GROUP_OUTPUT)
@@ -205,7 +207,7 @@ static bool check_axis_words(const struct block *block, const struct line_place 
 		if (!config->has_axis[slot] && (left & letter_bit(letter)))
 			return fault(at, block_column(block, letter), "the machine has no %c axis%s", letter,
 				     letter == 'U' || letter == 'W' ? "; on a lathe U and W are increments of X and Z, "
-								      "but programs of lathes are not read"
+								      "but lathe programs are not supported"
 								    : "");
 		left &= ~letter_bit(letter);
 	}
@@ -220,14 +222,14 @@ static bool repeat_value(struct block *block, const struct line_place *at, const
 	const bool asks = word->letter == 'T' && config->dialect->traits.m6_loads_own_t == ANSWER_NO;
 
 	if (!config->read.last_duplicate_wins)
-		return fault(at, word->column, "the word %c stands twice in the block, at columns %d and %d%s",
+		return fault(at, word->column, "the word %c occurs twice in the block, at columns %d and %d%s",
 			     word->letter, first, word->column,
-			     asks ? "; if M6 loads the first and the second waits for the next M6, m6_with_t=\"first\" "
-				    "in the machine's <controller> says so"
+			     asks ? "; if M6 loads the first tool and the second one is preselected, set "
+				    "m6_with_t=\"first\" in the machine file's <controller>"
 				  : "");
 	if (!cautions->duplicate)
 		caution(at, word->column,
-			"the word %c stands twice in the block, at columns %d and %d; the last one is taken, here and "
+			"the word %c occurs twice in the block, at columns %d and %d; the last one is used, here and "
 			"further on",
 			word->letter, first, word->column);
 	cautions->duplicate = true;
@@ -263,7 +265,7 @@ static bool add_corner(struct block *block, const struct line_place *at, const s
 	if (word->letter != 'C' && word->letter != 'R')
 		return fault(at, word->column, ",%c is not supported", word->letter);
 	if (block->corner)
-		return fault(at, word->column, "a block can have only one word behind a comma");
+		return fault(at, word->column, "a block can have only one word after a comma");
 	block->corner = word->letter;
 	block->corner_value = word->value;
 	block->corner_point = word->point;

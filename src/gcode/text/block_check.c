@@ -53,19 +53,18 @@ static bool belong_to_mode(struct block *block, const struct line_place *at, boo
 	const int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
 
 	if ((block->g[G_LENGTH] == G43_1 || block->g[G_LENGTH] == G43_2) && axes) {
-		*good = stands_apart(block, at, G_LENGTH, " with axis words needs a block without motion or offsets");
+		*good = stands_apart(block, at, G_LENGTH, " with axis words needs a block without motion and offsets");
 	} else if (block->g[G_CONTOUR] == G5_1 && axes && given == CODE_NONE) {
-		*good = stands_apart(block, at, G_CONTOUR, " with axis words needs a block without motion or offsets");
+		*good = stands_apart(block, at, G_CONTOUR, " with axis words needs a block without motion and offsets");
 	} else if (block->g[G_MIRROR] != CODE_NONE && axes) {
-		*good = stands_apart(block, at, G_MIRROR, " with axis words needs a block without motion or offsets");
+		*good = stands_apart(block, at, G_MIRROR, " with axis words needs a block without motion and offsets");
 	} else if (block->g[G_SCALING] == G51) {
-		*good = stands_apart(block, at, G_SCALING, " needs a block without motion or offsets");
+		*good = stands_apart(block, at, G_SCALING, " needs a block without motion and offsets");
 	} else if (block->g[G_APPROACH] != CODE_NONE && axes) {
 		block->motion = G0;
 		*good = ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
 			fault(at, block->g_column[G_APPROACH],
-			      "G60 positions its axes by itself; it needs a block without "
-			      "another motion or offset");
+			      "G60 positions the axes itself; it needs a block without another motion or offset");
 	} else if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION])) {
 		block->motion = CODE_NONE;
 		*good = (given == CODE_NONE && other == CODE_NONE) ||
@@ -104,17 +103,17 @@ static bool find_in_force(struct block *block, const struct line_place *at, cons
 
 	if (block->g[G_MOTION] == G80 && axes && modes->after_g80 == CODE_NONE)
 		return fault(at, first_column(block, AXIS_BITS),
-			     "axis words with G80, which cancels motion; give them a motion code instead");
+			     "axis words with G80, which cancels motion; write a motion code instead");
 	if (block->g[G_MOTION] == G80 && axes)
 		block->motion = modes->after_g80;
 	if (block->g[G_MOTION] != CODE_NONE)
 		return true;
 	if (axes && modes->motion == CODE_NONE)
 		return fault(at, first_column(block, AXIS_BITS),
-			     "axis words, but no motion code is in force (G0, G1, G2, G3)%s",
+			     "axis words without an active motion code (G0, G1, G2, G3)%s",
 			     traits->power_on.asks_motion
-				 ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says "
-				   "which one the control starts with"
+				 ? "; set power_on_motion=\"rapid\" or \"feed\" (the motion code at power-on) in the "
+				   "machine file's <controller>"
 				 : "");
 	if (axes || (offsets && (is_arc(modes->motion) || modes->motion == G6_2 || block->vectors)))
 		block->motion = modes->motion;
@@ -160,9 +159,9 @@ static bool check_dwell(struct block *block, const struct line_place *at, const 
 	bool alone = dialect->traits.dwell_alone == ANSWER_YES;
 	uint32_t times, given;
 
-	if (!dialect_answers(dialect, at, column, letters[0] != '\0', "which word of G4 has its time") ||
+	if (!dialect_answers(dialect, at, column, letters[0] != '\0', "which word of G4 is its time") ||
 	    !dialect_answers(dialect, at, column, (int)dialect->traits.dwell_alone,
-			     "whether G4 can stand in a block that moves"))
+			     "whether G4 is allowed in a block with motion"))
 		return false;
 	times = letter_bits(letters);
 	given = block->letters & (alone ? times | AXIS_BITS : times);
@@ -173,7 +172,7 @@ static bool check_dwell(struct block *block, const struct line_place *at, const 
 	if (given == 0 || (given & ~times) || (given & (given - 1)))
 		return fault_without_time(block, at, letters);
 	if (is_arc(block->motion))
-		return fault(at, column, "G4 cannot stand with G2 or G3; both use P");
+		return fault(at, column, "G4 is not allowed with G2 or G3, which also use P");
 	return true;
 }
 
@@ -204,10 +203,10 @@ static bool check_machine_coordinates(struct block *block, const struct line_pla
 	else if (dialect->traits.g53_asks_g91 == ANSWER_YES)
 		return fault(
 		    at, block->g_column[G_NONMODAL],
-		    "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
-		    "\"incremental\" in the <controller> of the machine file says what it does");
+		    "G53 in incremental mode (G91) depends on the control: set g53_with_g91=\"absolute\" or "
+		    "\"incremental\" in the machine file's <controller>");
 	else
-		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
+		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental mode (G91); write G90 first");
 	return true;
 }
 
@@ -242,11 +241,11 @@ static bool check_input(const struct block *block, const struct line_place *at)
 	int column = block->m_column[M_OUTPUT], way = 0;
 
 	if (digital == analog)
-		return fault(at, column, "M66 needs the number of one input, in P or in E");
+		return fault(at, column, "M66 needs the number of one input, in either P or E");
 	if (block_has(block, 'L') && !block_integer(block, at, 'L', 0, 4, &way))
 		return false;
 	if (way > 0 && (analog || !waits))
-		return fault(at, block_column(block, 'L'), "M66 with L%d waits for an input P, as long as Q says", way);
+		return fault(at, block_column(block, 'L'), "M66 with L%d needs P (input) and Q (timeout)", way);
 	return true;
 }
 
@@ -260,9 +259,9 @@ static bool check_output(const struct block *block, const struct line_place *at)
 	if (code == 66)
 		return check_input(block, at);
 	if (!block_has(block, letter))
-		return fault(at, column, "M%d needs %c, the number of the output", code, letter);
+		return fault(at, column, "M%d needs %c (number of the output)", code, letter);
 	if (letter == 'E' && block_value(block, 'E') < 0)
-		return fault(at, block_column(block, 'E'), "the number of an output cannot be negative");
+		return fault(at, block_column(block, 'E'), "the number of an output must not be negative");
 	return true;
 }
 
@@ -298,7 +297,7 @@ static bool check_apart(const struct block *block, const struct line_place *at, 
 	name_claim(one, names[0], sizeof(names[0]));
 	name_claim(other, names[1], sizeof(names[1]));
 	return fault(at, block_column(block, letter),
-		     "%c belongs to %s and to %s: which of them has it is not known; write two blocks", letter,
+		     "%c can belong to %s or to %s, and it is not known to which; write two blocks", letter,
 		     names[0], names[1]);
 }
 
@@ -321,7 +320,7 @@ static bool check_words(const struct block *block, const struct line_place *at, 
 		return true;
 	letter = first_letter(unused);
 	return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
-		     letter == 'E' ? "; numbers have no exponent" : "");
+		     letter == 'E' ? "; numbers cannot have an exponent" : "");
 }
 
 /* Axis words of such a code name the axes that are not mirrored or scaled any more, and move nothing. */
@@ -345,14 +344,13 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 		return true;
 	if (group == M_TCP)
 		return fault(at, block->m_column[group],
-			     "an M-code that switches TCP in a block that moves: whether it comes before or after the "
-			     "move depends on the control; write two blocks");
+			     "an M-code that switches TCP in a block with motion: controls differ in whether it comes "
+			     "before or after the move; write two blocks");
 	return config->controller.m6_with_move != M6_WITH_MOVE_UNKNOWN ||
 	       fault(
 		   at, block->m_column[group],
-		   "M6 in a block that moves: the builder of the machine decides whether it comes before or after the "
-		   "move; m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two "
-		   "blocks");
+		   "M6 in a block with motion: the machine builder decides whether it comes before or after the move: "
+		   "set m6_with_move=\"after\" or \"before\" in the machine file's <controller>, or write two blocks");
 }
 
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
@@ -376,7 +374,7 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	if (!check_order(block, at, config) || !check_output(block, at))
 		return false;
 	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
-		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
+		return fault(at, block->g_column[G_SPINDLE], "G96 needs S (surface speed)");
 	return check_words(block, at, dialect);
 }
 
@@ -387,7 +385,7 @@ bool block_integer(const struct block *block, const struct line_place *at, char 
 
 	/* LinuxCNC's tolerance for "close to an integer". */
 	if (fabs(number - nearest) > 0.0001 || nearest < least || nearest > greatest)
-		return fault(at, block_column(block, letter), "%c%.15g: a whole number from %d to %d is needed", letter,
+		return fault(at, block_column(block, letter), "%c%.15g must be a whole number from %d to %d", letter,
 			     number, least, greatest);
 	*value = (int)nearest;
 	return true;

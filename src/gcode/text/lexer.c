@@ -79,12 +79,12 @@ static bool skip_rest(struct lexer *lexer)
 
 	if (!lexer->rules->semicolon)
 		return fault(lexer->at, lexer_column(lexer),
-			     "whether ';' starts a comment or ends the block is not known of this control");
+			     "it is not known whether ';' starts a comment or ends the block on this control");
 	if (lexer->rules->semicolon == SEMICOLON_ENDS_BLOCK && may_be_blocks(rest))
 		return fault(lexer->at, lexer_column(lexer),
-			     "';' ends a block on this control; write what follows on a line of its own, "
-			     "or in parentheses if it is a comment; if a parameter has ';' start comments, "
-			     "semicolon=\"comment\" in the machine's <controller> says so");
+			     "';' ends a block on this control; write the rest on a line of its own, or in parentheses "
+			     "if it is a comment; if a parameter makes ';' start a comment, set semicolon=\"comment\" "
+			     "in the machine file's <controller>");
 	if (!check_comment(lexer, rest))
 		return false;
 	lexer->position += strlen(rest) + 1;
@@ -118,7 +118,7 @@ static bool fault_at_byte(const struct lexer *lexer, char byte)
 	if (byte > ' ' && byte <= '~')
 		return fault(lexer->at, column, "unexpected '%c'", byte);
 	return fault(lexer->at, column, "unexpected byte 0x%02X%s", (unsigned)(unsigned char)byte,
-		     (unsigned char)byte > '~' ? ": only comments may have characters other than ASCII" : "");
+		     (unsigned char)byte > '~' ? ": only comments can have characters other than ASCII" : "");
 }
 
 static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)
@@ -157,7 +157,7 @@ static enum lexer_result read_comma_word(struct lexer *lexer, struct word *word)
 	if (letter >= 'a' && letter <= 'z')
 		letter = (char)(letter - 'a' + 'A');
 	if (letter < 'A' || letter > 'Z') {
-		fault_report(lexer->at, lexer_column(lexer), "a letter is needed behind ','");
+		fault_report(lexer->at, lexer_column(lexer), "a letter is missing after ','");
 		return LEXER_FAULT;
 	}
 	word->comma = true;

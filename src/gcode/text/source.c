@@ -144,7 +144,7 @@ bool sources_check_root(const struct sources *sources, const struct read_options
 {
 	if (!sources->led_out)
 		return true;
-	return fault(at, column, "the subprogram's file is outside of the input root %s, or a link leads there",
+	return fault(at, column, "the subprogram's file is outside the input root %s, or a link leads there",
 		     options->input_root);
 }
 

@@ -82,8 +82,8 @@ bool builder_macro_around(struct interp *interp, const struct builder_macro *mac
 
 	if (state->tcp != TCP_OFF || interp->comp.side != 0)
 		return fault(&interp->at, column,
-			     "%c%g moves around its place while the tool centre point is controlled or the cutter is "
-			     "compensated: that is not followed",
+			     "%c%g with action=\"around\" is not supported under tool centre point control or cutter "
+			     "compensation",
 			     macro->program == MACRO_OF_CODE ? 'G' : 'O',
 			     macro->program == MACRO_OF_CODE ? macro->code : macro->program);
 	return moves_around_go(interp, macro->around, column);

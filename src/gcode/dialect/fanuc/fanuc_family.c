@@ -29,12 +29,12 @@ static const struct code m_codes[] = {
 
 /* B-63944EN, custom macro; Haas mill operator's manual, "Macros". */
 static const struct code_word words[] = {
-	{"#n =", CODE_READ, "macro variable; one that only the machine knows is an error where it is read"},
+	{"#n =", CODE_READ, "macro variable; reading a value that only the machine knows is an error"},
 	{"IF [...] GOTO n", CODE_READ, "conditional jump"},
 	{"IF [...] THEN", CODE_READ, "conditional statement"},
 	{"GOTO n", CODE_READ, "jump"},
-	{"WHILE [...] DO m", CODE_READ, "loop, up to END m"},
-	{"POPEN", CODE_IGNORED, "output to a port or a file; so are PCLOS, BPRNT, DPRNT"},
+	{"WHILE [...] DO m", CODE_READ, "loop up to END m"},
+	{"POPEN", CODE_IGNORED, "output to a port or a file (also PCLOS, BPRNT, DPRNT)"},
 };
 
 const struct word_set fanuc_family_words = {words, sizeof(words) / sizeof(*words)};

@@ -28,7 +28,7 @@ static bool end_statement(struct lexer *lexer)
 		return false;
 	if (lexer_peek(lexer) == '\0')
 		return true;
-	return fault(lexer->at, lexer_column(lexer), "a macro statement stands in a block of its own");
+	return fault(lexer->at, lexer_column(lexer), "a macro statement needs a block of its own");
 }
 
 /* Skips a statement whose condition is false. Words of a block after it would be lost, so they are refused. */
@@ -51,7 +51,7 @@ static bool pass_over(struct lexer *lexer)
 		for (letters = 0; isalpha((unsigned char)lexer_peek(lexer)); letters++)
 			lexer_take(lexer);
 		if (letters < 2 || lexer_peek(lexer) != '[')
-			return fault(lexer->at, column, "a macro statement stands in a block of its own");
+			return fault(lexer->at, column, "a macro statement needs a block of its own");
 	}
 	return end_statement(lexer);
 }
@@ -108,7 +108,7 @@ static bool do_if(struct interp *interp, struct lexer *lexer)
 		return fault(lexer->at, lexer_column(lexer), "IF [...] needs GOTO or THEN");
 	if (lexer_peek(lexer) != '#')
 		return fault(lexer->at, lexer_column(lexer),
-			     "THEN with anything but an assignment is not supported yet");
+			     "THEN is supported only with an assignment");
 	return holds ? do_assignments(interp, lexer) : pass_over(lexer);
 }
 
@@ -129,7 +129,7 @@ static bool read_loop_number(struct lexer *lexer, const char *what, int *number)
 		return false;
 	if (*number >= 1 && *number <= MACRO_B_LOOPS)
 		return true;
-	return fault(lexer->at, column, "%s is from 1 to %d", what, MACRO_B_LOOPS);
+	return fault(lexer->at, column, "%s must be from 1 to %d", what, MACRO_B_LOOPS);
 }
 
 static bool open_loop(struct interp *interp, int number, int column)
@@ -139,7 +139,7 @@ static bool open_loop(struct interp *interp, int number, int column)
 
 	for (int i = 0; i < call->loop_count; i++) {
 		if (call->loops[i].number == number)
-			return fault(&interp->at, column, "DO%d inside of the DO%d of line %ld", number, number,
+			return fault(&interp->at, column, "DO%d inside the DO%d of line %ld", number, number,
 				     call->loops[i].start.line);
 	}
 	if (!macro_b_seek_end(interp, number, column, &new.end))
@@ -189,7 +189,7 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 	if (!read_loop_number(lexer, "the number of END", &number) || !end_statement(lexer))
 		return false;
 	if (!top || !same_place(&top->end, &here))
-		return fault(lexer->at, column, "END%d without its DO%d: a loop cannot be entered but by its DO",
+		return fault(lexer->at, column, "END%d without DO%d; a jump into a loop is not allowed",
 			     number,
 			     number);
 	return macro_b_seek_jump(interp, &top->start, column);
@@ -210,11 +210,12 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 	if (same_place(&call->program, &here))
 		return true;
 	if (macro_b_of(interp)->level == 0)
-		return fault(lexer->at, lexer_column(lexer), "another program begins here, before M2, M30 or M99%s",
+		return fault(lexer->at, lexer_column(lexer), "another program begins here before M2, M30 or M99%s",
 			     lexer_peek(lexer) != ':' ? ""
-						      : "; if ':' stands for N on this control, colon=\"block\" in the "
-							"machine's <controller> says so");
-	return fault(lexer->at, lexer_column(lexer), "another program begins here, inside of %s: its M99 is missing",
+						      : "; if ':' means N on this control, set colon=\"block\" in the "
+							"machine file's <controller>");
+	return fault(lexer->at, lexer_column(lexer),
+		     "another program begins here, but %s has not ended: its M99 is missing",
 		     macro_b_call_title(call, title));
 }
 
@@ -249,7 +250,7 @@ static bool take_name(struct interp *interp, bool *done)
 	} else if ((*text == 'O' || *text == 'o') && isalpha((unsigned char)squeezed[1]) &&
 		   (is_letters(squeezed) ||
 		    ((text[1] == ' ' || text[1] == '\t') && !line_shape_moves_axes(text)))) {
-		caution(&interp->at, 1, "the program has no number behind its O; this line is passed over");
+		caution(&interp->at, 1, "no program number after O; this line is ignored");
 	} else {
 		return true;
 	}
@@ -373,7 +374,8 @@ static bool do_conditional_m99(struct interp *interp, struct lexer *lexer)
 		return false;
 	lexer_peek(lexer);
 	if (!lexer_keyword(lexer, "m99") || !lexer_keyword(lexer, "p"))
-		return fault(lexer->at, lexer_column(lexer), "a condition at the start of a block needs M99 P");
+		return fault(lexer->at, lexer_column(lexer),
+			     "a condition at the start of a block must be followed by M99 P");
 	lexer_peek(lexer);
 	column = lexer_column(lexer);
 	return macro_b_expr_integer(lexer, "the block number of M99", &number) && end_statement(lexer) &&

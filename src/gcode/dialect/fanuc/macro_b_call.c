@@ -39,9 +39,9 @@ static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number
 	struct macro_b_call *call;
 
 	if (macro->level == MACRO_B_CALLS_MAX)
-		return fault(&interp->at, column, "more than %d calls inside each other", MACRO_B_CALLS_MAX);
+		return fault(&interp->at, column, "more than %d nested calls", MACRO_B_CALLS_MAX);
 	if (is_macro_call(kind) && macro->macro_calls == macro->rules->macro_calls_max)
-		return fault(&interp->at, column, "more than %d macro calls inside each other",
+		return fault(&interp->at, column, "more than %d nested macro calls",
 			     macro->rules->macro_calls_max);
 	macro->level++;
 	macro->macro_calls += is_macro_call(kind);
@@ -109,7 +109,7 @@ static bool scale_argument(struct interp *interp, const struct word *word, doubl
 		return true;
 	if (strchr(interp->state.scale > 1 ? "ABCEF" : "EF", word->letter))
 		return fault(&interp->at, word->column,
-			     "%c%.15g: what an argument without a decimal point is differs here; write the point",
+			     "%c%.15g: the unit of this argument without a decimal point is not known; write the point",
 			     word->letter, *value);
 	*value *= interp->state.scale > 1 ? increment / 10 : increment;
 	return true;
@@ -122,7 +122,7 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 	int number = argument_of(word->letter);
 
 	if (number == 0)
-		return fault(&interp->at, word->column, "%c is no argument of a macro", word->letter);
+		return fault(&interp->at, word->column, "a macro has no argument %c", word->letter);
 	if (word->letter >= 'I' && word->letter <= 'K')
 		number = argument_of_set(word->letter, set, last);
 	if (number > MACRO_B_LOCALS)
@@ -137,7 +137,7 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 static bool read_count(struct interp *interp, const struct word *word, int most, int *value)
 {
 	if (word->vacant || word->value < 1 || word->value > most || floor(word->value) < word->value)
-		return fault(&interp->at, word->column, "%c: a whole number from 1 to %d is needed", word->letter,
+		return fault(&interp->at, word->column, "%c must be a whole number from 1 to %d", word->letter,
 			     most);
 	*value = (int)word->value;
 	return true;
@@ -164,7 +164,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 	if (result == LEXER_FAULT)
 		return false;
 	if (request->number == 0)
-		return fault(&interp->at, column, "a macro call needs P, the number of the program");
+		return fault(&interp->at, column, "a macro call needs P (program number)");
 	return true;
 }
 
@@ -194,8 +194,8 @@ static bool check_repeats(struct interp *interp, const struct request *request, 
 	for (int i = 1; i <= MACRO_B_LOCALS; i++) {
 		if (!isnan(request->arguments[i]))
 			return fault(&interp->at, column,
-				     "L with arguments: whether each repetition gets them anew is not supported yet; "
-				     "call it L times in a loop");
+				     "L with arguments is not supported, because it is not known whether each "
+				     "repetition starts with the same arguments; call the macro in a loop");
 	}
 	return true;
 }
@@ -252,11 +252,11 @@ bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 	builder = builder_macro_of_program(interp, request.number);
 	if (builder && builder->action != MACRO_NONE)
 		return fault(&interp->at, column,
-			     "G66 with a program of the machine's builder that moves is not followed");
+			     "G66 is not supported with a builder's macro that moves axes");
 	if (builder)
 		return true;
 	if (macro->modal)
-		return fault(&interp->at, column, "G66 while another one is in force is not supported yet; G67 first");
+		return fault(&interp->at, column, "G66 inside another G66 is not supported; cancel the first by G67");
 	if (!macro_b_seek_program(interp, request.number, column, &entry))
 		return false;
 	macro->modal = true;
@@ -294,12 +294,12 @@ static bool call_modal(struct interp *interp)
 
 	if (block->m[M_STOP] >= 2)
 		return fault(&interp->at, block->m_column[M_STOP],
-			     "M%d in a block that moves, while G66 is in force; G67 first", block->m[M_STOP]);
+			     "M%d in a block with motion while G66 is active; write G67 first", block->m[M_STOP]);
 	if (macro->level != macro->modal_level)
-		return fault(&interp->at, column, "a move of a subprogram while G66 is in force is not supported yet");
+		return fault(&interp->at, column, "a move in a subprogram while G66 is active is not supported");
 	if (block->g[G_NONMODAL] != CODE_NONE || block->motion == CODE_NONE || code_is_cycle(block->motion))
 		return fault(&interp->at, column,
-			     "axis words of a block that is no plain move, while G66 is in force; G67 first");
+			     "axis words in a block without a plain move while G66 is active; write G67 first");
 	memcpy(request.arguments, macro->modal_arguments, sizeof(request.arguments));
 	return call_macro(interp, MACRO_B_G66, &request, column);
 }
@@ -326,13 +326,14 @@ static bool split_p(struct interp *interp, int *number, int *repeats)
 	bool whole, part;
 
 	if (program == 0)
-		return fault(&interp->at, column, "the program's number, the last four digits of P, is 0");
+		return fault(&interp->at, column, "the program number (the last four digits of P) is 0");
 	if (!macro_b_seek_has_program(interp, *number, column, &whole) ||
 	    (whole && !macro_b_seek_has_program(interp, program, column, &part)))
 		return false;
 	if (whole && (part || builder_macro_of_program(interp, program)))
 		return fault(&interp->at, column,
-			     "P%d may call O%d once or O%d %d times, and both are there: write L1, or P%d and L%d",
+			     "P%d is ambiguous: O%d once or O%d %d times (both programs exist); write L1, or P%d and "
+			     "L%d",
 			     *number, *number, program, count, program, count);
 	*repeats = whole ? 1 : count;
 	*number = whole ? *number : program;
@@ -375,8 +376,7 @@ static bool do_m98(struct interp *interp, int column)
 		return false;
 	macro = local ? NULL : builder_macro_of_program(interp, number);
 	if (macro && macro->action == MACRO_MOVE)
-		return fault(&interp->at, column, "M98 calls O%d, which moves to the X, Y and Z of a G65; M98 has none",
-			     number);
+		return fault(&interp->at, column, "M98 calls O%d, which needs the X, Y and Z of a G65 call", number);
 	if (macro)
 		return macro->action == MACRO_NONE || builder_macro_around(interp, macro, column);
 	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, by_block ? 'Q' : 'P'), &entry)
@@ -426,9 +426,9 @@ static bool do_m99(struct interp *interp, int column)
 	if (macro_b_of(interp)->level == 0 || macro_b_of(interp)->rules->m99_own_block)
 		return macro_b_seek_goto(interp, number, p);
 	if (call->left > 0)
-		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");
+		return fault(&interp->at, p, "M99 P before the last repetition of a call is not supported");
 	if (call->kind == MACRO_B_G66)
-		return fault(&interp->at, p, "M99 P of a macro that G66 calls is not supported yet");
+		return fault(&interp->at, p, "M99 P in a macro that G66 calls is not supported");
 	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) &&
 	       macro_b_seek_jump(interp, &target, p);
 }
@@ -477,7 +477,8 @@ bool macro_b_call_end_of_file(struct interp *interp)
 	if (macro_b_of(interp)->level == 0)
 		return true;
 	diag_error(interp->diag, (struct srcloc){interp->program.source->name, interp->program.source->reader.line, 0},
-		   "the file ends inside of the subprogram %s: its M99 is missing", macro_b_call_title(call, title));
+		   "the subprogram %s is not closed at the end of the file: M99 is missing",
+		   macro_b_call_title(call, title));
 	return false;
 }
 

@@ -50,18 +50,18 @@ static bool read_variable_number(struct expr *expr, int *number)
 	case '#':
 		return fault(lexer->at, column, "## is not allowed; write #[#...]");
 	case '<':
-		return fault(lexer->at, column, "variables with names are not supported yet");
+		return fault(lexer->at, column, "named variables are not supported");
 	default:
 		position = lexer->position;
 		if (!is_digit(lexer_peek(lexer)) ||
 		    number_read(lexer->at->text, &position, &operand.number, &point) != NUMBER_OK || point)
 			return fault(lexer->at, column,
-				     "# needs the number of a variable, or an expression in brackets");
+				     "# needs a variable number or an expression in brackets");
 		lexer->position = position;
 		break;
 	}
 	if (isnan(operand.number) || operand.number < 0 || !macro_b_operators_is_whole(operand.number))
-		return fault(lexer->at, column, "# needs a whole number that is not negative");
+		return fault(lexer->at, column, "the number of a variable must be a whole number that is not negative");
 	*number = (int)operand.number;
 	return true;
 }
@@ -92,7 +92,8 @@ static bool compute_fix(const struct line_place *at, int column, const struct fu
 
 	if (macro_b_operators_nearly_equal(*value, nearest))
 		return fault(at, column,
-			     "%s of a number that differs from %.15g by %.2g only, less than a control computes with",
+			     "%s of a number that differs from %.15g by only %.2g, which is less than the precision of "
+			     "a control",
 			     function->upper, nearest, fabs(*value - nearest));
 	if (function->function == FUNCTION_FIX)
 		*value = trunc(*value);
@@ -109,10 +110,12 @@ static bool compute_round(struct expr *expr, int column, double *value)
 
 	if (reader->argument)
 		return fault(expr->lexer->at, column,
-			     "ROUND in an argument: to which digit differs; assign it to a variable before");
+			     "ROUND in an argument: controls round to different digits; assign the value to a variable "
+			     "first");
 	scaled = *value * reader->steps;
 	if (scaled < 0 && !(fabs(scaled - trunc(scaled)) < 0.5) && !(fabs(scaled - trunc(scaled)) > 0.5))
-		return fault(expr->lexer->at, column, "ROUND of %.15g: controls differ in the half of negative numbers",
+		return fault(expr->lexer->at, column,
+			     "ROUND of %.15g: controls round halves of negative numbers differently",
 			     *value);
 	*value = round(scaled) / reader->steps;
 	return true;
@@ -131,8 +134,8 @@ static void wrap_angle(struct expr *expr, int column, double *value)
 		return;
 	if (!macro->cautioned_angle)
 		caution(expr->lexer->at, column,
-			"an angle of %.9g degrees, or %.9g with parameter 6004#0 (NAT) at 1: it is taken to be 0, here "
-			"and further on",
+			"the control returns %.9g degrees, or %.9g if parameter 6004#0 (NAT) is 1; NAT is assumed to "
+			"be 0, here and further on",
 			*value + 360, *value);
 	macro->cautioned_angle = true;
 	*value += 360;
@@ -151,10 +154,10 @@ static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *g
 	lexer_take(lexer);
 	if (lexer_peek(lexer) != '[')
 		return fault(lexer->at, column,
-			     "ATAN[...]/ needs a value in brackets; to divide, write [ATAN[...]]/");
+			     "ATAN[...]/ needs a value in brackets; for a division write [ATAN[...]]/");
 	if (!reader->rules->atan_pairs)
 		return fault(lexer->at, column,
-			     "ATAN[...]/[...]: %s's manual knows ATAN of one value; to divide, write [ATAN[...]]/",
+			     "ATAN[...]/[...]: in %s's manual ATAN has one value; for a division write [ATAN[...]]/",
 			     reader->rules->control);
 	*given = true;
 	return expr_bracket(expr, "ATAN[...]/", second);
@@ -203,9 +206,9 @@ static bool read_power(struct expr *expr, int column, struct expr_operand *value
 	    !macro_b_operators_fill(rules, at, column, &exponent))
 		return false;
 	if (value->truth || exponent.truth)
-		return fault(at, column, "the result of a comparison is no number here");
+		return fault(at, column, "a comparison cannot be used as a number here");
 	if (value->number < 0 || (fpclassify(value->number) == FP_ZERO && !(exponent.number > 0)))
-		return fault(at, column, "POW of %.15g and %.15g: a number that is not positive may have no such power",
+		return fault(at, column, "POW of %.15g and %.15g may be undefined: the base must be greater than 0",
 			     value->number, exponent.number);
 	value->number = math_pow(value->number, exponent.number);
 	return isfinite(value->number) || fault(at, column, "the result is infinite");
@@ -226,7 +229,7 @@ bool macro_b_expr_function(struct expr *expr, int column, const struct function_
 	if (!expr_bracket(expr, function->upper, value) || !macro_b_operators_fill(rules, at, column, value))
 		return false;
 	if (!rules->truth_is_number && value->truth)
-		return fault(at, column, "the result of a comparison is no number here");
+		return fault(at, column, "a comparison cannot be used as a number here");
 	value->truth = false;
 	if (function->function == FUNCTION_FIX || function->function == FUNCTION_FUP)
 		return compute_fix(at, column, function, &value->number);
@@ -259,7 +262,7 @@ static double steps_of(const struct interp *interp, char letter)
 
 static bool fault_truth(const struct lexer *lexer, int column)
 {
-	return fault(lexer->at, column, "the result of a comparison is no number here");
+	return fault(lexer->at, column, "a comparison cannot be used as a number here");
 }
 
 /* Reads the value after the address word->letter: #1, -#1, [#1+2]. */
@@ -277,7 +280,7 @@ static enum lexer_result read_word(struct lexer *lexer, struct word *word, bool 
 	reader.argument = argument;
 	reader.steps = steps > 0 ? steps : 1;
 	if (byte != '#' && byte != '[' && byte != '-' && byte != '+') {
-		fault_report(lexer->at, column, "a function behind an address needs brackets, %c[...]", word->letter);
+		fault_report(lexer->at, column, "a function after an address needs brackets: %c[...]", word->letter);
 		return LEXER_FAULT;
 	}
 	if (!expr_value(&expr, &value))
@@ -301,8 +304,8 @@ static enum lexer_result read_argument(struct lexer *lexer, struct word *word)
 }
 
 static const struct lexer_refusal refusals[] = {
-	{'#', "an assignment stands in a block of its own"},
-	{'[', "an expression stands behind a letter or an assignment's '='"},
+	{'#', "an assignment needs a block of its own"},
+	{'[', "an expression is allowed only after a letter or after '='"},
 };
 
 #define REFUSALS .refusals = refusals, .refusal_count = sizeof(refusals) / sizeof(*refusals)
@@ -367,7 +370,7 @@ bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true
 	if (!expr_bracket(&expr, what, &operand))
 		return false;
 	if (!reader.rules->truth_is_number && !operand.truth)
-		return fault(lexer->at, column, "%s needs a comparison: EQ, NE, GT, GE, LT or LE", what);
+		return fault(lexer->at, column, "%s needs a comparison (EQ, NE, GT, GE, LT or LE)", what);
 	if (!macro_b_operators_fill(reader.rules, lexer->at, column, &operand))
 		return false;
 	*is_true = fpclassify(operand.number) != FP_ZERO;

@@ -30,11 +30,10 @@ bool macro_b_kept_read(struct interp *interp, int number, int column, const char
 
 	if (!variable)
 		return fault(&interp->at, column,
-			     "%s %s: <variable name=\"%s\" value=\"\"/> in the machine's <controller> says what it "
-			     "holds",
+			     "%s %s: set <variable name=\"%s\" value=\"\"/> in the machine file's <controller>",
 			     name, why, name);
 	*value = !strcmp(variable->text, "vacant") ? macro_b_vacant() : variable->number;
 	return !isnan(variable->number) || !strcmp(variable->text, "vacant") ||
-	       fault(&interp->at, column, "%s: value=\"%s\" of its <variable> is neither a number nor \"vacant\"",
+	       fault(&interp->at, column, "%s: the value=\"%s\" of its <variable> must be a number or \"vacant\"",
 		     name, variable->text);
 }

@@ -19,7 +19,7 @@ bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line
 		return true;
 	if (!rules->vacant_counts)
 		return fault(at, column,
-			     "a variable without a value: what %s's control computes with it is not in its manual",
+			     "a variable without a value: %s's manual does not say what the control computes",
 			     rules->control);
 	value->number = 0;
 	return true;
@@ -57,7 +57,7 @@ static bool compare(const struct macro_b_rules *rules, const struct line_place *
 	bool vacant = isnan(left->number), other = isnan(right->number);
 
 	if (left->truth || right->truth)
-		return fault(at, column, "the result of a comparison cannot be compared; use AND or OR");
+		return fault(at, column, "the result of a comparison cannot be compared again; use AND or OR");
 	/* A Haas program tests for a variable without a value by "#1 EQ #0"; any number in #1 differs from #0. */
 	if ((operation == EXPR_EQ || operation == EXPR_NE) && (other || (vacant && rules->vacant_counts))) {
 		*left = (struct expr_operand){(vacant == other) == (operation == EXPR_EQ), true};
@@ -67,8 +67,8 @@ static bool compare(const struct macro_b_rules *rules, const struct line_place *
 		return false;
 	if (macro_b_operators_nearly_equal(left->number, right->number))
 		return fault(at, column,
-			     "these numbers differ by %.2g only, less than a control computes with; compare with a "
-			     "margin",
+			     "these numbers differ by only %.2g, which is less than the precision of a control; "
+			     "compare with a margin",
 			     fabs(left->number - right->number));
 	*left = (struct expr_operand){holds(operation, left->number, right->number), true};
 	return true;
@@ -91,11 +91,11 @@ static bool apply_logic(const struct macro_b_rules *rules, const struct line_pla
 			numbers[i] = trunc(numbers[i]);
 		if (numbers[i] < 0 || !macro_b_operators_is_whole(numbers[i]))
 			return fault(at, column,
-				     "AND, OR and XOR work on whole numbers that are not negative, not on %.15g",
+				     "AND, OR and XOR need whole numbers that are not negative, not %.15g",
 				     numbers[i]);
 	}
 	if (!rules->truth_is_number && left->truth != right->truth)
-		return fault(at, column, "one of the operands is a comparison, and the other is none");
+		return fault(at, column, "AND, OR and XOR need two comparisons or two numbers, not one of each");
 	a = (unsigned long)numbers[0];
 	b = (unsigned long)numbers[1];
 	left->number = (double)(operation == EXPR_AND ? a & b : operation == EXPR_OR ? a | b : a ^ b);
@@ -110,7 +110,7 @@ static bool apply_modulo(const struct macro_b_rules *rules, const struct line_pl
 	bool negative = right < 0 || (left->number < 0 && !rules->modulo_signed);
 
 	if (negative || !macro_b_operators_is_whole(left->number) || !macro_b_operators_is_whole(right))
-		return fault(at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
+		return fault(at, column, "MOD of %.15g and %.15g: controls agree only for whole numbers%s",
 			     left->number, right, rules->modulo_signed ? "" : " that are not negative");
 	left->number = fmod(left->number, right);
 	return true;
@@ -120,7 +120,7 @@ static bool apply_arithmetic(const struct macro_b_rules *rules, const struct lin
 			     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
 	if (!rules->truth_is_number && (left->truth || right->truth))
-		return fault(at, column, "the result of a comparison is no number here");
+		return fault(at, column, "a comparison cannot be used as a number here");
 	left->truth = false;
 	if ((operation == EXPR_DIVIDE || operation == EXPR_MODULO) && fpclassify(right->number) == FP_ZERO)
 		return fault(at, column, "division by zero");

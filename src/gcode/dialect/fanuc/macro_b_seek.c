@@ -115,7 +115,8 @@ static bool meet_loop(struct interp *interp, struct search *search, const struct
 			if (search->open[i] != opens)
 				continue;
 			search->failed = true;
-			return fault(&interp->at, column, "line %ld has a DO%d inside of this loop's DO%d", line, opens,
+			return fault(&interp->at, column,
+				     "line %ld has DO%d inside this loop, which is also DO%d", line, opens,
 				     opens);
 		}
 		if (search->open_count < MACRO_B_LOOPS && opens <= MACRO_B_LOOPS)
@@ -126,8 +127,7 @@ static bool meet_loop(struct interp *interp, struct search *search, const struct
 		return false;
 	if (search->open[search->open_count - 1] != closes) {
 		search->failed = true;
-		return fault(&interp->at, column, "the END%d of line %ld crosses this loop: DO%d is not closed before "
-						  "it",
+		return fault(&interp->at, column, "END%d in line %ld crosses this loop: DO%d is still open there",
 			     closes, line, search->open[search->open_count - 1]);
 	}
 	return --search->open_count == 0;
@@ -224,7 +224,8 @@ static void remember(struct interp *interp, const char *key, const struct positi
 static bool fault_window(struct interp *interp, const char *what, int number, int column)
 {
 	return fault(&interp->at, column,
-		     "%s%d is not within the last and the next %zu MiB of the pipe; give the program as a file", what,
+		     "%s%d is not within %zu MiB before or after this line of the pipe; give the program as a file",
+		     what,
 			number,
 		     READER_WINDOW >> 20);
 }
@@ -255,8 +256,7 @@ bool macro_b_seek_only(struct interp *interp, int number, int column, struct pos
 					 : fault(&interp->at, column, "the program has no block N%d", number);
 	search.after = found->line;
 	if (look(interp, &search, &start, 0, column, &second))
-		return fault(&interp->at, column, "N%d stands in lines %ld and %ld: which of them is meant is not "
-						  "clear",
+		return fault(&interp->at, column, "N%d occurs in lines %ld and %ld, so the jump is ambiguous",
 			     number, found->line, second.line);
 	if (search.unfinished)
 		return fault_window(interp, "N", number, column);
@@ -288,7 +288,7 @@ bool macro_b_seek_goto(struct interp *interp, int number, int column)
 
 	macro_b_of(interp)->jumped = true;
 	if (number == 0)
-		return fault(&interp->at, column, "block numbers start with 1");
+		return fault(&interp->at, column, "block numbers start at 1");
 	if (!macro_b_of(interp)->rules->goto_forward_first)
 		return macro_b_seek_only(interp, number, column, &target) && macro_b_seek_jump(interp, &target, column);
 	if ((label = remembered(interp, &here, "N", number, key)))
@@ -314,7 +314,7 @@ bool macro_b_seek_end(struct interp *interp, int number, int column, struct posi
 		if (search.failed)
 			return false;
 		return search.unfinished ? fault_window(interp, "END", number, column)
-					 : fault(&interp->at, column, "this loop is not closed: its END%d is missing",
+					 : fault(&interp->at, column, "this loop is not closed: END%d is missing",
 						 number);
 	}
 	remember(interp, key, found);
@@ -331,21 +331,19 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 		return false;
 	if (!start.source && number >= 8000 && number <= 9999)
 		return fault(&interp->at, column,
-			     "the program O%d is neither in %s nor in a file of its own "
-			     "beside it or in an --include folder; "
-			     "if the machine's builder made it, <macro program=\"%d\" action=\"\"/> "
-			     "in the <controller> of "
-			     "the machine file says what it does: none, move or around",
+			     "program O%d is neither in %s nor in a file of its own beside it or in an --include "
+			     "folder; for a macro of the machine builder, set <macro program=\"%d\" action=\"\"/> "
+			     "(none, move or around) in the machine file's <controller>",
 			     number, interp->program.sources.items[0]->name, number);
 	if (!start.source)
 		return fault(&interp->at, column,
-			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include "
+			     "program O%d is neither in %s nor in a file of its own beside it or in an --include "
 			     "folder",
 			     number, interp->program.sources.items[0]->name);
 	if (look(interp, &search, &start, 0, column, found))
 		return true;
 	if (look(interp, &any, &start, 0, column, found))
-		return fault(&interp->at, column, "%s holds no program O%d", start.source->name, number);
+		return fault(&interp->at, column, "%s does not contain program O%d", start.source->name, number);
 	*found = start;
 	return true;
 }

@@ -21,17 +21,17 @@ static int whole_code(int code)
 
 /* Variables that only the machine knows, or that differ between machines. Controls may have more: macro_b_rules.h. */
 static const struct macro_b_range machine_only[] = {
-	{2001, 2999, "tool offsets of the control's own table"},
-	{3000, 3000, "no value"},
+	{2001, 2999, "a tool offset of the control's table"},
+	{3000, 3000, "write-only"},
 	{3001, 3002, "a clock"},
 	{3003, 3008, "switches and settings of the control"},
 	{3011, 3012, "the date and the time"},
-	{3901, 3902, "the number of parts that were made"},
-	{5021, 5060, "where the machine is while the control reads ahead (the programmed position is in #5001)"},
-	{5061, 5080, "what a probe has found"},
-	{5081, 5100, "the tool offset of the control's own table"},
-	{5101, 5120, "the deviation of the servo drives"},
-	{5201, 5220, "an offset of the control's own that lies on all work offsets"},
+	{3901, 3902, "the number of machined parts"},
+	{5021, 5060, "the position of the machine during read-ahead (#5001 has the programmed position)"},
+	{5061, 5080, "a probed position"},
+	{5081, 5100, "a tool offset of the control's table"},
+	{5101, 5120, "the servo deviation"},
+	{5201, 5220, "an external work offset of the control, which is added to all work offsets"},
 };
 
 static const char *find_range(const struct macro_b_range *ranges, size_t count, int number)
@@ -59,8 +59,7 @@ static double unit_of(const struct state *state, int slot)
 
 static bool fault_not_followed(struct interp *interp, int number, int column)
 {
-	return fault(&interp->at, column, "#%d, a modal code or word, is not followed here in this state of the "
-					  "program",
+	return fault(&interp->at, column, "#%d, a modal code or word, cannot be read in this state of the program",
 		     number);
 }
 
@@ -144,7 +143,7 @@ static bool find_slot(struct interp *interp, int number, int index, int column, 
 	if (index == 3 && others == 1)
 		return true;
 	return fault(&interp->at, column,
-		     "#%d: which axis is the control's number %d is the machine builder's choice and not known here",
+		     "#%d: the machine builder decides which axis has number %d in the control",
 			number,
 		     index + 1);
 }
@@ -160,11 +159,12 @@ static bool read_position(struct interp *interp, int number, int column, double 
 		return false;
 	if (interp->state.work_assigned)
 		return fault(&interp->at, column,
-			     "#%d cannot be read here: %s was changed by assignment while it was in force; select it "
+			     "#%d cannot be read here: %s was changed by assignment while it was active; select it "
 			     "again first",
 			     number, state_system_name(state->system));
 	if (state->tcp != TCP_OFF)
-		return fault(&interp->at, column, "#%d under tool centre point control is not supported yet", number);
+		return fault(&interp->at, column,
+			     "reading #%d under tool centre point control is not supported", number);
 	*value = program_position_value(state, slot);
 	return true;
 }
@@ -187,7 +187,7 @@ static bool find_work(struct interp *interp, int number, int column, int *system
 
 static bool fault_unknown(struct interp *interp, int number, int column)
 {
-	return fault(&interp->at, column, "the system variable #%d is not known here in the %s dialect", number,
+	return fault(&interp->at, column, "system variable #%d is unknown here in the %s dialect", number,
 		     interp->config->dialect->name);
 }
 
@@ -196,7 +196,7 @@ static bool check_untold(struct interp *interp, int number, int column)
 {
 	return !macro_b_kept_tells(interp, number) ||
 	       fault(&interp->at, column,
-		     "<variable name=\"#%d\">: the program and the setup determine this variable",
+		     "<variable name=\"#%d\"> is not allowed: the program and the setup determine this variable",
 		     number);
 }
 
@@ -207,11 +207,11 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 
 	if (number >= INPUT_FIRST && number <= INPUT_LAST)
 		return macro_b_kept_read(interp, number, column,
-					 "holds the state of an input or output, which may change while the program "
-					 "runs; if it does not",
+					 "is the state of an input or output, which may change while the program runs; "
+					 "if it stays the same",
 					 value);
 	if (what)
-		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,
+		return fault(&interp->at, column, "#%d (%s) is not known before the program runs", number,
 			     what);
 	if ((number >= 4001 && number <= 4030) || (number >= 4101 && number <= 4130))
 		return check_untold(interp, number, column) && read_mode(interp, number, column, value);
@@ -221,8 +221,7 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 		return false;
 	if (system < 0)
 		return macro_b_kept_read(interp, number, column,
-					 "is a system variable that is not known here; if it stays the same while the "
-					 "program runs",
+					 "is an unknown system variable; if it stays the same while the program runs",
 					 value);
 	if (!check_untold(interp, number, column) || !work_offset_use_require(interp, system, column))
 		return false;
@@ -265,7 +264,7 @@ bool macro_b_system_write(struct interp *interp, int number, int column, double 
 		/* 1 disables feed hold, 2 the override, 4 the exact stop. */
 		if (value < 4)
 			return true;
-		return fault(&interp->at, column, "#3004=%.15g switches exact stops off, which is not supported yet",
+		return fault(&interp->at, column, "#3004=%.15g switches exact stops off, which is not supported",
 			     value);
 	default:
 		break;

@@ -17,9 +17,7 @@ static int common_index(const struct interp *interp, int number)
 static bool fault_unknown(struct interp *interp, int number, int column)
 {
 	return fault(&interp->at, column,
-		     "#%d is no variable that is known in the %s dialect; programs have #1 to #33, #100 to #199 and "
-		     "#500 "
-		     "to #999",
+		     "#%d is not a variable of the %s dialect; programs have #1 to #33, #100 to #199 and #500 to #999",
 		     number, interp->config->dialect->name);
 }
 
@@ -41,8 +39,7 @@ static bool read_common(struct interp *interp, int index, int column, double *va
 
 	if (!vars->given[index] && (kept || macro_b_kept_tells(interp, index)))
 		return macro_b_kept_read(interp, index, column,
-					 "keeps its value from one program to the next, and this one has given it none "
-					 "so far",
+					 "keeps its value from earlier programs, and this program has not set it",
 					 value);
 	*value = vars->common[index];
 	return true;
@@ -57,7 +54,7 @@ bool macro_b_vars_read(struct interp *interp, int number, int column, double *va
 	if (number == 0 || number == macro_b_of(interp)->rules->vacant_variable)
 		return true;
 	if (was_assigned(interp, number))
-		return fault(&interp->at, column, "#%d is assigned in this block already; read it in the next one",
+		return fault(&interp->at, column, "#%d is assigned in this block; read it in the next block",
 			     number);
 	if (number >= 1 && number <= MACRO_B_LOCALS)
 		*value = vars->local[vars->level][number];
@@ -76,7 +73,7 @@ bool macro_b_vars_write(struct interp *interp, int number, int column, double va
 	int index = common_index(interp, number);
 
 	if (macro->assigned_count == MACRO_B_ASSIGNED_MAX)
-		return fault(&interp->at, column, "more than %d assignments in a block", MACRO_B_ASSIGNED_MAX);
+		return fault(&interp->at, column, "more than %d assignments in one block", MACRO_B_ASSIGNED_MAX);
 	macro->assigned[macro->assigned_count++] = number;
 	if (number == 0)
 		return fault(&interp->at, column, "#0 is always vacant; it cannot be assigned");

@@ -12,7 +12,7 @@ static const struct function_name functions[] = {MACRO_B_FUNCTIONS(true)};
 static const struct expr_rules expr_rules = {
 	.open = '[', .close = ']', .variable_starts = "#",
 	.operators = operators, .operator_count = sizeof(operators) / sizeof(*operators),
-	.unordered = "AND, OR and XOR among other operators: Haas gives no order; use brackets",
+	.unordered = "AND, OR and XOR beside other operators: Haas defines no order; use brackets",
 	.functions = functions, .function_count = sizeof(functions) / sizeof(*functions),
 	.has_vacant = true, .depth_max = MACRO_B_DEPTH_MAX, .nested = "brackets",
 	.apply = macro_b_expr_apply, .function = macro_b_expr_function, .variable = macro_b_expr_variable,
@@ -20,7 +20,7 @@ static const struct expr_rules expr_rules = {
 
 /* Haas mill operator's manual, system variables. */
 static const struct macro_b_range machine_only[] = {
-	{1601, 2000, "data of tools that the control has collected"},
+	{1601, 2000, "tool data that the control collects"},
 	{3020, 3033, "clocks, counters and settings of the control"},
 };
 

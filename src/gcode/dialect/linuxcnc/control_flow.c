@@ -133,15 +133,15 @@ bool control_flow_end_of_file(struct interp *interp)
 		/* The message is about the call itself; therefore the call is not listed again as a caller. */
 		params_leave(&linuxcnc_of(interp)->params);
 	} else if (flow->skip == SKIP_DEFINITION)
-		diag_error(interp->diag, flow->skip_from, "this sub is not closed: its endsub is missing");
+		diag_error(interp->diag, flow->skip_from, "this sub is not closed: endsub is missing");
 	else if (flow->skip != SKIP_NOTHING)
-		diag_error(interp->diag, flow->skip_from, "the end of this %s is missing",
+		diag_error(interp->diag, flow->skip_from, "this %s is not closed",
 			   oword_keyword(flow->skip_kind));
 	else if (linuxcnc_of(interp)->params.level > 0)
-		diag_error(interp->diag, end, "the file ends inside of the subprogram %s: its %s is missing",
+		diag_error(interp->diag, end, "the subprogram %s is not closed at the end of the file: %s is missing",
 			   oword_title(call->name, title), call->by_m98 ? "M99" : "endsub");
 	else if (top)
-		diag_error(interp->diag, end, "the end of the %s of line %ld is missing", oword_keyword(top->kind),
+		diag_error(interp->diag, end, "the %s in line %ld is not closed", oword_keyword(top->kind),
 			   top->label->at.line);
 	else
 		return true;
@@ -197,15 +197,14 @@ static APART bool run_m(struct interp *interp)
 
 	if (modes != CODE_NONE && interp->block.words > 1)
 		return fault(&interp->at, interp->block.m_column[M_MODES],
-			     "M%d stands alone in its block: which of the others come before it is "
-			     "not followed", modes);
+			     "M%d needs a block of its own, because its order among other words is not known", modes);
 	if (modes != CODE_NONE)
 		return modal_state_run(interp, &linuxcnc_call_in_hand(interp)->modal, modes,
 				       interp->block.m_column[M_MODES]);
 	if (interp->block.m[M_STOP] != 99)
 		return true;
 	if (linuxcnc_of(interp)->params.level > 0)
-		return fault(&interp->at, column, "M99 of a subprogram stands alone in its block");
+		return fault(&interp->at, column, "M99 in a subprogram needs a block of its own");
 	return start_anew(interp);
 }
 

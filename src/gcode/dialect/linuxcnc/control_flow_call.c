@@ -18,15 +18,15 @@ static bool define(struct interp *interp, struct lexer *lexer, const struct owor
 
 	oword_title(oword->name, title);
 	if (linuxcnc_of(interp)->params.level > 0)
-		return fault(&interp->at, oword->column, "%s sub inside of a subprogram that is being carried out",
+		return fault(&interp->at, oword->column, "%s sub inside a running subprogram",
 			     title);
 	if (label && label->at.source == source && label->at.offset == source->reader.start)
 		return fault(&interp->at, oword->column,
-			     "%s sub is met again, after it was called or in a loop; LinuxCNC stops here: define it "
-			     "before its first call, once",
+			     "%s sub is reached again after its call, or in a loop, where LinuxCNC stops; define it "
+			     "once, before its first call",
 			     title);
 	if (label)
-		return fault(&interp->at, oword->column, "%s is defined already, in line %ld of %s", title,
+		return fault(&interp->at, oword->column, "%s is already defined in line %ld of %s", title,
 			     label->at.line, label->at.source->name);
 	if (!oword_end(lexer, oword) || !control_stack_add_label(interp, oword, oword->name, &label))
 		return false;
@@ -44,7 +44,7 @@ static bool found(struct interp *interp, struct lexer *lexer, const struct oword
 	oword_title(oword->name, title);
 	if (linuxcnc_call_in_hand(interp)->by_m98 != (oword->kind == O_PROGRAM))
 		return fault(&interp->at, oword->column,
-			     oword->kind == O_PROGRAM ? "%s alone is a subprogram for M98; the call needs %s sub"
+			     oword->kind == O_PROGRAM ? "%s is a subprogram for M98; for a call, define it by %s sub"
 						      : "%s sub is a subprogram for %s call, not for M98",
 			     title, title);
 	if (!oword_end(lexer, oword) || !control_stack_add_label(interp, oword, oword->name, &label))
@@ -62,7 +62,7 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 		return (oword->kind != O_SUB && oword->kind != O_PROGRAM) || !same || found(interp, lexer, oword);
 	if (oword->kind == O_SUB || oword->kind == O_PROGRAM)
 		return fault(&interp->at, oword->column,
-			     "a subprogram inside of the sub of line %ld, which has to end first",
+			     "a subprogram inside the sub of line %ld; close that sub first",
 			     flow->skip_from.line);
 	if (oword->kind != O_ENDSUB || !same)
 		return true;
@@ -87,7 +87,7 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 
 	if (strpbrk(name, "/\\") || strstr(name, "..") || name[0] == '.' || name[0] == '\0')
 		return fault(&interp->at, column,
-			     "a subprogram's file has a plain name, without folders; '%s' is none", name);
+			     "the name of a subprogram's file must not contain a folder: '%s'", name);
 	strbuf_addf(&file, "%s.ngc", name);
 	good = sources_find(&interp->program.sources, &interp->config->read, strbuf_text(&file), &interp->at, column,
 			    source);
@@ -121,7 +121,7 @@ static bool enter(struct interp *interp, const char *name, int column, bool by_m
 	struct call *call;
 
 	if (params->level + 1 >= PARAM_LEVELS)
-		return fault(&interp->at, column, "more than %d calls inside each other", PARAM_LEVELS - 1);
+		return fault(&interp->at, column, "more than %d nested calls", PARAM_LEVELS - 1);
 	params_enter(params);
 	call = linuxcnc_call_in_hand(interp);
 	snprintf(call->name, sizeof(call->name), "%s", name);
@@ -182,17 +182,17 @@ static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int
 			break;
 		has = byte == 'p' || byte == 'P' ? &has_program : byte == 'l' || byte == 'L' ? &has_count : NULL;
 		if (!has || *has)
-			return fault(&interp->at, lexer_column(lexer), "M98 takes P and L, once each, and nothing "
-								      "else");
+			return fault(&interp->at, lexer_column(lexer), "M98 takes only P and L, once each");
 		*has = true;
 		lexer_take(lexer);
 		if (!linuxcnc_expr_integer(lexer, has == &has_program ? program : count))
 			return false;
 	}
 	if (!has_program)
-		return fault(&interp->at, column, "M98 needs P, the number of the subprogram");
+		return fault(&interp->at, column, "M98 needs P (subprogram number)");
 	if (*count < 1)
-		return fault(&interp->at, column, "M98 with L%d: LinuxCNC would go on as if inside of the subprogram",
+		return fault(&interp->at, column,
+			     "M98 with L%d: LinuxCNC would continue as if it were inside the subprogram",
 			     *count);
 	return true;
 }
@@ -245,7 +245,7 @@ static bool do_return(struct interp *interp, struct lexer *lexer, const struct o
 		return fault(&interp->at, oword->column, "a subprogram of M98 ends with M99, not with %s",
 			     oword_keyword(oword->kind));
 	if (strcmp(call->name, oword->name))
-		return fault(&interp->at, oword->column, "%s %s inside of the sub %s", title,
+		return fault(&interp->at, oword->column, "%s %s inside the sub %s", title,
 			     oword_keyword(oword->kind), oword_title(call->name, other));
 	if ((given && !linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), &value)) || !oword_end(lexer, oword))
 		return false;
@@ -286,6 +286,6 @@ bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const st
 	}
 	/* The number of a program is only a name for the following lines. */
 	if (linuxcnc_of(interp)->params.level > 0 && !linuxcnc_call_in_hand(interp)->by_m98)
-		return fault(&interp->at, oword->column, "a subprogram of M98 inside of a sub");
+		return fault(&interp->at, oword->column, "a subprogram for M98 inside a sub");
 	return oword_end(lexer, oword);
 }

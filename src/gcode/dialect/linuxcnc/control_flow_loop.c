@@ -25,10 +25,10 @@ static struct control *expect_control(struct interp *interp, const struct oword 
 		return top;
 	oword_title(oword->name, title);
 	if (!top)
-		fault_report(&interp->at, oword->column, "%s %s without its %s", title, oword_keyword(oword->kind),
+		fault_report(&interp->at, oword->column, "%s %s without %s", title, oword_keyword(oword->kind),
 		      oword_keyword(kind));
 	else
-		fault_report(&interp->at, oword->column, "%s %s inside of the %s of line %ld, which is not closed",
+		fault_report(&interp->at, oword->column, "%s %s inside the %s of line %ld, which is not closed",
 			     title, oword_keyword(oword->kind), oword_keyword(top->kind), top->label->at.line);
 	return NULL;
 }
@@ -47,7 +47,7 @@ static bool find_label(struct interp *interp, const struct oword *oword, const c
 		return true;
 	if ((*label)->kind == O_DO && oword->kind == O_WHILE && top)
 		return expect_control(interp, oword, key, O_DO) != NULL;
-	return fault(&interp->at, oword->column, "the label %s is used for another %s already, in line %ld of %s",
+	return fault(&interp->at, oword->column, "the label %s is already used for another %s in line %ld of %s",
 		     oword_title(oword->name, title), oword_keyword((enum o_kind)(*label)->kind), (*label)->at.line,
 		     (*label)->at.source->name);
 }
@@ -96,7 +96,8 @@ static bool leave_if(struct interp *interp, struct lexer *lexer, const struct ow
 static bool fault_stale(struct interp *interp, int column, const char *word, const char *what)
 {
 	return fault(&interp->at, column,
-		     "an earlier o-word %s still works on in LinuxCNC, which %s here; write the loops without %s", word,
+		     "in LinuxCNC, an earlier o-word %s still has an effect, which %s here; write the loops without %s",
+		     word,
 		     what, word);
 }
 
@@ -158,11 +159,11 @@ static bool do_repeat(struct interp *interp, struct lexer *lexer, const struct o
 		return false;
 	count = nearbyint(count);
 	if (fabs(count) > 2147483647.0)
-		return fault(&interp->at, oword->column, "%.15g passes are more than a repeat can make", count);
+		return fault(&interp->at, oword->column, "%.15g is too large for the count of a repeat", count);
 	if (label->counting)
 		return fault(&interp->at, oword->column,
-			     "this repeat was left by a return or is under way in a caller: LinuxCNC would go on "
-			     "counting where it was left");
+			     "this repeat was left by return or still runs in a caller: LinuxCNC would continue its "
+			     "old count");
 	if (count < 1) {
 		control_stack_skip_to(interp, SKIP_LOOP, O_REPEAT, key, oword->column);
 		return true;
@@ -188,7 +189,7 @@ static bool end_loop(struct interp *interp, struct lexer *lexer, const struct ow
 		return control_stack_jump(interp, &control->label->body, oword->column);
 	}
 	if (flow->stale_continue)
-		return fault_stale(interp, oword->column, "continue", "would repeat the loop once more");
+		return fault_stale(interp, oword->column, "continue", "would repeat the loop again");
 	control->label->counting = false;
 	flow->control_count--;
 	return true;
@@ -205,7 +206,7 @@ static bool leave_loop(struct interp *interp, struct lexer *lexer, const struct 
 	while (i > base && strcmp(flow->controls[i - 1].label->key, key))
 		i--;
 	if (i == base || (flow->controls[i - 1].kind != O_WHILE && flow->controls[i - 1].kind != O_DO))
-		return fault(&interp->at, oword->column, "%s %s without its while or do",
+		return fault(&interp->at, oword->column, "%s %s without while or do",
 			     oword_title(oword->name, title),
 			     oword_keyword(oword->kind));
 	if (!oword_end(lexer, oword))
@@ -217,7 +218,7 @@ static bool leave_loop(struct interp *interp, struct lexer *lexer, const struct 
 		return true;
 	}
 	if (kind == O_WHILE && flow->stale_continue)
-		return fault_stale(interp, oword->column, "continue", "would carry on with the loop");
+		return fault_stale(interp, oword->column, "continue", "would continue the loop");
 	flow->stale_break = kind == O_WHILE || flow->stale_break;
 	control_stack_close(flow, i - 1);
 	control_stack_skip_to(interp, SKIP_LOOP, kind, key, oword->column);
@@ -253,7 +254,8 @@ static bool fault_label_again(struct interp *interp, const struct oword *oword)
 {
 	char title[OWORD_TITLE];
 
-	return fault(&interp->at, oword->column, "the label %s is used for the %s of line %ld, which is not closed",
+	return fault(&interp->at, oword->column,
+		     "the label %s is already used for the %s of line %ld, which is not closed",
 		     oword_title(oword->name, title), oword_keyword(linuxcnc_of(interp)->flow.skip_kind),
 		     linuxcnc_of(interp)->flow.skip_from.line);
 }

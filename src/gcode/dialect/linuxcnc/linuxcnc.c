@@ -75,11 +75,11 @@ static const struct code m_codes[] = {
 	{63, M_OUTPUT, CODE_IGNORED, "digital output off, with the next motion"},
 	{64, M_OUTPUT, CODE_IGNORED, "digital output on"},
 	{65, M_OUTPUT, CODE_IGNORED, "digital output off"},
-	{66, M_OUTPUT, CODE_IGNORED, "waiting for an input; reading #5399 is an error"},
+	{66, M_OUTPUT, CODE_IGNORED, "wait for an input; reading #5399 is an error"},
 	{67, M_OUTPUT, CODE_IGNORED, "analog output, with the next motion"},
 	{68, M_OUTPUT, CODE_IGNORED, "analog output"},
 	{70, M_MODES, CODE_READ, "saving of the modal state"},
-	{71, M_MODES, CODE_READ, "the saved modal state is invalid"},
+	{71, M_MODES, CODE_READ, "invalidation of the saved modal state"},
 	{72, M_MODES, CODE_READ, "restoring of the modal state"},
 	{73, M_MODES, CODE_READ, "saving of the modal state, restored at the end of the subprogram"},
 	/* The call of a subprogram by its number is read before the block. */
@@ -89,12 +89,12 @@ static const struct code m_codes[] = {
 /* LinuxCNC's manual, "Parameters", "O Codes". */
 static const struct code_word words[] = {
 	{"#n =", CODE_READ,
-	 "parameter, by its number or as #<name>; one that only the machine knows is an error where it is read"},
-	{"O... SUB", CODE_READ, "subroutine, up to ENDSUB; RETURN leaves it"},
-	{"O... CALL", CODE_READ, "call of a subroutine or of its file"},
+	 "parameter, as #number or #<name>; reading a value that only the machine knows is an error"},
+	{"O... SUB", CODE_READ, "subroutine up to ENDSUB; RETURN leaves it"},
+	{"O... CALL", CODE_READ, "call of a subroutine, or of its file"},
 	{"O... IF", CODE_READ, "condition, with ELSEIF, ELSE and ENDIF"},
-	{"O... WHILE", CODE_READ, "loop, up to ENDWHILE; also DO, BREAK and CONTINUE"},
-	{"O... REPEAT", CODE_READ, "loop, up to ENDREPEAT"},
+	{"O... WHILE", CODE_READ, "loop up to ENDWHILE; also DO, BREAK and CONTINUE"},
+	{"O... REPEAT", CODE_READ, "loop up to ENDREPEAT"},
 };
 
 /* LinuxCNC's manual, "Canned Cycles", and its 2.9 interpreter (interp_cycles.cc). */

@@ -42,8 +42,8 @@ bool linuxcnc_expr_sign_is_sure(const struct line_place *at, int column, double 
 {
 	return is_zero(value) || fabs(value) > UNSURE_MAX ||
 	       fault(at, column,
-		     "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
-		     "LinuxCNC makes of it; round it, or compare with a margin");
+		     "the rounding error of a sine, cosine or tangent decides whether this number is 0; round it, or "
+		     "compare with a margin");
 }
 
 /* -------------------------------------------------------------- operators */
@@ -61,7 +61,7 @@ static bool power(const struct line_place *at, int column, double *left, double 
 	if (!linuxcnc_expr_sign_is_sure(at, column, *left))
 		return false;
 	if (*left < 0 && !same_double(floor(right), right))
-		return fault(at, column, "a negative number to a power that is not whole");
+		return fault(at, column, "a negative number has only whole powers");
 	*left = math_pow(*left, right);
 	return true;
 }
@@ -99,7 +99,7 @@ static bool compare(const struct line_place *at, int column, enum expr_operation
 
 	if (ordered ? !holds && equal : !equal && difference < EQUAL_TOLERANCE_2_9)
 		return fault(at, column,
-			     "%s of numbers that differ by %.2g only: versions of LinuxCNC disagree; compare with a "
+			     "%s of numbers that differ by only %.2g: versions of LinuxCNC disagree; compare with a "
 			     "margin",
 			     names[operation], difference);
 	*left = holds;
@@ -191,7 +191,7 @@ static bool compute_round(const struct line_place *at, int column, double *value
 	double moved = *value + (*value < 0 ? -0.5 : 0.5);
 
 	if (fabs(moved) >= 2147483648.0)
-		return fault(at, column, "ROUND of %.15g: LinuxCNC rounds numbers below 2^31 only", *value);
+		return fault(at, column, "ROUND of %.15g: LinuxCNC rounds only numbers below 2^31", *value);
 	*value = trunc(moved);
 	return true;
 }
@@ -203,7 +203,7 @@ static bool to_integer(struct lexer *lexer, int column, double number, int *valu
 	if (number - low > 1 - INTEGER_TOLERANCE)
 		low++;
 	else if (number - low > INTEGER_TOLERANCE)
-		return fault(lexer->at, column, "a whole number is needed here, not %.15g", number);
+		return fault(lexer->at, column, "a whole number is needed, not %.15g", number);
 	if (fabs(low) > 2147483647.0)
 		return fault(lexer->at, column, "%.15g is too large here", number);
 	*value = (int)low;
@@ -318,7 +318,7 @@ bool linuxcnc_expr_name(struct lexer *lexer, char *name)
 
 	for (lexer_take(lexer); (byte = lexer_peek(lexer)) != '>'; lexer_take(lexer)) {
 		if (byte == '\0' || length == PARAM_NAME_MAX)
-			return fault(lexer->at, column, "this name is not closed: '>' is missing");
+			return fault(lexer->at, column, "this parameter name is not closed: '>' is missing");
 		name[length++] = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
 	}
 	lexer_take(lexer);
@@ -443,17 +443,17 @@ static bool read_assignment(struct lexer *lexer)
 static bool check_comment(const struct lexer *lexer, const char *text)
 {
 	if (!strncasecmp(text, "py,", 3))
-		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python is not supported");
+		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python code is not supported");
 	if (!strncasecmp(text, "abort,", 6))
 		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
 	return true;
 }
 
 static const struct lexer_refusal refusals[] = {
-	{'[', "an expression stands behind a letter or an assignment's '='"},
-	{'$', "$: spindle numbers are not supported yet"},
-	{'@', "@: polar coordinates are not supported yet"},
-	{'^', "^: polar coordinates are not supported yet"},
+	{'[', "an expression is allowed only after a letter or after '='"},
+	{'$', "$: spindle numbers are not supported"},
+	{'@', "@: polar coordinates are not supported"},
+	{'^', "^: polar coordinates are not supported"},
 };
 
 const struct lexer_rules linuxcnc_lexer_rules = {

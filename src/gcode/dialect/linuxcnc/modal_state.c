@@ -6,8 +6,7 @@
 static bool refuse(struct interp *interp, int column, const char *what)
 {
 	return fault(&interp->at, column,
-		     "M72 and M73 would take back %s, which LinuxCNC does by halves: bring "
-		     "it back by its own code first",
+		     "M72 and the end of M73 restore %s only partly in LinuxCNC; restore it by its own code first",
 		     what);
 }
 
@@ -22,7 +21,7 @@ static bool check(struct interp *interp, const struct modal_state *modal, int co
 	if (interp->comp.side != modal->side)
 		return refuse(interp, column, "cutter compensation");
 	if (interp->comp.side != 0)
-		return fault(&interp->at, column, "M72 and the end of M73 under cutter compensation; G40 first");
+		return fault(&interp->at, column, "M72 or the end of M73 under cutter compensation; write G40 first");
 	if (state->length_code != before->length_code || !same_double(state->length, before->length) ||
 	    state->tcp != before->tcp)
 		return refuse(interp, column, "the tool length");
@@ -68,7 +67,7 @@ bool modal_state_run(struct interp *interp, struct modal_state *modal, int code,
 	}
 	if (code == 72)
 		return modal->saved ? take_back(interp, modal, column)
-				    : fault(&interp->at, column, "M72 without an M70 or M73 of this subprogram before");
+				    : fault(&interp->at, column, "M72 without M70 or M73 before it in this subprogram");
 	modal->saved = true;
 	modal->on_return = code == 73;
 	modal->modes = interp->state;

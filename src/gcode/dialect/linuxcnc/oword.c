@@ -119,8 +119,8 @@ enum oword_result oword_read(struct lexer *lexer, bool called, struct oword *owo
 	if (byte == '\0' || byte == '(' || byte == ';')
 		return OWORD_READ;
 	fault_report(lexer->at, lexer_column(lexer),
-	      "an o-word needs one of sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, "
-	      "repeat, endrepeat, break, continue");
+	      "an o-word must be followed by sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, "
+	      "repeat, endrepeat, break or continue");
 	return OWORD_FAULT;
 }
 
@@ -130,6 +130,6 @@ bool oword_end(struct lexer *lexer, const struct oword *oword)
 		return false;
 	if (lexer_peek(lexer) == '\0')
 		return true;
-	return fault(lexer->at, lexer_column(lexer), "nothing but a comment can follow %s%s",
+	return fault(lexer->at, lexer_column(lexer), "only a comment can follow %s%s",
 		     oword->kind <= O_RETURN ? "the o-word " : "", oword_keyword(oword->kind));
 }

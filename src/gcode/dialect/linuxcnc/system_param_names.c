@@ -181,14 +181,14 @@ bool system_param_names_read(struct interp *interp, const char *name, int column
 	switch (known->what) {
 	case NAME_MACHINE:
 		return fault(&interp->at, column,
-			     "#<%s> depends on the machine's own state, which is not known before the program runs",
+			     "#<%s> depends on the state of the machine, which is not known before the program runs",
 			     name);
 	case NAME_POSITION:
 	case NAME_ABS_POSITION:
 		return position_value(interp, known, column, value);
 	case NAME_FEED:
 		if (state->feed_mode == FEED_INVERSE_TIME)
-			return fault(&interp->at, column, "#<_feed> in inverse time mode (G93) is not defined");
+			return fault(&interp->at, column, "#<_feed> is undefined in inverse time mode (G93)");
 		*value = state->feed_linear / state->scale;
 		return true;
 	case NAME_RPM:
@@ -213,8 +213,8 @@ bool system_param_names_read(struct interp *interp, const char *name, int column
 	case NAME_VALUE_RETURNED:
 		if (params->value_unclear)
 			return fault(&interp->at, column,
-				     "#<%s> right after a sub whose endsub has a value: LinuxCNC computes that value "
-				     "here, without a call",
+				     "#<%s> directly after a sub whose endsub has a value: LinuxCNC evaluates that "
+				     "value even without a call",
 				     name);
 		*value = known->what == NAME_VALUE ? params->returned : params->value_returned;
 		return true;
@@ -227,17 +227,18 @@ bool system_param_names_read(struct interp *interp, const char *name, int column
 bool system_param_names_check_write(struct interp *interp, const char *name, int column)
 {
 	if (system_param_names_has(name))
-		return fault(&interp->at, column, "#<%s> can only be read", name);
+		return fault(&interp->at, column, "#<%s> is read-only", name);
 	return true;
 }
 
 bool system_param_names_fault_unknown(struct interp *interp, const char *name, int column)
 {
 	if (!strncmp(name, "_ini[", 5))
-		return fault(&interp->at, column, "#<%s> stands in the machine's INI file, which is not read", name);
+		return fault(&interp->at, column,
+			     "#<%s> is set in the machine's INI file, which fivecheck does not read", name);
 	if (!strncmp(name, "_hal[", 5))
 		return fault(&interp->at, column,
-			     "#<%s> depends on the machine's own state, which is not known before the program runs",
+			     "#<%s> depends on the state of the machine, which is not known before the program runs",
 			     name);
 	return fault(&interp->at, column, "there is no parameter #<%s>", name);
 }

@@ -39,11 +39,11 @@ static bool in_slots(int number, int first)
 static const char *real_time(int number)
 {
 	if (number >= PROBE && number <= PROBE_RESULT)
-		return "what a probe has found";
+		return "a probed position";
 	if (number == INPUT)
-		return "what M66 has read from an input";
+		return "an input that M66 has read";
 	if (number == CHANGER_FAULT || number == CHANGER_REASON)
-		return "what the tool changer reports";
+		return "a report of the tool changer";
 	return NULL;
 }
 
@@ -68,11 +68,11 @@ static bool tool_number(struct interp *interp, int number, int column, double *v
 	if (number == TOOL || interp->state.tool == 0)
 		return true;
 	if (!tool)
-		return fault(&interp->at, column, "#%d: no setup defines the tool in the spindle, T%d", number,
+		return fault(&interp->at, column, "#%d: the setup does not define the tool in the spindle, T%d", number,
 			     interp->state.tool);
 	if (number > TOOL_DIAMETER)
 		return fault(&interp->at, column,
-			     "#%d: a tool's angles and orientation are the business of lathes and not known here",
+			     "#%d: angles and orientation of lathe tools are not supported",
 			     number);
 	if (number == TOOL_DIAMETER)
 		*value = tool->diameter / unit_of(interp, SLOT_X);
@@ -107,10 +107,10 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 	if (number < MACHINE_POSITION)
 		return true;
 	if (who)
-		return fault(&interp->at, column, "#%d holds %s, which is not known before the program runs", number,
+		return fault(&interp->at, column, "#%d (%s) is not known before the program runs", number,
 			     who);
 	if (differs_by_version(number))
-		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+		return fault(&interp->at, column, "the value of #%d depends on the version of LinuxCNC", number);
 	if (number >= TOOL && number <= TOOL_END)
 		return tool_number(interp, number, column, value);
 	if (in_slots(number, POSITION)) {
@@ -138,11 +138,11 @@ static bool check_work(struct interp *interp, int number, int column)
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
 
 	if (slot == SLOT_COUNT)
-		return fault(&interp->at, column, "#%d: rotation of a coordinate system is not supported here", number);
+		return fault(&interp->at, column, "#%d: rotation of a coordinate system is not supported", number);
 	if (slot > SLOT_COUNT || system != interp->state.system)
 		return true;
 	return fault(&interp->at, column,
-		     "#%d belongs to %s, which is in force: LinuxCNC would heed it only when %s is selected again; "
+		     "#%d belongs to %s, which is active: LinuxCNC uses the new value only when %s is selected again; "
 		     "use G10 L2 P%d",
 		     number, state_system_name(system), state_system_name(system), system + 1);
 }
@@ -150,9 +150,9 @@ static bool check_work(struct interp *interp, int number, int column)
 bool system_params_check_number(struct interp *interp, int number, int column)
 {
 	if ((number >= TOOL && number <= TOOL_END) || in_slots(number, POSITION))
-		return fault(&interp->at, column, "#%d can only be read", number);
+		return fault(&interp->at, column, "#%d is read-only", number);
 	if (differs_by_version(number))
-		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+		return fault(&interp->at, column, "the value of #%d depends on the version of LinuxCNC", number);
 	if (number == SYSTEM)
 		return fault(&interp->at, column, "#%d does not select a coordinate system; use G54 to G59.3", number);
 	if (number == SHIFT_APPLIED)

@@ -75,13 +75,13 @@ static bool check_idle_blocks(struct interp *interp)
 		return true;
 	if (told == 0 && parameter)
 		return fault(&interp->at, column_of(interp),
-			     "%d blocks without a move in the plane of cutter compensation before this one: a "
-			     "parameter of the control (%s) decides past how many it looks ahead: "
-			     "cutter_comp_idle_blocks=\"\" of the machine's <controller> says it",
+			     "%d blocks without a move in the plane of cutter compensation before this block, and a "
+			     "parameter of the control (%s) decides how many it looks past: set "
+			     "cutter_comp_idle_blocks=\"\" in the machine file's <controller>",
 			     interp->comp.idle_blocks, parameter);
 	return fault(&interp->at, column_of(interp),
-		     "%d blocks without a move in the plane of cutter compensation before this one: how far the "
-		     "control looks ahead over them decides where the tool goes; let at most %d stand there",
+		     "%d blocks without a move in the plane of cutter compensation before this block: the path depends "
+		     "on how many the control looks past; write at most %d such blocks in a row",
 		     interp->comp.idle_blocks, most);
 }
 
@@ -92,7 +92,8 @@ static bool check_axes(struct interp *interp, const slot_values *target)
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (fabs(target->v[slot] - state->position.v[slot]) > SAME_DEGREES)
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
-				     "%c under cutter compensation is not supported; G40 first", AXIS_LETTERS[slot]);
+				     "%c under cutter compensation is not supported; write G40 first",
+				     AXIS_LETTERS[slot]);
 	}
 	return check_idle_blocks(interp);
 }
@@ -221,7 +222,7 @@ static bool leave(struct interp *interp, const slot_values *target, struct canon
 
 	if (comp->starting)
 		return fault(&interp->at, column_of(interp),
-			     "G40 in the block behind the first one of cutter compensation is not supported");
+			     "G40 in the block directly after the start of cutter compensation is not supported");
 	if (!pass_corner(interp, &after, way_across(interp, target), move) ||
 	    !comp_add_line(interp, target, move, (struct plane_point){0, 0}, to) || !comp_send_all(interp, to))
 		return false;
@@ -274,12 +275,12 @@ bool comp_lookahead_arc(struct interp *interp, const slot_values *target, struct
 
 	if (!comp->entered || comp->leaving)
 		return fault(&interp->at, column_of(interp),
-			     "cutter compensation starts and ends with G0 or G1, not with an arc");
+			     "cutter compensation must start and end with G0 or G1, not with an arc");
 	if (!check_axes(interp, target))
 		return false;
 	if (inside && fmin(radius, distance(from, centre)) <= comp->radius)
 		return fault(&interp->at, column_of(interp),
-			     "the arc's radius, %.6g mm, is not greater than the radius of the compensation, %.6g mm",
+			     "the radius of the arc, %.6g mm, is not greater than the compensation radius, %.6g mm",
 			     radius, comp->radius);
 	ahead = tangent(centre, to, clockwise);
 	way.direction = tangent(centre, from, clockwise);
@@ -321,7 +322,7 @@ bool comp_lookahead_stop(struct interp *interp)
 
 	if (comp->starting)
 		return fault(&interp->at, column_of(interp),
-			     "G40 behind the first block of cutter compensation is not supported");
+			     "G40 directly after the first block of cutter compensation is not supported");
 	move = (struct canon_move){.kind = CANON_RAPID};
 	if (comp->queue.count > 0)
 		move =

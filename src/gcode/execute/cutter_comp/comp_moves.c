@@ -98,11 +98,11 @@ static bool fault_of_end(struct interp *interp, enum comp_end end, const struct 
 	if (column == 0)
 		column = interp->block.g[G_CUTTER] == CODE_NONE ? 1 : interp->block.g_column[G_CUTTER];
 	if (end == COMP_END_OFF_ARC)
-		return fault(&at, column, "the compensated arc of line %ld cannot be made: its radii differ",
+		return fault(&at, column, "the arc of line %ld cannot be compensated: its radii differ",
 			     item->move.line);
 	return fault(&at, column,
-		     "the %s of line %ld ends in an inside corner that the tool (radius %.6g mm) cannot "
-		     "reach without gouging",
+		     "the %s of line %ld ends in an inside corner that is too narrow for the tool (radius %.6g mm), "
+		     "which would gouge",
 		     what, item->move.line, interp->comp.radius);
 }
 

@@ -158,7 +158,8 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 	}
 	if (fabs(c->angle) > MEANT_TANGENT)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "an inside corner that the tool (radius %.6g mm) cannot reach without gouging", c->radius);
+			     "an inside corner is too narrow for the tool (radius %.6g mm), which would gouge",
+			     c->radius);
 	/* The control ends the block before at an unknown point between the two feet. */
 	add(turn, c->foot);
 	turn->spread_before = turn->spread_after = distance(c->foot, c->next_foot);
@@ -192,10 +193,11 @@ static bool can_cross(struct interp *interp, const struct comp_corner_shape *c)
 			      !(c->after->is_arc && c->after->inside)))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "an outside corner at which the path turns by %.4g degrees%s: whether the control draws it out or "
-		     "rounds it is a parameter's matter; G450 with DISC=0 rounds it, or, before any G450 or G451, "
-		     "cutter_comp_corner=\"circular\" of the machine's <controller>",
-		     degrees(c->angle), c->angle > SHARPEST ? "" : ", beside an arc that the tool follows inside");
+		     "the path turns by %.4g degrees at an outside corner%s, and a parameter of the control decides "
+		     "whether the corner is extended or rounded: write G450 with DISC=0 to round it; if no G450 or "
+		     "G451 comes before, you can also set cutter_comp_corner=\"circular\" in the machine file's "
+		     "<controller>",
+		     degrees(c->angle), c->angle > SHARPEST ? "" : " beside an arc with the tool on its inside");
 }
 
 static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_form form, struct comp_turn *turn)
@@ -304,8 +306,8 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 	if (fabs(c.angle) > PI - REVERSAL)
 		return fault(
 		    &interp->at, block_motion_column(&interp->block),
-		    "the path turns back on itself under cutter compensation: which side of the corner is the inside "
-		    "depends on the control");
+		    "the path turns back on itself under cutter compensation: controls differ in which side of the "
+		    "corner is the inside");
 	if ((comp->corner_form == COMP_CORNER_BETWEEN || comp->corner_form == COMP_CORNER_CROSSING_IF_BLUNT) &&
 	    !((comp->starting || comp->leaving) && comp->start_type == COMP_START_A) && !can_cross(interp, &c))
 		return false;

@@ -74,12 +74,11 @@ static bool meet(struct interp *interp, struct plane_point corner, const struct 
 
 	if (!way_before(interp, corner, &before))
 		return fault(&interp->at, column,
-			     "an inside corner after a stop of the program under cutter "
-			     "compensation; the tool has gone too far already");
+			     "an inside corner after a program stop under cutter compensation; the tool has already "
+			     "gone too far");
 	if (!comp_corner(&before, after, &end))
 		return fault(&interp->at, column,
-			     "an inside corner that the tool (radius %.6g mm) cannot reach "
-			     "without gouging",
+			     "an inside corner is too narrow for the tool (radius %.6g mm), which would gouge",
 			     interp->comp.radius);
 	return comp_send_to(interp, end);
 }
@@ -119,7 +118,7 @@ static bool enter_by_line(struct interp *interp, const slot_values *target, stru
 
 	if (math_hypot(to.a - from.a, to.b - from.b) <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the entry move of cutter compensation is not longer than the tool's radius, %.6g mm",
+			     "the entry move of cutter compensation must be longer than the tool radius, %.6g mm",
 			     comp->radius);
 	comp->queue.start = from;
 	return comp_add_line(interp, target, move, aside, comp_beside(to, comp->radius, beside_angle));
@@ -173,8 +172,8 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 
 	if (math_hypot(to.a - from.a, to.b - from.b) <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the entry arc of cutter compensation does not reach farther than the tool's radius, "
-			     "%.6g mm",
+			     "the entry arc of cutter compensation must end farther from its start than the tool "
+			     "radius, %.6g mm",
 			     comp->radius);
 	radial_angle = math_atan2(item->centre.b - end.b, item->centre.a - end.a);
 	radial = (struct plane_point){math_cos(radial_angle), math_sin(radial_angle)};
@@ -210,7 +209,7 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 		return comp_lookahead_arc(interp, target, centre, turns, move);
 	if (inside && radius <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the arc's radius, %.6g mm, is not greater than the tool's, %.6g mm", radius,
+			     "the radius of the arc, %.6g mm, is not greater than the tool radius, %.6g mm", radius,
 			     comp->radius);
 	if (!comp->entered)
 		return enter_by_arc(interp, target, &item, inside ? outward + PI : outward, move);
@@ -323,7 +322,7 @@ bool cutter_comp_stop(struct interp *interp)
 		return true;
 	if (comp->looks_ahead && (comp->starting || code == 0 || code == 1))
 		return fault(&interp->at, code == CODE_NONE ? 1 : interp->block.m_column[M_STOP],
-			     "the program stops under cutter compensation: where the tool waits depends on the "
-			     "control; G40 first");
+			     "the program stops under cutter compensation: controls differ in where the tool waits; "
+			     "write G40 first");
 	return comp_send_to(interp, comp->current);
 }

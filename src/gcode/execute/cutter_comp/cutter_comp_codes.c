@@ -14,7 +14,7 @@ static bool find_radius(struct interp *interp, double *radius)
 
 	if (code == G41_1 || code == G42_1) {
 		if (!block_has(block, 'D'))
-			return fault(&interp->at, column, "G%d.1 needs the tool's diameter in D", code / 10);
+			return fault(&interp->at, column, "G%d.1 needs D (tool diameter)", code / 10);
 		*radius = block_value(block, 'D') * interp->state.scale / 2;
 		return true;
 	}
@@ -27,7 +27,7 @@ static bool find_radius(struct interp *interp, double *radius)
 	tool = tool_table_find(&interp->tools, number);
 	*radius = tool ? tool->diameter / 2 : 0;
 	return tool || number == 0 ||
-	       fault(&interp->at, column, "the diameter of tool T%d is not known; a setup defines it", number);
+	       fault(&interp->at, column, "the setup does not give the diameter of tool T%d", number);
 }
 
 /*
@@ -42,7 +42,7 @@ static bool find_radius_in_table(struct interp *interp, double *radius)
 	int column = block_has(block, 'D') ? block_column(block, 'D') : block->g_column[G_CUTTER];
 
 	if (number < 0)
-		return fault(&interp->at, column, "G%d needs D, the number of its radius", block->g[G_CUTTER] / 10);
+		return fault(&interp->at, column, "G%d needs D (number of the radius)", block->g[G_CUTTER] / 10);
 	*radius = 0;
 	if (number == 0)
 		return true;
@@ -50,9 +50,8 @@ static bool find_radius_in_table(struct interp *interp, double *radius)
 	if (!offset)
 		return read_on_without(
 		    interp, column,
-		    "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the tool's whole "
-		    "radius if the program has the part's contour, its wear (or 0) if it has the path of the tool's "
-		    "centre",
+		    "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the full tool radius "
+		    "if the program has the contour of the part; the wear (or 0) if it has the path of the tool centre",
 		    number, number);
 	*radius = offset->radius;
 	return true;
@@ -78,7 +77,7 @@ static bool switch_on_ahead(struct interp *interp)
 		return true;
 	if (comp->side != 0)
 		return fault(&interp->at, column,
-			     "another side or radius of cutter compensation while it is on; G40 first");
+			     "another side or radius of cutter compensation while it is on; write G40 first");
 	/* On a plane of G53.1 the rotary axes stand still. */
 	if (state->tcp != TCP_OFF && state->tcp != TCP_BY_PLANE)
 		return fault(&interp->at, column,
@@ -87,9 +86,9 @@ static bool switch_on_ahead(struct interp *interp)
 	    interp->config->controller.comp_start == COMP_START_UNKNOWN)
 		return fault(
 		    &interp->at, column,
-		    "G%d in a block that does not move in the plane: whether the tool goes aside at once depends on a "
-		    "parameter of the control; cutter_comp_start=\"A\" or \"B\" of the machine's <controller> says "
-		    "that it waits for the next move",
+		    "G%d in a block without a move in the plane: a parameter of the control decides whether the tool "
+		    "moves sideways at once: set cutter_comp_start=\"A\" or \"B\" (both wait for the next move) in the "
+		    "machine file's <controller>",
 		    block->g[G_CUTTER] / 10);
 	comp_lookahead_begin(comp, side, fabs(radius));
 	comp->start_type = interp->config->controller.comp_start;
@@ -110,7 +109,7 @@ bool cutter_comp_take_number(struct interp *interp)
 		return false;
 	if (comp->side != 0 && number != comp->number)
 		return fault(&interp->at, block_column(block, 'D'),
-			     "another D while cutter compensation is on; G40 first");
+			     "another D while cutter compensation is on; write G40 first");
 	comp->number = number;
 	return true;
 }
@@ -122,17 +121,17 @@ bool cutter_comp_switch_on(struct interp *interp)
 	int code = block->g[G_CUTTER], column = block->g_column[G_CUTTER];
 	double radius = 0;
 
-	if (!is_answered(interp, column, (int)traits_of(interp)->d_word, "what D of cutter compensation is"))
+	if (!is_answered(interp, column, (int)traits_of(interp)->d_word, "what D of cutter compensation means"))
 		return false;
 	if (comp->looks_ahead)
 		return switch_on_ahead(interp);
 	if (interp->state.plane == G19)
-		return fault(&interp->at, column, "cutter compensation works in the planes of G17 and G18 only");
+		return fault(&interp->at, column, "cutter compensation works only in the planes of G17 and G18");
 	if (comp->side != 0)
-		return fault(&interp->at, column, "cutter compensation is on already; G40 first");
+		return fault(&interp->at, column, "cutter compensation is already on; write G40 first");
 	if (block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'),
-			     "L: the orientation of a lathe tool is not supported yet");
+			     "L (orientation of a lathe tool) is not supported");
 	if (!find_radius(interp, &radius))
 		return false;
 	comp->side = code == G41 || code == G41_1 ? 1 : -1;
@@ -146,7 +145,7 @@ bool cutter_comp_switch_on(struct interp *interp)
 
 static bool refuse(struct interp *interp, int column, const char *what)
 {
-	return fault(&interp->at, column, "%s while cutter compensation is on; G40 first", what);
+	return fault(&interp->at, column, "%s while cutter compensation is on; write G40 first", what);
 }
 
 bool cutter_comp_start_block(struct interp *interp)
@@ -182,7 +181,7 @@ static bool check_loose(struct interp *interp)
 		if (interp->comp.loose[slot] > 0)
 			return fault(
 			    &interp->at, block->g_column[G_NONMODAL],
-			    "G92 after G40 and before %c has moved: where the axis stands depends on the control",
+			    "G92 after G40 before %c has moved: controls differ in the position of the axis",
 			    AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -211,6 +210,6 @@ bool cutter_comp_check_block(struct interp *interp)
 		return refuse(interp, block_motion_column(block), "a canned cycle, thread or probe");
 	if (cutter_comp_is_on(interp) && interp->state.feed_mode == FEED_INVERSE_TIME && block->motion >= G1)
 		return fault(&interp->at, block_motion_column(block),
-			     "inverse time mode (G93) under cutter compensation is not supported yet");
+			     "inverse time mode (G93) under cutter compensation is not supported");
 	return true;
 }
