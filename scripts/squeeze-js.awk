@@ -1,13 +1,13 @@
-# squeeze-js.awk - JavaScript without comments and without blanks that mean nothing. Strings and regular expressions stay as
-# they are; of the lines of a template only the indentation goes. A line break stays where a statement may end there.
+# squeeze-js.awk - removes comments and needless blanks from JavaScript. Strings and regular expressions stay unchanged;
+# templates lose only the indentation of their lines. A line break stays if a statement may end there.
 #
-# What it does not know: a regular expression after `)` or `}`, and one that holds an unescaped / in brackets.
+# Not supported: a regular expression after `)` or `}`, or with an unescaped / in brackets.
 
 { text = text $0 "\n" }
 
 function word(c) { return c ~ /[A-Za-z0-9_$]/ }
 
-# Adds a piece of code, after the blanks that were waiting.
+# Adds the pending blanks, then a piece of code.
 function put(piece,    first) {
 	first = substr(piece, 1, 1)
 	if (blank == "\n" && last != "" && !index("{;,([=*&|?:<>!~^%", last) && !index(")],.?:&|=*<>^%;", first) && first != "}")
@@ -19,7 +19,7 @@ function put(piece,    first) {
 	last = substr(piece, length(piece))
 }
 
-# The end of what stands in the quotes that begin at i.
+# The end of the quoted text that begins at i.
 function after_quotes(i,    quote) {
 	quote = substr(text, i, 1)
 	for (i++; substr(text, i, 1) != quote; i++)
@@ -28,7 +28,7 @@ function after_quotes(i,    quote) {
 	return i + 1
 }
 
-# Copies a template from i on, up to its end or to the next ${; the result: what comes after.
+# Copies a template from i on, up to its end or to the next ${; returns the position after it.
 function template(i,    c) {
 	for (;; i++) {
 		c = substr(text, i, 1)

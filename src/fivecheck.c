@@ -104,11 +104,11 @@ bool fivecheck_set_threads(fivecheck_model *model, int threads)
 bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag *diag)
 {
 	if (model->scene) {
-		diag_error(diag, nowhere, "a model is prepared once");
+		diag_error(diag, nowhere, "a model can be prepared only once");
 		return false;
 	}
 	if (!(clearance >= 0)) {
-		diag_error(diag, nowhere, "the clearance must be 0 mm or more");
+		diag_error(diag, nowhere, "the clearance must not be negative");
 		return false;
 	}
 	if (!model_add_scene(model, clearance, diag))
@@ -288,7 +288,7 @@ enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_op
 	enum check_result result;
 
 	if (!model->scene && options->method != CHECK_NOTHING) {
-		diag_error(diag, nowhere, "the model was not prepared: its bodies are not known");
+		diag_error(diag, nowhere, "the model was not prepared, so its bodies are not known");
 		return FIVECHECK_INCOMPLETE;
 	}
 	result =

@@ -49,8 +49,8 @@ static bool has_simd_level(struct diag *diag)
 	if (!wanted || !*wanted || simd_level_of(wanted, &level))
 		return true;
 	diag_error(diag, (struct srcloc){0},
-		   SIMD_LEVEL_VARIABLE ": this processor has no '%s'; scalar, sse2 and avx2 are "
-				       "known, and without the variable the best of them is used",
+		   SIMD_LEVEL_VARIABLE ": this processor has no '%s'; give scalar, sse2 or avx2, or remove the "
+				       "variable for the best of them",
 		   wanted);
 	return false;
 }
@@ -89,7 +89,8 @@ static void note_command(const char *word, struct diag *diag)
 	for (const struct command *command = command_table; command->name; command++)
 		spelling_offer(&nearest, command->name);
 	if (nearest.best && access(word, F_OK) != 0)
-		diag_note(diag, (struct srcloc){0}, "'%s' is no file and no command; did you mean 'fivecheck %s'?",
+		diag_note(diag, (struct srcloc){0},
+			  "'%s' is neither a file nor a command; did you mean 'fivecheck %s'?",
 			  word, nearest.best);
 }
 

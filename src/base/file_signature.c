@@ -12,17 +12,17 @@ static const struct signature {
 	size_t length;
 	const char *advice;
 } signatures[] = {
-	{"\x1f\x8b", 2, "this file is packed by gzip" UNPACK},
-	{"BZh", 3, "this file is packed by bzip2" UNPACK},
-	{"\xfd" "7zXZ", 5, "this file is packed by xz" UNPACK},
-	{"\x28\xb5\x2f\xfd", 4, "this file is packed by zstd" UNPACK},
+	{"\x1f\x8b", 2, "this file is compressed by gzip" UNPACK},
+	{"BZh", 3, "this file is compressed by bzip2" UNPACK},
+	{"\xfd" "7zXZ", 5, "this file is compressed by xz" UNPACK},
+	{"\x28\xb5\x2f\xfd", 4, "this file is compressed by zstd" UNPACK},
 	{"7z\xbc\xaf", 4, "this is a 7z archive" UNPACK},
 	{"Rar!", 4, "this is a RAR archive" UNPACK},
 	{"PK\003\004", 4, "this is a zip archive, or a document of a word processor or spreadsheet: unpack it first, "
 			  "or save the document as plain text"},
-	{"\xd0\xcf\x11\xe0", 4, "this is a document of an office program: save it as plain text"},
-	{"{\\rtf", 5, "this is a document with formatting (RTF): save it as plain text"},
-	{"%PDF-", 5, "this is a PDF document: the file that it was made from is needed"},
+	{"\xd0\xcf\x11\xe0", 4, "this is an office document: save it as plain text"},
+	{"{\\rtf", 5, "this is a formatted document (RTF): save it as plain text"},
+	{"%PDF-", 5, "this is a PDF document: give the file from which it was made"},
 	{"\xff\xfe\0", 4, "this file is in UTF-32" SAVE_AS_UTF8},
 	{"\0\0\xfe\xff", 4, "this file is in UTF-32" SAVE_AS_UTF8},
 	{"\xff\xfe", 2, "this file is in UTF-16" SAVE_AS_UTF8},

@@ -51,7 +51,7 @@ static void stop_at_log_fault(struct checker *c)
 	if (!stock_check_fault(&c->stock) || c->stopped)
 		return;
 	diag_error(c->diag, (struct srcloc){c->file, 0, 0},
-		   "the cuts of the stock could not be kept in a temporary file: %s; the check stops here",
+		   "the log of cuts (stock) could not be written to a temporary file: %s; the check stops here",
 		   strerror(stock_check_fault(&c->stock)));
 	c->failed = c->broken_off = c->stopped = true;
 	c->last_block = (c->settling->batch.step_count ? c->settling->batch.steps[0].block : c->settling->block) - 1;

@@ -155,10 +155,10 @@ static void say_undecided(struct checker *c, const struct pair_check_result *res
 	diag_error(diag, (struct srcloc){motion->file, motion->line, 1},
 		   "'%s' and '%s' cannot be decided with reasonable effort: %s", c->scene->bodies[pair->a].body->name,
 		   c->scene->bodies[pair->b].body->name,
-		   box ? "too many axes move at once in this rapid, whose way is not known (rapid=\"any\"); give the "
-			 "control's rapid in the machine file, or move fewer axes at once"
-		       : "they stay too close to each other for too long. The check stops here; give a larger "
-			 "--tolerance, or split the move");
+		   box ? "too many axes move at once in this rapid, whose path is not known (rapid=\"any\"); set the "
+			 "kind of rapid in the machine file, or move fewer axes at once"
+		       : "they stay close together for too long. The check stops here; give a larger --tolerance, or "
+			 "split the move");
 	c->exhausted |= !box;
 }
 

@@ -21,7 +21,7 @@
 static const char *unsupported(const struct check_options *options)
 {
 	if (options->method != CHECK_CERTIFIED)
-		return "the sampled methods do not know the stock; remove <stock>, or use --method=certified";
+		return "the sampled methods do not support stock; remove <stock>, or use --method=certified";
 	return NULL;
 }
 
@@ -38,7 +38,7 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 
 	if (topology_is_open(blank.topology)) {
 		diag_error(diag, body->loc,
-			   "the mesh of the stock '%s' is not closed, so what is inside cannot be told; close the mesh",
+			   "the mesh of the stock '%s' is not closed, so its inside is undefined; close the mesh",
 			   body->name);
 		return false;
 	}

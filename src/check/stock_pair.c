@@ -47,8 +47,8 @@ static bool init_obstacle(struct stock_pair *check, struct scene *scene, int bod
 	/* The surface of an open body has no depth. */
 	if (check->open && check->obstacle.inset > 0) {
 		diag_error(diag, it->loc,
-			   "the mesh of '%s' is not closed, so how deep it enters the stock cannot be told; close the "
-			   "mesh, or give sections",
+			   "the mesh of '%s' is not closed, so its depth in the stock is undefined; close the mesh, or "
+			   "give sections",
 			   it->name);
 		return false;
 	}

@@ -111,7 +111,7 @@ static bool check_table_formats(const struct parser *parser)
 		}
 	}
 	if ((json->wanted && text->wanted) || (path && o->output)) {
-		diag_error(parser->diag, nowhere, "--%s prints one table: give one --format, and one file at most",
+		diag_error(parser->diag, nowhere, "--%s prints one table: give one --format and at most one file",
 			   parser->mode->name);
 		return false;
 	}
@@ -149,7 +149,7 @@ static bool check_formats(const struct parser *parser)
 			   "only one format can go to %s; give the others files: --format=FORMAT=FILE",
 			   o->output ? "--output" : "standard output");
 	else if (!unnamed && o->output)
-		diag_error(parser->diag, nowhere, "every format has its own file, so nothing is left for --output");
+		diag_error(parser->diag, nowhere, "every format has its own file, so nothing is written to --output");
 	else
 		return true;
 	return !wanted;
@@ -192,15 +192,15 @@ static bool check_combinations(const struct parser *parser)
 	if (o->quiet && o->verbose)
 		fault = "--quiet and --verbose cannot be used together";
 	else if (o->check.step > 0 && o->check.method == CHECK_CERTIFIED)
-		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
+		fault = "--step needs a sampled method: --method=interpolated or --method=conventional";
 	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
 		fault = "--verbose prints proven clearances, but the sampled methods prove nothing";
 	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
-		fault = "--verbose is for --format=text";
+		fault = "--verbose needs --format=text";
 	else if (o->quiet && o->progress == PROGRESS_PLAIN)
 		fault = "--quiet and --progress=plain cannot be used together";
 	else if (o->depfile && !names_file(o))
-		fault = "--depfile needs an output file whose inputs it can list: --output or --format=FORMAT=FILE";
+		fault = "--depfile needs an output file: --output or --format=FORMAT=FILE";
 	else if (o->depfile && !strcmp(o->depfile, "-"))
 		fault = "--depfile needs the name of a file: standard output gets the report";
 	else if (o->record && !strcmp(o->record, "-"))
@@ -214,9 +214,9 @@ static bool check_combinations(const struct parser *parser)
 	else if (o->check.block_clearance_cap > 0 && !o->clearance_report)
 		fault = "--clearance-cap needs --clearance-report";
 	else if (o->report && !strcmp(o->report, "-"))
-		fault = "--report needs the name of a file: standard output gets the results";
+		fault = "--report needs the name of a file: standard output gets the report";
 	else if (o->glb && !strcmp(o->glb, "-"))
-		fault = "--glb needs the name of a file: standard output gets the results";
+		fault = "--glb needs the name of a file: standard output gets the report";
 	else if (o->picture && !ends_in(o->picture, ".svg") && !ends_in(o->picture, ".png"))
 		fault = "--picture needs the name of a file that ends in .svg or .png";
 	else if (!o->report && (o->report_size > 0 || o->report_code == REPORT_CODE_NONE))
@@ -226,8 +226,7 @@ static bool check_combinations(const struct parser *parser)
 	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
 		fault = "--sensitivity needs --format=text or --format=ndjson";
 	else if (options_want_sensitivity(o) && (o->waivers || o->fail_on))
-		fault = "--sensitivity cannot be used together with --waivers or --fail-on: it is about the verdict "
-			"without them";
+		fault = "--sensitivity cannot be used together with --waivers or --fail-on, because it ignores them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
 		fault = "--clearance-report and --timing need the name of a file: standard output gets the report";
 	if (fault)
@@ -241,7 +240,7 @@ static bool check_jobs(const struct parser *parser)
 	const struct options *o = parser->options;
 
 	if (o->program_count || o->files_from)
-		diag_error(parser->diag, nowhere, "%s is a job file, which names its programs itself: give no other",
+		diag_error(parser->diag, nowhere, "%s is a job file, which names its programs: give no others",
 			   o->machine);
 	else if (o->mode != RUN_CHECK && o->mode != RUN_PARSE_ONLY && o->mode != RUN_DEPENDS)
 		diag_error(parser->diag, nowhere, "--%s takes a machine file, but %s is a job file", parser->mode->name,
@@ -285,7 +284,7 @@ static bool check_operands(const struct parser *parser)
 			   "--stock-out takes one program: each begins with the blank of the setup");
 	else if (inputs > 0 && o->record)
 		diag_error(parser->diag, nowhere,
-			   "--record cannot name a program that is read from standard input: give it as a file");
+			   "--record cannot record a program from standard input: give it as a file");
 	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
 		diag_error(parser->diag, nowhere,
 			   "standard input cannot be both a program and the list of --files-from");
@@ -320,14 +319,14 @@ static bool apply_shard(const struct parser *parser)
 	if (o->shards > 1 && o->waivers) {
 		diag_error(
 		    parser->diag, nowhere,
-		    "--waivers cannot be used with --shard of one program: every shard would accept a finding that "
-		    "may be accepted once");
+		    "--waivers cannot be used with --shard of one program: each shard would accept a finding that may "
+		    "be accepted only once");
 		return false;
 	}
 	if (o->shards > 1 &&
 	    (o->clearance_report || o->timing || options_want_visual(o) || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
-			   "--%s cannot be used with --shard of one program: it needs all blocks",
+			   "--%s cannot be used with --shard of one program, because it needs all blocks",
 			   o->clearance_report ? "clearance-report"
 			   : o->timing	       ? "timing"
 			   : o->report	       ? "report"

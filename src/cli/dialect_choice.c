@@ -51,7 +51,7 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 			   guess->sign.title, guess->sign.sign);
 	else if (guess->sign.line)
 		diag_error(diag, loc,
-			   "--dialect=auto: this looks like %s (%s), but more than one dialect has that; write %s",
+			   "--dialect=auto: this looks like %s (%s), which several dialects have; write %s",
 			   guess->sign.title, guess->sign.sign, strbuf_text(&open));
 	else
 		diag_error(diag, loc, "--dialect=auto: the first lines do not show the dialect; write %s",
@@ -96,7 +96,7 @@ bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag,
 			return false;
 		if (found >= 0 && guess.row != found) {
 			diag_error(diag, (struct srcloc){programs[i], guess.sign.line, 0},
-				   "--dialect=auto: this is %s (%s), but %s is for %s; check them separately",
+				   "--dialect=auto: this is %s (%s), but %s is for %s; check them in separate runs",
 				   guess.sign.title, guess.sign.sign, programs[0], dialect_rows[found].title);
 			return false;
 		}

@@ -25,7 +25,7 @@ static void refuse(const char *word, struct diag *diag)
 		diag_error(diag, nowhere, "--explain: '%s' is not known; did you mean %s?", word, nearest.best);
 	else
 		diag_error(diag, nowhere,
-			   "--explain: '%s' is no code of a dialect ('codes' lists them), and it is none of %s", word,
+			   "--explain: '%s' is neither a code of a dialect ('codes' lists them) nor one of %s", word,
 			   strbuf_text(&names));
 	strbuf_release(&names);
 }

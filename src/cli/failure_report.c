@@ -8,7 +8,7 @@
 #include "machine/setup.h"
 #include "report/tables/stats.h"
 
-static const char why[] = "there is an error in the machine file, the setup, or a file that they name";
+static const char why[] = "there is an error in the machine file, the setup, or a file that they use";
 
 /* May the file of the sink be replaced? Yes if it does not exist, is empty, or was written by the same writer. */
 static bool is_replaceable(const struct sink *sink)

@@ -25,7 +25,7 @@ static bool check_options(const struct options *options, struct diag *diag)
 	if (fault)
 		diag_error(diag, nowhere, "--%s cannot be used with a job file%s", fault,
 			   options->shards ? ": give its jobs to several computers instead"
-					   : ", which names it for each job");
+					   : ", because it names the file for each job");
 	return !fault;
 }
 
@@ -34,7 +34,7 @@ static bool check_name(const char *name, const char *option, struct diag *diag)
 	if (!name || strchr(name, '%'))
 		return true;
 	diag_error(diag, nowhere,
-		   "--%s: every job would write %s anew; put a %% into the name, which stands for the name of the job",
+		   "--%s: every job would overwrite %s; put %% (for the name of the job) into the file name",
 		   option, name);
 	return false;
 }
@@ -49,8 +49,8 @@ static bool check_documents(const struct options *options, struct diag *diag)
 
 	if (junit || sarif)
 		diag_error(diag, nowhere,
-			   "--format=%s: every job writes a document of its own, which cannot share standard output; "
-			   "give a file with %% for the name of the job, as in --format=%s=%%.%s",
+			   "--format=%s: the documents of several jobs cannot share standard output; give a file with "
+			   "%% for the name of the job, such as --format=%s=%%.%s",
 			   format, format, format);
 	return !junit && !sarif;
 }
@@ -114,8 +114,8 @@ static bool check_reports(const struct options *options, const struct job_list *
 			if (!same)
 				continue;
 			diag_error(diag, (struct srcloc){.file = list->path, .line = job->line},
-				   "the report of %s in the job \"%s\" would have the name of one of the job \"%s\": "
-				   "give one of them another name",
+				   "the report of %s in the job \"%s\" would have the same name as one of the job "
+				   "\"%s\": rename one of them",
 				   job->programs[k], job->name, same->name);
 			return false;
 		}

@@ -98,7 +98,7 @@ static bool add_format(struct format_choice *formats, const struct option_row *r
 	if (format < 0)
 		return false;
 	if (formats[format].wanted) {
-		diag_error(diag, nowhere, "--%s: %s was named twice", row->name, row->choices[format]);
+		diag_error(diag, nowhere, "--%s: %s was given twice", row->name, row->choices[format]);
 		return false;
 	}
 	formats[format] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};

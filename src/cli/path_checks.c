@@ -174,7 +174,7 @@ static bool check_meshes_within(const char *root, struct body *bodies, size_t co
 		if (!bodies[i].mesh_path || path_sandbox_holds(root, bodies[i].mesh_path))
 			continue;
 		diag_error(diag, bodies[i].loc,
-			   "the mesh %s is outside of the input root %s, or a symbolic link leads outside",
+			   "the mesh %s is outside the input root %s, or a symbolic link leads outside",
 			   bodies[i].mesh_path, root);
 		good = false;
 	}

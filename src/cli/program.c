@@ -298,7 +298,7 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 	if (!options_want_sensitivity(context->options) || program->outcome->result == CHECK_INCOMPLETE)
 		return;
 	if (fseeko(in, start, SEEK_SET)) {
-		diag_error(diag, nowhere, "--sensitivity has to read %s again, but cannot: %s", program->name,
+		diag_error(diag, nowhere, "--sensitivity must read %s again, but cannot: %s", program->name,
 			   strerror(errno));
 		return;
 	}

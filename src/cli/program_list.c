@@ -22,9 +22,9 @@ static const char *read_all(struct strbuf *text, FILE *in)
 	errno = 0;
 	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0) {
 		if (memchr(bytes, 0, count))
-			return "it contains a byte 0, but a list has one name per line";
+			return "it has a NUL byte, but a list has one name per line";
 		if (text->length + count > PROGRAM_LIST_MAX)
-			return "it is longer than 64 MB";
+			return "it is larger than 64 MB";
 		strbuf_add(text, bytes, count);
 	}
 	return ferror(in) ? strerror(errno ? errno : EIO) : NULL;

@@ -122,8 +122,8 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 		count += !is_named(session->options, file->items[i].program);
 	if (count)
 		diag_note(&session->order.ui->diag, (struct srcloc){file->path, 0, 0},
-			  "%zu of %zu waivers %s programs that were not checked in this run (program=\"\" must be "
-			  "the name as it stands on the command line)", count, file->count,
+			  "%zu of %zu waivers %s programs that were not checked in this run (program=\"\" must be the "
+			  "name as on the command line)", count, file->count,
 			  count == 1 ? "names" : "name");
 }
 

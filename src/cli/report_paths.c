@@ -76,7 +76,8 @@ bool report_paths_may_replace(const char *option, const char *path, struct diag 
 	if (!holds_other(path))
 		return true;
 	diag_error(diag, (struct srcloc){0},
-		   "--%s would overwrite %s, which is no report or picture; remove it, or choose another name", option,
+		   "--%s would overwrite %s, which is not a report or picture; remove it, or choose another name",
+		   option,
 		   path);
 	return false;
 }

@@ -69,15 +69,15 @@ static bool check_waivers(const struct waivers *waivers, const struct options *o
 
 	if (!has_digest(options->machine, waivers->machine_sha256)) {
 		diag_error(diag, at,
-			   "these waivers were written for another machine file than %s: look at the findings "
-			   "again, or remove machine_sha256=\"\" to use the waivers all the same",
+			   "these waivers were written for another machine file than %s: verify the findings again, or "
+			   "remove machine_sha256=\"\" to use the waivers anyway",
 			   options->machine);
 		return false;
 	}
 	if (!has_digest(options->setup, waivers->setup_sha256)) {
 		diag_error(diag, at,
-			   "these waivers were written for another setup than %s: look at the findings again, or "
-			   "remove setup_sha256=\"\" to use the waivers all the same",
+			   "these waivers were written for another setup than %s: verify the findings again, or remove "
+			   "setup_sha256=\"\" to use the waivers anyway",
 			   options->setup ? options->setup : "none");
 		return false;
 	}

@@ -94,7 +94,7 @@ enum run_status session_check(struct session *session, int argc, char **argv)
 	if (!command_line_parse(&options, argc, argv, &ui.diag)) {
 		/* Reported. */
 	} else if (options.mode != RUN_CHECK || options.jobs) {
-		diag_error(&ui.diag, nowhere, "a machine stays loaded for checks of programs only");
+		diag_error(&ui.diag, nowhere, "a loaded machine can only check programs");
 	} else if (load(session, &options, &ui.diag)) {
 		status = run_options_on(&options, session->model, &session->digests, &ui);
 	}
@@ -154,7 +154,8 @@ enum run_status session_pose(struct session *session, int argc, char **argv)
 	q = machine_home(session->model->machine);
 	for (int i = 1; i < argc; i++) {
 		if (!read_word(session->model->machine, argv[i], &q, &tool)) {
-			diag_error(&ui.diag, nowhere, "'%s' is no position of an axis of this machine, as X=12.5",
+			diag_error(&ui.diag, nowhere,
+				   "'%s' is not a position of an axis of this machine, such as X=12.5",
 				   argv[i]);
 			return RUN_INCOMPLETE;
 		}

@@ -132,7 +132,8 @@ static bool is_written_to_end(struct reader *r, const struct mesh *mesh)
 
 	if (zeros < 2)
 		return true;
-	return fail(r, "the last %zu of its %zu triangles are zeros: it was not written or copied to its end", zeros,
+	return fail(r,
+		    "the last %zu of its %zu triangles are zeros: the file was not written or copied completely", zeros,
 		    mesh->count);
 }
 
@@ -385,8 +386,9 @@ static bool fail_unfitting(struct reader *r)
 	if (size == 0)
 		return fail(r, "is empty");
 	if (size < HEADER_SIZE || is_text(r))
-		return fail(r, "is no STL file: neither ASCII (text that starts with \"solid\") nor binary "
-			       "(84 bytes of header, whose last 4 tell how many triangles of 50 bytes follow)");
+		return fail(r,
+			    "is not an STL file: neither ASCII (text that starts with \"solid\") nor binary (a header "
+			    "of 84 bytes whose last 4 are the number of triangles, then 50 bytes per triangle)");
 	count = little_endian(r->buffer + COUNT_AT);
 	expected = HEADER_SIZE + (uint64_t)count * RECORD_SIZE;
 	if (size < expected)
@@ -420,7 +422,7 @@ static bool open_regular(struct reader *r, const char *root)
 
 	r->fd = path_sandbox_open(root, r->loc.file);
 	if (r->fd < 0 && errno == EXDEV)
-		return fail(r, "is outside of the input root %s, or a link leads there", root);
+		return fail(r, "is outside the input root %s, or a link leads there", root);
 	if (r->fd < 0)
 		return fail(r, "cannot open: %s", strerror(errno));
 	if (fstat(r->fd, &status) != 0)

@@ -30,7 +30,8 @@ bool axis_letters_read(struct axis_letters *letters, const char *option, const c
 
 		if (!axis_letters_have(axes, letter) || axis_letters_have(read.text, letter)) {
 			diag_error(diag, nowhere,
-				   "--%s: '%c' is no axis of this machine, or stands twice; it has %s", option, *at,
+				   "--%s: '%c' is not an axis of this machine, or is given twice; the axes are %s",
+				   option, *at,
 				   axes);
 			return false;
 		}
@@ -61,8 +62,8 @@ static struct axis_letters usual_head(const char *axes, const char *table, size_
 static bool head_fault(struct srcloc place, const char *head, struct diag *diag)
 {
 	diag_error(diag, place,
-		   "this file does not say in which order the rotary axes that carry the tool follow each other: name "
-		   "all axes that carry it (%s) from the base on, with --head=LETTERS", head);
+		   "this file does not give the order of the rotary axes that carry the tool: name all axes that carry "
+		   "it (%s), in order from the base, with --head=LETTERS", head);
 	return false;
 }
 
@@ -83,7 +84,7 @@ bool axis_letters_head(struct axis_letters *head, const char *asked, const char 
 		return false;
 	if (strlen(read.text) != strlen(usual.text) || strspn(read.text, usual.text) != strlen(read.text)) {
 		diag_error(diag, nowhere,
-			   "--head must name every axis that does not carry the work, which are %s, and no other",
+			   "--head must name all axes that do not carry the work (%s), and no others",
 			   *usual.text ? usual.text : "none");
 		return false;
 	}

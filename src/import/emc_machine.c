@@ -114,17 +114,18 @@ static bool find_module(const struct reading *r, const struct module **module)
 
 	*module = NULL;
 	if (!length)
-		return fault(r, "[KINS] has no KINEMATICS: if this is the ini file of a machine, add [KINS] with "
-				"KINEMATICS = the module that its HAL files load (trivkins, say), and rename [AXIS_0] "
-				"of older releases to [JOINT_0] and so on");
+		return fault(r,
+			     "[KINS] has no KINEMATICS: if this is the ini file of a machine, add [KINS] with "
+			     "KINEMATICS = the module that its HAL files load (for example trivkins), and rename "
+			     "[AXIS_0] of older releases to [JOINT_0] and so on");
 	for (size_t i = 0; i < sizeof(modules) / sizeof(*modules); i++)
 		if (is_word(text, length, modules[i].name))
 			*module = &modules[i];
 	if (*module || is_word(text, length, "trivkins") || is_word(text, length, "gantrykins"))
 		return true;
 	diag_error(r->diag, place(r),
-		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, "
-		   "xyzbc-trt-kins, xyzab_tdr_kins, xyzacb_trsrn, xyzbca_trsrn, 5axiskins and maxkins are",
+		   "the kinematics '%.*s' are not supported; supported are the modules trivkins, gantrykins, "
+		   "xyzac-trt-kins, xyzbc-trt-kins, xyzab_tdr_kins, xyzacb_trsrn, xyzbca_trsrn, 5axiskins and maxkins",
 		   (int)length, text);
 	return false;
 }
@@ -139,12 +140,11 @@ static bool read_pin(struct reading *r, const struct module *module, const char 
 	found = hal_values_find(&r->hal, strbuf_text(&name), bit, value);
 	if (found == HAL_SIGNAL)
 		diag_warning(r->diag, place(r),
-			     "%s is set while the machine runs: it is taken as %g; correct the %s of the axis",
+			     "%s is set while the machine runs: it is assumed to be %g; correct the %s of the axis",
 			     strbuf_text(&name), *value, bit || !strcmp(pin, "nut-angle") ? "direction" : "location");
 	if (found == HAL_DEFAULT && r->hal.scripts)
 		diag_warning(r->diag, place(r),
-			     "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is "
-			     "taken as %g",
+			     "%s is not set in the HAL files, and scripts (.tcl) are not read: it is assumed to be %g",
 			     strbuf_text(&name), *value);
 	strbuf_release(&name);
 	return found != HAL_FAULT;
@@ -255,8 +255,8 @@ static void warn_endless(struct reading *r, char letter)
 {
 	import_machine_todo(r->machine, "Add limit_min and limit_max of the axis %c.", letter);
 	diag_warning(r->diag, place(r),
-		     "neither the [JOINT_n] of the axis %c nor [AXIS_%c] has MIN_LIMIT and MAX_LIMIT: its travel has "
-		     "no end; add its limits", letter, letter);
+		     "neither the [JOINT_n] of the axis %c nor [AXIS_%c] has MIN_LIMIT and MAX_LIMIT, so its travel is "
+		     "unlimited; add its limits", letter, letter);
 }
 
 static bool read_axis(struct reading *r, char letter, bool identity, struct axis_description *axis)
@@ -291,7 +291,7 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 	if (good && !axis->rotary && isinf(axis->limit_min) && isinf(axis->limit_max))
 		warn_endless(r, letter);
 	return good && (axis->limit_min < axis->limit_max ||
-			fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
+			fault(r, "the MIN_LIMIT of an axis is not below its MAX_LIMIT"));
 }
 
 /* The linear axes carried by the rotary ones of a head. */
@@ -308,8 +308,8 @@ static void set_head_direction(struct reading *r, const struct module *module, c
 	*direction = letter == 'U' ? (vec3){-1, 0, 0} : (vec3){0, -1, 0};
 	if (letter == 'U')
 		diag_warning(r->diag, place(r),
-			     "while B is not 0, %s counts U as no axis on the head can move: U is taken to move across "
-			     "the tool; compare it with the machine", module->name);
+			     "while B is not 0, %s does not treat U as an axis on the head: U is assumed to move "
+			     "across the tool; compare it with the machine", module->name);
 }
 
 static bool make_axis(struct reading *r, const struct module *module, char letter, bool carries_work,
@@ -329,7 +329,7 @@ static bool make_axis(struct reading *r, const struct module *module, char lette
 	} else if (axis->rotary) {
 		axis->has_location = true;
 		import_machine_todo(
-		    r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is a guess.",
+		    r->machine, "Where is the axis %c? The imported file does not say it; 0 0 0 is a guess.",
 		    letter);
 		diag_warning(r->diag, place(r), "this file does not say where the axis %c is: correct its location",
 			     letter);
@@ -347,9 +347,10 @@ static bool find_table(const struct reading *r, const struct module *module, str
 	if (!axis_letters_read(table, "table", r->options->table, r->order, r->diag))
 		return false;
 	if (!module && !r->options->table)
-		return fault(r, "this file does not say which axes carry the work and which the tool: name those that "
-				"carry the work, from the base on, with --table=LETTERS, such as --table=YAC, or "
-				"--table= for none");
+		return fault(r,
+			     "this file does not say which axes carry the work and which the tool: name those that "
+			     "carry the work, in order from the base, with --table=LETTERS, such as --table=YAC, or "
+			     "--table= for none");
 	for (const char *at = module ? module->table : ""; *at; at++)
 		axis_letters_add(table, *at);
 	return true;
@@ -370,7 +371,7 @@ static bool find_head(const struct reading *r, const struct module *module, cons
 	struct axis_letters axes = {""};
 
 	if (module && r->options->head)
-		return fault(r, "its kinematics say which axes carry the tool: leave --head out");
+		return fault(r, "the kinematics define which axes carry the tool: remove --head");
 	if (!module)
 		return axis_letters_head(head, r->options->head, r->order, table, place(r), r->diag);
 	add_missing(&axes, r->order, table, SLOT_X, SLOT_Z);
@@ -430,15 +431,16 @@ static bool read_machine(struct reading *r)
 		return false;
 	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
 	machine->dialect_known = machine->rapid_known = true;
-	import_machine_todo(machine, "The ini file names no bodies: add <body> elements, drawn with every axis at 0.");
+	import_machine_todo(machine, "The ini file has no bodies: add <body> elements, drawn with every axis at 0.");
 	import_machine_todo(machine,
 			    "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
 	if (module && !r->options->table)
-		import_machine_todo(machine, "All linear axes carry the tool here: name those that carry the work with "
-					     "the option table of import.");
+		import_machine_todo(machine,
+				    "All linear axes carry the tool here: name those that carry the work with the "
+				    "option table of import.");
 	if (module && module->pivot > 0)
 		import_machine_todo(
-		    machine, "The pivot length is taken to reach from the axis B to the gauge point of the spindle.");
+		    machine, "The pivot length is assumed to reach from the axis B to the gauge point of the spindle.");
 	return true;
 }
 

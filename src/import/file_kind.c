@@ -116,7 +116,7 @@ static const char *own_advice(const char *text)
 
 	for (size_t i = 0; i < sizeof(roots) / sizeof(*roots); i++)
 		if (is_root(text, roots[i]))
-			return "fivecheck reads this file as it is: it needs no import";
+			return "fivecheck reads this file directly: it needs no import";
 	return NULL;
 }
 
@@ -138,11 +138,10 @@ static const char *advice(const char *path, const struct file_bytes *file)
 	if (strstr(text, "(tool_number)"))
 		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
-		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
-		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
-		       "begin with)";
+		return "this is a CAD solid without axes: export each body that moves as STL, with all axes at 0, and "
+		       "name the meshes in a machine file ('fivecheck init' writes one as a start)";
 	if (!strncmp(text, "PK\003\004", 4))
-		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, and a GTC "
+		return "this is a zip archive: unpack it; a Fusion 360 .tools file contains tools.json, and a GTC "
 		       "package .p21 files, which can be imported";
 	if (file_signature_advice(text, file->count))
 		return file_signature_advice(text, file->count);

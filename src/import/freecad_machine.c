@@ -108,16 +108,18 @@ static bool read_joint(const struct reading *r, const json_t *data, char letter,
 	if (json_is_object(joint)) {
 		if (!read_vector(json_object_get(joint, "origin"), &axis->location) ||
 		    !read_vector(json_object_get(joint, "axis"), &axis->direction) || is_none(axis->direction))
-			return fault(r, "axis %c: joint needs an origin and an axis of three numbers each, and the "
-					"axis may not be 0 0 0", letter);
+			return fault(r,
+				     "axis %c: joint needs an origin and an axis of three numbers each, and the axis "
+				     "must not be 0 0 0", letter);
 		return true;
 	}
 	if (json_array_size(joint) != 2 || !read_vector(json_array_get(joint, 0), &first) ||
 	    !read_vector(json_array_get(joint, 1), &second) || (is_none(first) && is_none(second)))
 		return fault(r, "axis %c: joint must be two vectors of three numbers each, and not both 0 0 0", letter);
 	if (!axis->rotary && !is_none(first) && !is_none(second))
-		return fault(r, "axis %c: versions of FreeCAD differ in which vector of this joint is the direction of "
-				"a linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": [...]}", letter);
+		return fault(r,
+			     "axis %c: versions of FreeCAD differ in which vector of this joint is the direction of a "
+			     "linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": [...]}", letter);
 	axis->direction = is_none(second) ? first : second;
 	axis->location = is_none(second) || !axis->rotary ? (vec3){0, 0, 0} : first;
 	return true;
@@ -137,7 +139,7 @@ static bool read_travel(struct reading *r, const json_t *data, char letter, stru
 	if (isnan(least) || isnan(most))
 		warn(r, "the axis %c has no travel in this file: add limit_min and limit_max", letter);
 	if (!isnan(least) && !isnan(most) && !(least < most))
-		return fault(r, "axis %c: its min is not below its max", letter);
+		return fault(r, "axis %c: min is not below max", letter);
 	axis->limit_min = isnan(least) ? -INFINITY : scale * least;
 	axis->limit_max = isnan(most) ? INFINITY : scale * most;
 	axis->rate_max = rate > 0 ? (axis->rotary ? 1 : r->unit) * rate : 0;
@@ -165,7 +167,7 @@ static bool read_role(const struct reading *r, const json_t *data, char letter, 
 		if (!strcmp(role, roles[i].name) && roles[i].rotary == axis->axis.rotary)
 			axis->side = roles[i].side;
 	return axis->side != SIDE_UNKNOWN ||
-	       fault(r, "axis %c: its role must be table_%s or head_%s", letter,
+	       fault(r, "axis %c: role must be table_%s or head_%s", letter,
 		     axis->axis.rotary ? "rotary" : "linear", axis->axis.rotary ? "rotary" : "linear");
 }
 
@@ -177,7 +179,7 @@ static bool read_parent(const struct reading *r, const json_t *data, char letter
 	if (!at || json_is_null(at))
 		return true;
 	if (!name || strlen(name) != 1 || !axis_letters_have(r->letters.text, *name) || *name == letter)
-		return fault(r, "axis %c: its parent must be another axis of this file, or null", letter);
+		return fault(r, "axis %c: parent must be another axis of this file, or null", letter);
 	*parent = *name;
 	return true;
 }
@@ -212,8 +214,9 @@ static bool judge_direction(const struct reading *r, char letter, const struct a
 	if (axis->rotary || axis->slot > SLOT_Z ||
 	    vec3_dot(axis->direction, axis_chains_direction(axis->slot, false)) > 0)
 		return true;
-	return fault(r, "axis %c: its direction %g %g %g does not point towards +%c, in which the coordinate of a "
-			"control counts (the tool relative to the work, also for an axis of the table)", letter,
+	return fault(r,
+		     "axis %c: its direction %g %g %g does not point to +%c, the positive direction of the control "
+		     "(the tool relative to the work, also for an axis of the table)", letter,
 		     axis->direction.x, axis->direction.y, axis->direction.z, letter);
 }
 
@@ -226,9 +229,9 @@ static bool read_axis(struct reading *r, const json_t *axes, char letter)
 	bool rotary = type && (!strcmp(type, "rotary") || !strcmp(type, "angular"));
 
 	if (!type || (!rotary && strcmp(type, "linear") != 0))
-		return fault(r, "axis %c: its type must be linear or rotary", letter);
+		return fault(r, "axis %c: type must be linear or rotary", letter);
 	if (rotary != slot_is_rotary(read.axis.slot))
-		return fault(r, "axis %c: its type is %s, but X, Y, Z, U, V and W are linear, and A, B and C rotary",
+		return fault(r, "axis %c: type is %s, but X, Y, Z, U, V and W are linear, and A, B and C rotary",
 			     letter, type);
 	read.axis.rotary = read.axis.has_location = rotary;
 	if (!read_joint(r, data, letter, &read.axis) || !judge_direction(r, letter, &read.axis) ||
@@ -237,8 +240,9 @@ static bool read_axis(struct reading *r, const json_t *axes, char letter)
 		return false;
 	read.axis.location = vec3_scale(r->unit, read.axis.location);
 	if (rotary && is_none(read.axis.location))
-		warn(r, "the axis %c is at 0 0 0, which FreeCAD writes if nobody says where it is: correct its "
-			"location", letter);
+		warn(r,
+		     "the axis %c is at 0 0 0, which FreeCAD writes if the location is not given: correct its location",
+		     letter);
 	r->axes[read.axis.slot] = read;
 	return true;
 }
@@ -291,7 +295,7 @@ static bool order_side(struct reading *r, enum side side, struct axis_letters *l
 			return fault(r, "axis %c: its parent %c is on the other side, between base and %s", *at,
 				     axis->parent, side == SIDE_TABLE ? "tool" : "work");
 		if (axis->side == side && !axis->placed)
-			return fault(r, "axis %c: its parents form a circle", *at);
+			return fault(r, "axis %c: the parents form a circle", *at);
 	}
 	return true;
 }
@@ -307,9 +311,10 @@ static bool table_agrees(struct reading *r, const char *table)
 		if (!axis->axis.rotary)
 			continue;
 		if (last && (is_along_z(&last->axis) || !is_along_z(&axis->axis)))
-			return fault(r, "the table has several rotary axes, and FreeCAD's parents and what it computes "
-					"contradict each other in their order: name the axes that carry the work (%s) "
-					"from the base on, with --table=LETTERS", table);
+			return fault(r,
+				     "the table has several rotary axes, and the order of FreeCAD's parents "
+				     "contradicts what FreeCAD computes: name the axes that carry the work (%s), in "
+				     "order from the base, with --table=LETTERS", table);
 		last = axis;
 	}
 	return true;
@@ -328,10 +333,10 @@ static bool find_sides(struct reading *r)
 		if (r->options->table)
 			axis->side = axis_letters_have(asked.text, *at) ? SIDE_TABLE : SIDE_HEAD;
 		if (axis->side == SIDE_UNKNOWN)
-			return fault(r, "this file does not say which axes carry the work and which the tool "
-					"(\"role\", which later versions of FreeCAD write): name those that carry the "
-					"work, from the base on, with --table=LETTERS, such as --table=YX, or --table= "
-					"for none");
+			return fault(r,
+				     "this file does not say which axes carry the work and which the tool (\"role\", "
+				     "which later versions of FreeCAD write): name those that carry the work, in order "
+				     "from the base, with --table=LETTERS, such as --table=YX, or --table= for none");
 	}
 	return true;
 }
@@ -371,8 +376,9 @@ static bool add_chains(struct reading *r)
 			axes[slot].direction = vec3_scale(-1, axes[slot].direction);
 	}
 	axis_chains_hang(r->machine, axes, table.text, head.text);
-	import_machine_todo(r->machine, "Compare the order in which the axes carry each other with the machine: the "
-					"work is carried by %s and the tool by %s, from the base on.",
+	import_machine_todo(r->machine,
+			    "Compare the order of the axes with the machine: the work is carried by %s and the tool by "
+			    "%s, from the base on.",
 			    *table.text ? table.text : "the base", *head.text ? head.text : "the base");
 	return true;
 }
@@ -390,8 +396,9 @@ static bool read_unit(struct reading *r, const json_t *data)
 	if (!units || strcmp(units, "imperial") != 0)
 		return fault(r, "units must be metric or imperial");
 	r->unit = MM_PER_INCH;
-	warn(r, "the units of this file are imperial: its lengths are taken as inches; compare the travels with the "
-		"machine");
+	warn(r,
+	     "the units of this file are imperial: its lengths are assumed to be inches; compare the travels with the "
+	     "machine");
 	return true;
 }
 
@@ -408,10 +415,11 @@ static bool read_tool(struct reading *r, const json_t *data)
 	type = json_string_value(json_object_get(tool, "toolhead_type"));
 	axis = json_object_get(tool, "tool_axis");
 	if (json_array_size(list) > 1)
-		warn(r, "this file has %zu tool heads, and a machine of fivecheck has one spindle: the first is taken "
-			"over", json_array_size(list));
+		warn(r,
+		     "this file has %zu tool heads, but a fivecheck machine has one spindle: the first is used",
+		     json_array_size(list));
 	if (type && strcmp(type, "rotary") != 0)
-		warn(r, "the tool head is a %.20s: nothing but the motion of its mount is checked", type);
+		warn(r, "the tool head is a %.20s: only the motion of its mount is checked", type);
 	if (!axis)
 		return true;
 	if (!read_vector(axis, &r->machine->description.spindles[0].direction) ||
@@ -428,8 +436,9 @@ static bool judge_base(struct reading *r, const json_t *data)
 
 	for (size_t i = 0; i < 3 && json_is_array(turn); i++)
 		if (fabs(json_number_value(json_array_get(turn, i))) > SHORTEST)
-			return fault(r, "the base_frame of the machine is turned, which is not supported: set "
-					"orientation_quaternion to 0, 0, 0, 1");
+			return fault(r,
+				     "the base_frame of the machine is rotated, which is not supported: set "
+				     "orientation_quaternion to 0, 0, 0, 1");
 	return true;
 }
 
@@ -453,7 +462,7 @@ static bool read_machine(struct reading *r, const json_t *root)
 	const char *name = json_string_value(json_object_get(data, "name"));
 
 	if (!json_is_object(data) || !json_is_object(axes))
-		return fault(r, "a machine of FreeCAD has \"machine\" with \"axes\" in it");
+		return fault(r, "a FreeCAD machine needs \"machine\" with \"axes\" in it");
 	if (!read_unit(r, data) || !judge_base(r, data) || !read_letters(r, axes))
 		return false;
 	for (const char *at = r->letters.text; *at; at++)
@@ -463,7 +472,7 @@ static bool read_machine(struct reading *r, const json_t *root)
 		return false;
 	take_control(r, root);
 	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
-	import_machine_todo(machine, "The file names no bodies: add <body> elements, drawn with every axis at 0.");
+	import_machine_todo(machine, "The file has no bodies: add <body> elements, drawn with every axis at 0.");
 	import_machine_todo(machine,
 			    "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
 	return true;

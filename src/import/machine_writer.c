@@ -131,7 +131,7 @@ static void add_axis_tag(struct strbuf *out, const struct axis_description *axis
 
 	if (!(axis->rate_max > 0)) {
 		indent(out, depth);
-		strbuf_addf(out, "<!-- TODO The rate of rapids is a guess: the file that was imported has none. -->\n");
+		strbuf_addf(out, "<!-- TODO The rapid rate is a guess: the imported file has none. -->\n");
 	}
 	indent(out, depth);
 	strbuf_addf(out, "<axis name=\"%c\"", AXIS_LETTERS[axis->slot]);
@@ -197,8 +197,8 @@ static void add_controller(struct strbuf *out, const struct import_machine *mach
 	if (!machine->dialect_known)
 		strbuf_addf(
 		    out,
-		    "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n"
-		    "       rate) or any (not known: every way between start and end is checked). -->\n");
+		    "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n "
+		    "      rate) or any (not known: every path between start and end is checked). -->\n");
 	strbuf_addf(out, "  <controller");
 	xml_text_attribute(out, "dialect", dialect_names[controller->told.dialect]);
 	xml_text_attribute(out, "rapid", machine->rapid_known ? "linear" : "any");
@@ -209,8 +209,8 @@ void machine_writer_todo(struct strbuf *out, const struct import_machine *machin
 {
 	if (machine->left_out)
 		strbuf_addf(out,
-			    "  <!-- TODO Bodies whose meshes were not there are left out (%zu): what they hit is not "
-			    "found. -->\n",
+			    "  <!-- TODO Bodies without a mesh file are left out (%zu): what they hit is not found. "
+			    "-->\n",
 			    machine->left_out);
 	for (size_t i = 0; i < machine->todo_count; i++) {
 		struct strbuf todo = {0};

@@ -164,8 +164,8 @@ bool mesh_file_read(struct mesh *out, const char *path, double scale, struct dia
 		return read_parts(out, path, scale, diag);
 	if (format != MESH_OTHER) {
 		diag_error(diag, (struct srcloc){.file = path},
-			   "such a mesh says its own units: turn it into STL first, with 'fivecheck import', and name "
-			   "the STL");
+			   "such a mesh has its own units: convert it to STL with 'fivecheck import', and name the "
+			   "STL");
 		return false;
 	}
 	if (!stl_read(out, path, diag))

@@ -86,8 +86,8 @@ static bool read_output(struct mesh_parts *parts, const char *path, FILE *in, do
 			return fault(diag, path, "a triangle is missing, not finite, or beyond 10 km");
 	}
 	return fault(diag, path,
-		     "the meshes cannot be read: fivecheck-mesh is not installed (it is built where libassimp is), or "
-		     "it gave up on a broken or very large file; convert the file to STL with another program");
+		     "the meshes cannot be read: fivecheck-mesh is not installed (it needs libassimp), or it failed on "
+		     "a broken or very large file; convert the file to STL with another program");
 }
 
 bool mesh_helper_read(struct mesh_parts *parts, const char *path, double scale, bool y_up, struct diag *diag)

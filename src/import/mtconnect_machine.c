@@ -89,7 +89,7 @@ static bool add_component(struct reading *r, const xmlNode *node, struct axis_le
 					       "neither nativeName nor name of this Linear is X, Y, Z, U, V or W");
 	if (axis_letters_have(found->text, letter)) {
 		xml_error(&r->xml, node, NULL,
-			  "two axes of this device have the letter %c: leave those out of the file that do not belong "
+			  "two axes of this device have the letter %c: remove those from the file that do not belong "
 			  "to the tool and the work of one program", letter);
 		return false;
 	}
@@ -142,7 +142,7 @@ static bool carrier(struct reading *r, const xmlNode *motion, char *letter)
 				return true;
 			}
 		if (!foreign_attribute_is(motion, "type", "FIXED"))
-			return fault(r, motion, "a Motion that is no axis of the control carries an axis");
+			return fault(r, motion, "a Motion that is not an axis of the control carries an axis");
 	}
 	return fault(r, r->device, "the parents of the Motion elements form a circle");
 }
@@ -193,15 +193,16 @@ static bool find_work(struct reading *r, const char *head, struct axis_letters *
 			return false;
 		if (strpbrk(chain.text, *head ? head : " "))
 			return fault(r, r->axes[slot_of_letter(*at)].motion,
-				     "an axis that carries the spindle carries this one, too, which does not carry the "
-				     "spindle: that is not supported");
+				     "an axis that carries the spindle also carries this one, which does not carry the "
+				     "spindle: this is not supported");
 		axis_letters_add(&chain, *at);
 		if (strlen(chain.text) == rest)
 			*table = chain;
 	}
 	return strlen(table->text) == rest ||
-	       fault(r, r->device, "the axes that do not carry the spindle are no single chain: say which axes carry "
-				   "the work, from the base on, with --table=LETTERS");
+	       fault(r, r->device,
+		     "the axes that do not carry the spindle are not a single chain: name the axes that carry the "
+		     "work, in order from the base, with --table=LETTERS");
 }
 
 /* An axis that carries another by its Motion must precede it in the same chain. */
@@ -217,8 +218,9 @@ static bool judge_asked(struct reading *r, const char *letters)
 		before = letter ? strchr(letters, letter) : letters;
 		if (before && before <= at)
 			continue;
-		xml_error(&r->xml, motion, NULL, "this Motion says that the axis %c carries %c: --table and --head "
-						 "must not contradict that", letter, *at);
+		xml_error(&r->xml, motion, NULL,
+			  "this Motion says that the axis %c carries %c, which --table and --head must not contradict",
+			  letter, *at);
 		return false;
 	}
 	return true;
@@ -233,7 +235,7 @@ static bool find_asked(struct reading *r, struct axis_letters *table, struct axi
 		       judge_asked(r, table->text) && judge_asked(r, head->text);
 	xml_error(&r->xml, r->device, NULL,
 		  "this file does not say which axes carry the work and which the tool (%s%s): name those that carry "
-		  "the work, from the base on, with --table=LETTERS, or --table= for none; it has %s",
+		  "the work, in order from the base, with --table=LETTERS, or --table= for none; it has %s",
 		  *r->still.text ? "there is no Motion of " : "one spindle needs a Motion",
 		  *r->still.text ? r->still.text : "", r->letters.text);
 	return false;
@@ -257,8 +259,8 @@ static bool judge_direction(struct reading *r, const struct mtconnect_axis *axis
 	    vec3_dot(a->direction, axis_chains_direction(a->slot, carries_work)) > 0)
 		return true;
 	xml_error(&r->xml, axis->motion, NULL,
-		  "the Axis of this Motion moves the %s along %g %g %g: then the tool moves against +%c of the work, "
-		  "in which a control counts; turn its sign round if the file has it wrong",
+		  "the Axis of this Motion moves the %s along %g %g %g, so the tool moves against +%c of the work, the "
+		  "positive direction of a control; reverse it if the file is wrong",
 		  carries_work ? "work" : "tool", a->direction.x, a->direction.y, a->direction.z,
 		  AXIS_LETTERS[a->slot]);
 	return false;
@@ -302,8 +304,9 @@ static bool finish_axis(struct reading *r, char letter, bool carries_work)
 	if (a->rotary && !has_place(axis->motion)) {
 		diag_warning(r->diag, place(r, axis->node),
 			     "this file does not say where the axis %c is: correct its location", letter);
-		import_machine_todo(r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 "
-						"0 is a guess.", letter);
+		import_machine_todo(r->machine,
+				    "Where is the axis %c? The imported file does not say it; 0 0 0 is a guess.",
+				    letter);
 	}
 	return true;
 }
@@ -331,10 +334,11 @@ static void name_models(struct reading *r)
 		const char *href = foreign_is(at, "SolidModel") ? foreign_attribute(at, "href") : NULL;
 
 		if (href)
-			import_machine_todo(r->machine, "The file has a solid model: %.80s. Make STL of it, and add "
-							"its parts as bodies.", href);
+			import_machine_todo(r->machine,
+					    "The file has a solid model: %.80s. Convert it to STL, and add its parts "
+					    "as bodies.", href);
 	}
-	import_machine_todo(r->machine, "No bodies were taken over: add <body> elements, drawn with every axis at 0.");
+	import_machine_todo(r->machine, "No bodies were converted: add <body> elements, drawn with every axis at 0.");
 	import_machine_todo(r->machine,
 			    "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
 }
@@ -359,8 +363,9 @@ static bool build(struct reading *r)
 			return false;
 		/* Z counts from the work to the spindle; the tool points in the opposite direction (ISO 841). */
 		d->spindles[0].direction = vec3_scale(-1, direction);
-		import_machine_todo(r->machine, "Tools are taken to point against the Axis of the spindle's Motion: "
-						"compare it with the machine.");
+		import_machine_todo(r->machine,
+				    "Tools are assumed to point against the Axis of the spindle's Motion: compare it "
+				    "with the machine.");
 	}
 	name_models(r);
 	return true;
@@ -419,7 +424,7 @@ static bool find_device(struct reading *r)
 	if (!names.length)
 		fault(r, xml_root(&r->xml), "no Device of this document has a Linear or Rotary component");
 	else if (count != 1)
-		xml_error(&r->xml, xml_root(&r->xml), NULL, "%s: say with --device=NAME which of these to take: %s",
+		xml_error(&r->xml, xml_root(&r->xml), NULL, "%s: choose one with --device=NAME: %s",
 			  count ? "this document has several machines" : "no machine of this document has that name",
 			  strbuf_text(&names));
 	strbuf_release(&names);

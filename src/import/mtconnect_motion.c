@@ -49,7 +49,7 @@ bool mtconnect_parent(struct xml_reader *xml, const xmlNode *device, const xmlNo
 
 static bool three_fault(struct xml_reader *xml, const xmlNode *node)
 {
-	xml_error(xml, node, NULL, "<%s> must hold three numbers", (const char *)node->name);
+	xml_error(xml, node, NULL, "<%s> must have three numbers", (const char *)node->name);
 	return false;
 }
 
@@ -119,8 +119,7 @@ static bool read_rotation(struct xml_reader *xml, const xmlNode *transformation,
 		}
 	if (turned > 1)
 		xml_error(xml, transformation, NULL,
-			  "a Rotation about several axes is not supported: in which order they follow each other is "
-			  "not said");
+			  "a Rotation about several axes is not supported, because their order is not defined");
 	return turned <= 1;
 }
 
@@ -135,7 +134,7 @@ static bool read_place(struct xml_reader *xml, const xmlNode *motion, xform *pla
 	if (!read_three(xml, motion, "Origin", "OriginDataSet", "XYZ", p, &found))
 		return false;
 	if (found && transformation) {
-		xml_error(xml, motion, NULL, "a Motion has an Origin or a Transformation, not both");
+		xml_error(xml, motion, NULL, "a Motion must not have both an Origin and a Transformation");
 		return false;
 	}
 	if (transformation &&
@@ -182,7 +181,7 @@ bool mtconnect_line(struct xml_reader *xml, const xmlNode *device, const xmlNode
 		return false;
 	axis = (vec3){a[0], a[1], a[2]};
 	if (!found || vec3_norm(axis) < AGREE) {
-		xml_error(xml, motion, NULL, "the Motion has no Axis, or one without a direction");
+		xml_error(xml, motion, NULL, "the Axis of the Motion is missing or has no direction");
 		return false;
 	}
 	*direction = mat3_apply(&own.rotation, axis);
@@ -194,7 +193,7 @@ bool mtconnect_line(struct xml_reader *xml, const xmlNode *device, const xmlNode
 		return true;
 	}
 	xml_error(xml, motion, NULL,
-		  "it is not said whether the place of this Motion counts from the parent or from the coordinate "
-		  "system: write <Origin> instead, in the coordinate system");
+		  "it is not defined whether the position of this Motion is relative to the parent or to the "
+		  "coordinate system: write <Origin> instead, in the coordinate system");
 	return false;
 }

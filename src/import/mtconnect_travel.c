@@ -37,7 +37,7 @@ static bool read_unit(struct xml_reader *xml, const xmlNode *node, const struct 
 			*scale = units->scale;
 			return true;
 		}
-	xml_error(xml, node, "units", "the unit '%s' is not known here", xml_quote(name).text);
+	xml_error(xml, node, "units", "the unit '%s' is not supported here", xml_quote(name).text);
 	return false;
 }
 
@@ -134,6 +134,6 @@ bool mtconnect_travel(struct xml_reader *xml, const xmlNode *device, const xmlNo
 	if (!read_specifications(xml, component, axis) || !read_constraints(xml, device, component, axis))
 		return false;
 	if (!(axis->limit_min < axis->limit_max))
-		xml_error(xml, component, NULL, "the travel of this axis has a Minimum that is not below its Maximum");
+		xml_error(xml, component, NULL, "the Minimum of the travel of this axis is not below its Maximum");
 	return axis->limit_min < axis->limit_max;
 }

@@ -178,9 +178,9 @@ bool ply_check(const char *path, struct diag *diag)
 		return false;
 	data = read_header(&header, file.bytes);
 	if (!data)
-		what = "the header of the PLY file is faulty";
+		what = "the header of the PLY file is invalid";
 	else if (!is_complete(&header, data, file.bytes + file.count))
-		what = "the PLY file is cut off: it holds less than its header says";
+		what = "the PLY file is truncated: it has less data than its header says";
 	file_bytes_release(&file);
 	if (what)
 		diag_error(diag, (struct srcloc){.file = path}, "%s", what);

@@ -117,14 +117,14 @@ static bool read_links(struct reading *r)
 
 		if (!name || !*name || find_link(r, name))
 			return fault(r, at,
-				     name ? "two links have the same name, or one has none" : "<link> lacks a name");
+				     name ? "two links have the same name, or one has none" : "<link> has no name");
 		r->links[r->count++] = (struct urdf_link){.node = at, .name = name};
 	}
 	for (const xmlNode *at = foreign_child(root, "joint"); at; at = foreign_next(at, "joint")) {
 		struct urdf_link *child = named_link(r, at, "child");
 
 		if (!child || !named_link(r, at, "parent"))
-			return fault(r, at, "<joint> names a parent or a child that is no link");
+			return fault(r, at, "<joint> has a parent or a child that is not a link");
 		if (child->joint)
 			return fault(r, at, "two joints carry the same link");
 		child->joint = at;
@@ -168,11 +168,11 @@ static bool read_limits(struct reading *r, const xmlNode *joint, bool endless, s
 	if (endless)
 		return true;
 	if (!limit || !(low < high))
-		return fault(r, joint, "the joint has no <limit> with a lower below its upper");
+		return fault(r, joint, "the joint needs a <limit> with lower below upper");
 	axis->limit_min = scale * low;
 	axis->limit_max = scale * high;
 	return (low <= 0 && high >= 0) ||
-	       fault(r, joint, "0 is not within the limits of the joint: its home is not known");
+	       fault(r, joint, "0 is not within the limits of the joint, so its home is not known");
 }
 
 static bool add_axis(struct reading *r, struct urdf_link *link, const struct urdf_link *parent, const char *type)
@@ -186,9 +186,9 @@ static bool add_axis(struct reading *r, struct urdf_link *link, const struct urd
 	axis.rotary = strcmp(type, "prismatic") != 0;
 	if (!letter || axis.rotary != slot_is_rotary(axis.slot)) {
 		xml_error(&r->xml, link->joint, "name",
-			  "the name of the joint must have the letter of its axis alone in it, such as joint_%s: %s",
+			  "the name of the joint must have only the letter of its axis in it, such as joint_%s: %s",
 			  axis.rotary ? "a" : "x",
-			  axis.rotary ? "A, B or C, as it turns" : "X, Y, Z, U, V or W, as it slides");
+			  axis.rotary ? "A, B or C, because it rotates" : "X, Y, Z, U, V or W, because it slides");
 		return false;
 	}
 	for (size_t i = 0; i < d->axis_count; i++)
@@ -239,7 +239,8 @@ static bool place_all(struct reading *r)
 		if (r->links[i].joint)
 			continue;
 		if (placed)
-			return fault(r, r->links[i].node, "two links are carried by no joint: a machine has one base");
+			return fault(r, r->links[i].node,
+				     "two links have no joint that carries them: a machine has one base");
 		r->links[i].placed = true;
 		r->links[i].frame = xform_identity();
 		placed++;
@@ -284,19 +285,19 @@ static bool read_mesh(struct reading *r, const xmlNode *shape, struct mesh *mesh
 	bool good;
 
 	if (!written || !read_numbers(r, shape, "scale", 3, scale))
-		return written ? false : fault(r, shape, "<mesh> lacks a filename");
+		return written ? false : fault(r, shape, "<mesh> has no filename");
 	if (fabs(scale[0] - scale[1]) > 1e-12 || fabs(scale[0] - scale[2]) > 1e-12 || !(scale[0] > 0))
-		return fault(r, shape, "the scale of a mesh must be the same in all directions, and above 0");
+		return fault(r, shape, "the scale of a mesh must be the same in all directions, and greater than 0");
 	good = mesh_file_find(&path, r->options->meshes, r->xml.path, path_of(written));
 	*left_out = !good && r->options->skip_missing;
 	r->machine->left_out += *left_out;
 	if (*left_out)
 		diag_warning(r->diag, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, shape)},
-			     "'%s' is not there: the body is left out", xml_quote(written).text);
+			     "'%s' is missing: the body is left out", xml_quote(written).text);
 	else if (!good)
 		xml_error(&r->xml, shape, NULL,
-			  "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
-			  "the body out with --skip-missing",
+			  "'%s' is missing: put the file beside this one, name its folder with --meshes, or leave the "
+			  "body out with --skip-missing",
 			  xml_quote(written).text);
 	good = good && mesh_file_read(mesh, strbuf_text(&path), METRE * scale[0], r->diag);
 	strbuf_release(&path);
@@ -312,7 +313,7 @@ static bool read_box(struct reading *r, const xmlNode *shape, struct mesh *mesh)
 		return false;
 	if (!(size[0] > 0 && size[1] > 0 && size[2] > 0) ||
 	    !mesh_build_block(&build, (vec3){size[0], size[1], size[2]}))
-		return fault(r, shape, "the size of a box must be above 0, and below 5 km");
+		return fault(r, shape, "the size of a box must be greater than 0 and below 5 km");
 	mesh_build_finish(&build, mesh);
 	return true;
 }
@@ -327,7 +328,7 @@ static bool read_cylinder(struct reading *r, const xmlNode *shape, struct mesh *
 		return false;
 	if (!(radius > 0 && *length > 0) ||
 	    !mesh_build_frustum(&build, METRE * radius, METRE * radius, METRE * *length))
-		return fault(r, shape, "radius and length of a cylinder must be above 0, and below 5 km");
+		return fault(r, shape, "radius and length of a cylinder must be greater than 0 and below 5 km");
 	mesh_build_finish(&build, mesh);
 	return true;
 }
@@ -348,7 +349,7 @@ static bool add_shape(struct reading *r, const struct urdf_link *link, const xml
 	xform frame;
 
 	if (!shape)
-		return fault(r, group, "<geometry> with a shape is missing");
+		return fault(r, group, "<geometry> has no shape");
 	if (!read_origin(r, group, &frame))
 		return false;
 	frame = xform_mul(&link->frame, &frame);
@@ -361,7 +362,7 @@ static bool add_shape(struct reading *r, const struct urdf_link *link, const xml
 		good = read_cylinder(r, shape, &mesh, &length);
 		center(&frame, 0, 0, length);
 	} else {
-		return fault(r, shape, "only mesh, box and cylinder can be taken over: save the shape as STL");
+		return fault(r, shape, "only mesh, box and cylinder can be converted: save the shape as STL");
 	}
 	if (good)
 		import_machine_add_body(r->machine, link->name, "link", link->link, &frame, &mesh);
@@ -404,7 +405,7 @@ static void add_mounts(struct reading *r)
 			.link = tool->link, .location = tool->frame.translation, .direction = tool->frame.rotation.z};
 		import_machine_todo(
 		    r->machine,
-		    "Tools are taken to point along +Z of the link '%.60s': compare the direction of the spindle.",
+		    "Tools are assumed to point along +Z of the link '%.60s': compare the direction of the spindle.",
 		    tool->name);
 	} else {
 		diag_warning(r->diag, at,

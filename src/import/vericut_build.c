@@ -100,7 +100,7 @@ static bool find_work(const struct vericut_build *build, const struct vericut_pa
 			continue;
 		if (*first && strcmp((*first)->carrier, part->carrier) != 0) {
 			xml_error(build->xml, part->node, NULL,
-				  "'%s' stands on '%s', and '%s' on '%s': a setup has its work in one place; save a "
+				  "'%s' is on '%s', and '%s' on '%s', but a setup has its work in one place; save a "
 				  "project for each",
 				  xml_quote(part->name).text, xml_quote(part->carrier).text,
 				  xml_quote((*first)->name).text, xml_quote((*first)->carrier).text);
@@ -234,7 +234,7 @@ bool vericut_build_same(const struct vericut_build *build, const struct vericut_
 		return true;
 	if (strcmp(build->mount, first->mount) != 0) {
 		xml_error(build->xml, build->parts[0].node, NULL,
-			  "the work of this setup stands on '%s', that of the first on '%s': save a project for each",
+			  "the work of this setup is on '%s', that of the first setup on '%s': save a project for each",
 			  xml_quote(build->mount).text, xml_quote(first->mount).text);
 		return false;
 	}
@@ -243,8 +243,8 @@ bool vericut_build_same(const struct vericut_build *build, const struct vericut_
 		different = find_difference(first, build, &arena);
 	if (different)
 		xml_error(build->xml, different->node, NULL,
-			  "'%s' belongs to the machine, because it moves or stands beside the work, and it is not the "
-			  "same in all setups: save a project for each",
+			  "'%s' belongs to the machine, because it moves or is beside the work, and it is not the same "
+			  "in all setups: save a project for each",
 			  xml_quote(different->name).text);
 	arena_release(&arena);
 	return !different;

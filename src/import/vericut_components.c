@@ -93,7 +93,7 @@ static bool place_all(struct vericut_components *components)
 
 		if (c->placed)
 			continue;
-		xml_error(c->xml, c->node, "Name", "the component '%s' is carried by itself", xml_quote(c->name).text);
+		xml_error(c->xml, c->node, "Name", "the component '%s' carries itself", xml_quote(c->name).text);
 		return false;
 	}
 	return true;
@@ -110,7 +110,7 @@ static bool find_parents(struct vericut_components *components)
 		c->parent = *c->attach ? vericut_components_find(components, c->attach) : NULL;
 		if (!c->parent && (*c->attach || c->of_setup))
 			xml_error(c->xml, *c->attach ? foreign_child(c->node, "Attach") : c->node, NULL,
-				  "'%s' is attached to '%s', which is no component of %s",
+				  "'%s' is attached to '%s', which is not a component of %s",
 				  xml_quote(c->name).text, xml_quote(c->attach).text,
 				  c->of_setup ? "this setup or its machine" : "this machine");
 		else if (!c->parent && base)

@@ -47,7 +47,7 @@ static bool axis_direction(const struct vericut_component *c, const xmlNode *lin
 	if (word && (*word == '-' || *word == '+'))
 		sense = *word++ == '-' ? -1 : 1;
 	if (!word || strlen(word) != 1 || !strchr("XYZxyz", *word)) {
-		xml_error(c->xml, link, "Axis", "the Axis of '%s' must be X, Y or Z, with a sign or without",
+		xml_error(c->xml, link, "Axis", "the Axis of '%s' must be X, Y or Z, with or without a sign",
 			  xml_quote(c->name).text);
 		return false;
 	}
@@ -75,8 +75,8 @@ static bool is_reversed(const struct vericut_component *c, const xmlNode *link, 
 	if (side && strcasecmp(side, "auto") != 0) {
 		xml_error(
 		    c->xml, link, "PartSide",
-		    "PartSide=\"%s\" of '%s' is not known: only \"auto\" is; which way the axis moves for a positive "
-		    "value has to be written into machine.xml by hand",
+		    "PartSide=\"%s\" of '%s' is not supported, only \"auto\"; write the direction of the axis for a "
+		    "positive value into machine.xml by hand",
 		    xml_quote(side).text, xml_quote(c->name).text);
 		return false;
 	}
@@ -104,7 +104,7 @@ static bool read_travel(struct xml_reader *xml, const xmlNode *link, struct axis
 	axis->limit_min = -INFINITY;
 	axis->limit_max = INFINITY;
 	if (several)
-		warn(xml, record, "%c has several travels that hold under conditions: the widest is taken",
+		warn(xml, record, "%c has several travels with conditions: the widest is used",
 		     AXIS_LETTERS[axis->slot]);
 	for (; record; record = foreign_next(record, "TlRecord")) {
 		if (foreign_attribute_is(record, "TlIgnore", "on")) {
@@ -158,8 +158,8 @@ static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNo
 	for (size_t i = 0; i < d->axis_count; i++) {
 		if (d->axes[i].slot != slot)
 			continue;
-		xml_error(c->xml, link, "Register", "'%s' is the second component with the register %c; fivecheck "
-						     "moves one for each letter",
+		xml_error(c->xml, link, "Register",
+			  "'%s' is the second component with the register %c; fivecheck moves only one for each letter",
 			  xml_quote(c->name).text, AXIS_LETTERS[slot]);
 		return false;
 	}
@@ -188,7 +188,8 @@ static bool read_axis(struct reading *r, struct vericut_component *c)
 	slot = link ? slot_of(link) : -1;
 	if (slot >= 0)
 		return add_axis(r, c, link, slot);
-	warn(c->xml, c->node, "the component '%s' moves by no axis of the control (X to W): it is taken as fixed",
+	warn(c->xml, c->node,
+	     "the component '%s' is moved by no axis of the control (X to W): it is assumed to be fixed",
 	     xml_quote(c->name).text);
 	return true;
 }
@@ -307,7 +308,7 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 			chosen = c;
 	}
 	if (count > 1)
-		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is taken over",
+		warn(chosen->xml, chosen->node, "there are %zu components of the type %s: only '%s' is used",
 		     count, type, xml_quote(chosen->name).text);
 	return chosen;
 }

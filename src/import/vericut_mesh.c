@@ -56,12 +56,14 @@ static bool read_polygons(struct mesh_build *build, const struct file_bytes *fil
 	size_t at = strlen(head);
 
 	if (file->count < at || memcmp(bytes, head, at) != 0)
-		return fault(path, diag, 0, "this VERICUT-model is not of version 2.0 as it is known: save the mesh "
-					    "as STL and name that");
+		return fault(path, diag, 0,
+			     "this is not a VERICUT-model of the known version 2.0: save the mesh as STL and name "
+			     "that");
 	for (; at < file->count; at += RECORD) {
 		if (bytes[at] != CORNERS)
-			return fault(path, diag, at, "a polygon with other than three corners: save the mesh as STL "
-						     "and name that");
+			return fault(path, diag, at,
+				     "only polygons with three corners are supported: save the mesh as STL and name "
+				     "that");
 		if (file->count - at < RECORD)
 			return fault(path, diag, at, "the file ends inside a triangle");
 		if (!add_triangle(build, bytes + at))

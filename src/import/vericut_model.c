@@ -49,11 +49,11 @@ static bool read_mesh(struct mesh *mesh, struct xml_reader *xml, const xmlNode *
 		*left_out = options->skip_missing;
 		if (*left_out)
 			diag_warning(xml->diag, (struct srcloc){.file = xml->path, .line = xml_line(xml, node)},
-				     "'%s' is not there: the body is left out", xml_quote(written).text);
+				     "'%s' is missing: the body is left out", xml_quote(written).text);
 		else
 			xml_error(
 			    xml, node, NULL,
-			    "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
+			    "'%s' is missing: put the file beside this one, name its folder with --meshes, or leave "
 			    "the body out with --skip-missing",
 			    xml_quote(written).text);
 		good = false;
@@ -71,7 +71,7 @@ static bool read_block(struct mesh *mesh, struct xml_reader *xml, const xmlNode 
 	if (!foreign_vector(xml, node, "Length", "Width", "Height", &size))
 		return false;
 	if (!(size.x > 0 && size.y > 0 && size.z > 0) || !mesh_build_block(&build, size)) {
-		xml_error(xml, node, NULL, "the sizes of a block must be above 0, and below 5 km");
+		xml_error(xml, node, NULL, "the dimensions of a block must be greater than 0 and below 5 km");
 		return false;
 	}
 	mesh_build_finish(&build, mesh);
@@ -87,7 +87,7 @@ static bool read_cylinder(struct mesh *mesh, struct xml_reader *xml, const xmlNo
 		return false;
 	if (!(radius > 0 && height > 0) ||
 	    !mesh_build_frustum(&build, xml->unit * radius, xml->unit * radius, xml->unit * height)) {
-		xml_error(xml, node, NULL, "radius and height of a cylinder must be above 0, and below 5 km");
+		xml_error(xml, node, NULL, "radius and height of a cylinder must be greater than 0 and below 5 km");
 		return false;
 	}
 	mesh_build_finish(&build, mesh);
@@ -102,7 +102,7 @@ bool vericut_model_read(struct vericut_model *model, struct xml_reader *xml, con
 	bool good;
 
 	if (foreign_attribute(node, "Mirror") && !foreign_attribute_is(node, "Mirror", "off")) {
-		xml_error(xml, node, "Mirror", "mirrored models cannot be taken over: save it mirrored as STL");
+		xml_error(xml, node, "Mirror", "mirrored models cannot be converted: save the mirrored model as STL");
 		return false;
 	}
 	if (!vericut_frame(xml, node, &read.frame))
@@ -118,7 +118,7 @@ bool vericut_model_read(struct vericut_model *model, struct xml_reader *xml, con
 	} else if (foreign_is(node, "Cylinder")) {
 		good = read_cylinder(&read.mesh, xml, node);
 	} else {
-		xml_error(xml, node, NULL, "a model <%s> cannot be taken over: save it as STL",
+		xml_error(xml, node, NULL, "a model <%s> cannot be converted: save it as STL",
 			  (const char *)node->name);
 		good = false;
 	}

@@ -141,8 +141,8 @@ static bool check_values(const struct reading *r, const xmlNode *row, const doub
 			return false;
 		if (fabs(r->xml->unit * stored - values[i]) > SAME_PLACE && !text.length)
 			strbuf_addf(&text,
-				    "%c of a work offset is %.10g in the file, but From and To are %.10g mm apart: the "
-				    "places are taken; compare them",
+				    "%c of a work offset is %.10g in the file, but From and To are %.10g mm apart: "
+				    "From and To are used; compare them",
 				    "XYZ"[i], stored, values[i]);
 	}
 	if (text.length)
@@ -206,11 +206,12 @@ static bool take_row(const struct reading *r, const xmlNode *table, const xmlNod
 
 	if (!name || is_taken(r->setup, name))
 		strbuf_addf(&text,
-			    "Row %s of the table %s has no name here: its place is X%.10g Y%.10g Z%.10g, to be given "
-			    "as a work offset that the program selects.",
+			    "Row %s of the table %s has no name here: its position is X%.10g Y%.10g Z%.10g; add it as "
+			    "a work offset that the program selects.",
 			    xml_quote(index).text, xml_quote(kind).text, values[0], values[1], values[2]);
 	else if (strlen(index) < 2)
-		strbuf_addf(&text, "Register %s of the work offsets is taken as %s: compare with the control.", index,
+		strbuf_addf(&text,
+			    "Register %s of the work offsets is assumed to be %s: compare with the control.", index,
 			    name);
 	if (text.length)
 		note(r, row, strbuf_text(&text));
@@ -233,19 +234,19 @@ static bool read_row(const struct reading *r, const xmlNode *table, const xmlNod
 	if (!from || !to || !d->spindle_count || !d->workholding_count ||
 	    has_values(foreign_child(row, "AddOffset")) || has_values(foreign_child(row, "RelPosition")) ||
 	    has_more_values(r, row)) {
-		note(r, row, "A work offset is not taken over, as it is not given by From and To alone: add it.");
+		note(r, row, "A work offset is not converted, because not only From and To define it: add it.");
 		return true;
 	}
 	if (!read_place(r, to, &place, &known))
 		return false;
 	place = xform_apply(&d->workholdings[0].frame, place);
 	if (!known || !reach(r->machine, vec3_sub(place, d->spindles[0].location), values)) {
-		note(r, row, "A work offset is not taken over, as its place is not on the work: add it.");
+		note(r, row, "A work offset is not converted, because its position is not on the work: add it.");
 		return true;
 	}
 	if (!r->machine->tool_name || strcmp(start, r->machine->tool_name) != 0 || has_values(from))
-		note(r, row, "A work offset counts from another place than the gauge point in the file; here it counts "
-			     "from the gauge point, as tool lengths do.");
+		note(r, row,
+		     "In the file, a work offset is not relative to the gauge point; here it is, as are tool lengths.");
 	else if (!check_values(r, row, values))
 		return false;
 	return take_row(r, table, row, values);
@@ -302,7 +303,7 @@ static void note_other(const struct reading *r, const xmlNode *table)
 
 	if (is_table(table, "Base Work Offset") || !foreign_child(table, "Row"))
 		return;
-	strbuf_addf(&text, "The table %s of the setup is not taken over: compare what it has with the control.",
+	strbuf_addf(&text, "The table %s of the setup is not converted: compare its contents with the control.",
 		    xml_quote(foreign_attribute(table, "Name") ? foreign_attribute(table, "Name") : "").text);
 	note(r, table, strbuf_text(&text));
 	strbuf_release(&text);
@@ -317,8 +318,9 @@ bool vericut_offsets_read(struct import_setup *setup, const struct import_machin
 	/* As many as there are possible names. */
 	setup->offsets = arena_alloc(&setup->bodies.description.arena, 6 * sizeof(*setup->offsets));
 	if (base)
-		note(&r, base, "The setup has a base work offset, from which all others count: no work offset is taken "
-			       "over. Add them as the control has them.");
+		note(&r, base,
+		     "The setup has a base work offset, to which all others are relative: no work offset is converted. "
+		     "Add them as in the control.");
 	for (const xmlNode *table = first; table; table = foreign_next(table, "Table")) {
 		if (!is_offset_table(table)) {
 			note_other(&r, table);

@@ -80,7 +80,7 @@ static bool read_side(struct xml_reader *xml, const xmlNode *between, const xmlN
 	side->component = vericut_components_find(components, text);
 	side->with_all = foreign_attribute_is(between, sub, "on");
 	if (!side->component)
-		xml_error(xml, between, NULL, "the collision list names '%s', which is no component of this machine",
+		xml_error(xml, between, NULL, "the collision list names '%s', which is not a component of this machine",
 			  xml_quote(text).text);
 	return side->component;
 }

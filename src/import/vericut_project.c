@@ -92,12 +92,12 @@ static bool find_machine(struct reading *r, const char **path)
 		return false;
 	if (*path && kind != FILE_VERICUT_MACHINE) {
 		xml_error(&r->xml, xml_root(&r->xml), NULL,
-			  "'%s' is no machine of VERICUT: its root must be <VcMachine>", xml_quote(first).text);
+			  "'%s' is not a VERICUT machine: its root must be <VcMachine>", xml_quote(first).text);
 		return false;
 	}
 	if (!*path)
 		xml_error(&r->xml, xml_root(&r->xml), NULL,
-			  "the machine '%s' is not there: put it beside the project, or name its folder with --meshes",
+			  "the machine '%s' is missing: put it beside the project, or name its folder with --meshes",
 			  xml_quote(first).text);
 	return *path != NULL;
 }
@@ -111,7 +111,7 @@ static void find_library(struct reading *r, struct import_setup *setup, const xm
 		setup->library = find_file(r, &setup->bodies.description.arena, written);
 	if (!setup->library)
 		note(r, setup, library ? library : node,
-		     "The tool library '%s' is not there: add the tools of the job.", xml_quote(written).text);
+		     "The tool library '%s' is missing: add the tools of the job.", xml_quote(written).text);
 }
 
 static void add_program(struct reading *r, struct import_setup *setup, const xmlNode *file)
@@ -127,7 +127,7 @@ static void add_program(struct reading *r, struct import_setup *setup, const xml
 	/* A job with a missing program must not pass without it. */
 	setup->programs[setup->program_count++] = arena_strdup(arena, whole ? whole : written);
 	if (!whole)
-		note(r, setup, file, "The program '%s' is not there: correct its name in jobs.xml.",
+		note(r, setup, file, "The program '%s' is missing: correct its name in jobs.xml.",
 		     xml_quote(written).text);
 	free(whole);
 }
@@ -222,8 +222,8 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 
 	if (!role_of(component, &role)) {
 		xml_error(&r->xml, component->node, "Type",
-			  "'%s' of the setup is of the type %s, which cannot be taken over: axes, fixture, stock and "
-			  "design are",
+			  "'%s' of the setup is of the type %s, which cannot be converted; only axes, fixture, stock "
+			  "and design can",
 			  xml_quote(component->name).text, xml_quote(component->type).text);
 		return false;
 	}
@@ -237,7 +237,7 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 		mesh_release(&model.mesh);
 		if (!joined)
 			xml_error(&r->xml, node, NULL,
-				  "the stock has several models, and they do not lie apart: save it as one STL");
+				  "the stock has several models that are not apart: save it as one STL");
 		return joined;
 	}
 	if (!model.left_out)
@@ -302,8 +302,8 @@ static void note_collisions(struct reading *r, struct import_setup *setup, const
 	}
 	if (most > 0)
 		note(r, setup, list,
-		     "The collision list of the setup keeps up to %.10g mm, which is not taken over: all pairs that "
-		     "can meet are checked; give the distance with the option clearance.",
+		     "The collision list of the setup keeps up to %.10g mm, which is not converted: all pairs that can "
+		     "meet are checked; give the distance with the option clearance.",
 		     r->xml.unit * most);
 }
 
@@ -313,8 +313,8 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 {
 	if (build->other_mount)
 		note(r, setup, foreign_child(node, "Build"),
-		     "Stock and design have no models in this setup: the work is taken to stand on '%s', not on '%s'. "
-		     "Where that is wrong, give one of them its model in the project, and import it again.",
+		     "Stock and design have no models in this setup: the work is assumed to be on '%s', not on '%s'. "
+		     "If that is wrong, give one of them its model in the project, and import it again.",
 		     xml_quote(build->mount).text, xml_quote(build->other_mount).text);
 	for (size_t i = 0; setup == r->project->setups && i < build->count; i++) {
 		const struct vericut_part *part = &build->parts[i];
@@ -322,7 +322,7 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 		if (!part->mounted && (vericut_part_is_axis(part) || vericut_part_has_model(part)))
 			diag_note(r->diag,
 				  (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, part->node)},
-				  "'%s' of the setup is in machine.xml, because it moves or stands beside the work",
+				  "'%s' of the setup is in machine.xml, because it moves or is beside the work",
 				  xml_quote(part->name).text);
 	}
 }

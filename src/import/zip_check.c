@@ -63,7 +63,8 @@ bool zip_check(const char *path, struct diag *diag)
 	whole = end && add_up(&file, end, &total);
 	file_bytes_release(&file);
 	if (!whole)
-		diag_error(diag, (struct srcloc){.file = path}, "this is no whole zip archive, as a 3MF file is one");
+		diag_error(diag, (struct srcloc){.file = path},
+			   "this is not a complete zip archive, which a 3MF file must be");
 	else if (total > FILE_BYTES_MAX)
 		diag_error(diag, (struct srcloc){.file = path}, "the files in it are larger than %zu MiB together",
 			   FILE_BYTES_MAX / 1024 / 1024);

@@ -12,7 +12,7 @@ bool body_build(struct description_file *file, const struct body_description *de
 	    !(described->role == ROLE_STOCK && !strcmp(described->name, body_roles[ROLE_STOCK]))) {
 		description_fault(
 		    file, described->at, "name",
-		    "a body cannot be named '%s': in a <pair> that word names an axis, the base or a role",
+		    "a body cannot be named '%s': in a <pair> this word is an axis, the base or a role",
 		    described->name);
 		return false;
 	}
@@ -31,7 +31,7 @@ void body_check_name(struct description_file *file, const void *at, const char *
 {
 	for (size_t i = 0; i < count; i++) {
 		if (strcmp(bodies[i].name, name) == 0) {
-			description_fault(file, at, "name", "the name '%s' is taken: another body has it (%s:%ld)",
+			description_fault(file, at, "name", "another body already has the name '%s' (%s:%ld)",
 					  name, bodies[i].loc.file, bodies[i].loc.line);
 			return;
 		}

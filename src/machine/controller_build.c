@@ -23,7 +23,7 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 	}
 	/* M-codes for stops, program ends, spindle, coolant, tool change and calls. Every control agrees on these. */
 	if (described->number <= 9 || described->number == 30 || described->number == 98 || described->number == 99) {
-		description_fault(file, described->at, "number", "M%ld has a fixed meaning that cannot be changed",
+		description_fault(file, described->at, "number", "M%ld has a fixed meaning and cannot be redefined",
 				  described->number);
 		return;
 	}
@@ -71,18 +71,18 @@ static bool names_macro(struct description_file *file, const struct macro_descri
 {
 	if (!described->has_program && !described->code.given) {
 		description_fault(file, described->at, NULL,
-				  "<macro> has neither program nor code: which of the builder's is meant?");
+				  "<macro> needs a program or a code");
 		return false;
 	}
 	if (described->name && !names) {
 		description_fault(file, described->at, "program",
-				  "program=\"%s\" of <macro>: this control calls the builder's programs by numbers",
+				  "program=\"%s\" of <macro> must be a number on this control",
 				  description_quote(file, described->at, "program").text);
 		return false;
 	}
 	if (described->name && !macro->name) {
 		description_fault(file, described->at, "program",
-				  "program=\"%s\" of <macro> is no name: letters, digits and _, at most %d",
+				  "program=\"%s\" of <macro> is not a valid name (letters, digits and _, at most %d)",
 				  description_quote(file, described->at, "program").text, MACRO_NAME_MAX);
 		return false;
 	}
@@ -93,7 +93,7 @@ static bool names_macro(struct description_file *file, const struct macro_descri
 		return false;
 	}
 	if (described->code.given && !(macro->code > 0 && macro->code <= G_CODE_MAX))
-		description_fault(file, described->at, "code", "code=\"%s\" of <macro> is no G-code",
+		description_fault(file, described->at, "code", "code=\"%s\" of <macro> is not a G-code",
 				  description_quote(file, described->at, "code").text);
 	return true;
 }
@@ -115,14 +115,14 @@ static void read_around(struct description_file *file, const struct macro_descri
 		if (!around || slot > SLOT_Z || !(value >= 0))
 			description_fault(
 			    file, described->at, letter,
-			    "%s of <macro>: X, Y and Z say how far, from 0 on, a macro with action=\"around\" "
-			    "moves along an axis",
+			    "%s of <macro>: X, Y and Z are the distances, 0 or more, that a macro with "
+			    "action=\"around\" may move",
 			    letter);
 		else
 			macro->around[slot] = value;
 	}
 	if (around && !any)
-		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
+		description_fault(file, described->at, NULL, "<macro action=\"around\"> needs the distances X, Y, Z");
 }
 
 /* Does one of the earlier macros have the same name, number or code? If so, reports it. */
@@ -206,7 +206,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->power_on_work_offset && !frames, "power_on_work_offset", NO_PARAMETER},
 		{told->increments_after_shift && !frames && !planes, "increments_after_shift", NO_PARAMETER},
 		{told->increments_after_shift == INCREMENTS_TRAVERSE_SHIFT && !frames && planes,
-		 "increments_after_shift", "knows \"stay\" alone"},
+		 "increments_after_shift", "supports only \"stay\""},
 		{told->cycle_19_angles && !planes, "cycle_19_angles", NO_PARAMETER},
 		{told->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
 		{told->tool_def && !planes, "tool_def", NO_PARAMETER},
@@ -229,20 +229,20 @@ static void check_parameters(struct description_file *file, const struct control
 	const struct needless answers[] = {
 		{described->least_input.given, "least_input", "has no least input increment"},
 		{told->length_moves, "length_offset_moves", "moves no axis when the length offset changes"},
-		{told->g53_with_g91, "g53_with_g91", "refuses G53 while G91 is in force"},
+		{told->g53_with_g91, "g53_with_g91", "refuses G53 while G91 is active"},
 		{told->length_after_reference, "length_after_reference", "keeps the length offset"},
 		{described->overrun.given, "unidirectional_overrun", "has no G60"},
 		{described->arc_radius_tolerance.given, "arc_radius_tolerance", NO_PARAMETER},
 		{told->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
-		{told->m6_with_t, "m6_with_t", "loads the T beside M6"},
+		{told->m6_with_t, "m6_with_t", "loads the tool of the T beside M6"},
 		{told->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
 		{told->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
-		{told->semicolon, "semicolon", "has comments behind ';'"},
+		{told->semicolon, "semicolon", "uses ';' for comments"},
 		{told->power_on_motion, "power_on_motion", "starts without G0 or G1"},
 		{told->cycle_repeats, "cycle_repeats", NO_PARAMETER},
-		{told->colon, "colon", "has no program numbers behind ':'"},
+		{told->colon, "colon", "has no program numbers after ':'"},
 	}, others[] = {
-		{told->comp_start, "cutter_comp_start", "always starts cutter compensation in one way"},
+		{told->comp_start, "cutter_comp_start", "has only one way to start cutter compensation"},
 		{told->comp_corner, "cutter_comp_corner", "always rounds outside corners"},
 		{told->power_on_units, "power_on_units", modes},
 		{told->power_on_distance, "power_on_distance", modes},
@@ -252,7 +252,7 @@ static void check_parameters(struct description_file *file, const struct control
 	REFUSE(file, described, answers);
 	if (told->comp_d != COMP_D_UNKNOWN)
 		description_fault(file, described->at, "cutter_comp_d",
-				  "cutter_comp_d of <controller>: D of %s is the number of a tool",
+				  "cutter_comp_d of <controller>: in %s, D is the number of a tool",
 				  dialect_rows[described->told.dialect].title);
 	REFUSE(file, described, others);
 }
@@ -268,8 +268,8 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->macro_count > 0 && !row->has_planes)
 		description_fault(
 		    file, described->macros[0].at, NULL,
-		    "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "
-		    "can be told; a file in a folder of --include has what they do",
+		    "<macro> of <controller>: %s does not call a builder's programs by number; put a file of each into "
+		    "a folder of --include",
 		    row->title);
 	check_parameters(file, described);
 }
@@ -290,11 +290,12 @@ static void apply_preset(struct description_file *file, const struct controller_
 		return;
 	}
 	if (!row->presets) {
-		description_fault(file, described->at, "preset", "preset of <controller>: %s has none", row->title);
+		description_fault(file, described->at, "preset",
+				  "preset of <controller>: %s has no presets", row->title);
 		return;
 	}
 	control_preset_names(row->presets, names, sizeof(names));
-	description_fault(file, described->at, "preset", "preset=\"%s\" of <controller>: those of %s are %s",
+	description_fault(file, described->at, "preset", "preset=\"%s\" of <controller>: the presets of %s are %s",
 			  description_quote(file, described->at, "preset").text, row->title, names);
 }
 
@@ -302,13 +303,13 @@ static void check_ranges(struct description_file *file, const struct controller_
 {
 	if (from->path_tolerance.given && from->path_tolerance.value <= 0)
 		description_fault(file, from->at, "path_tolerance",
-				  "path_tolerance of <controller> must be more than 0");
+				  "path_tolerance of <controller> must be greater than 0");
 	if (from->arc_radius_tolerance.given && !(from->arc_radius_tolerance.value > 0))
 		description_fault(file, from->at, "arc_radius_tolerance",
-				  "arc_radius_tolerance of <controller> must be more than 0");
+				  "arc_radius_tolerance of <controller> must be greater than 0");
 	if (from->overrun.given && !(from->overrun.value > 0))
 		description_fault(file, from->at, "unidirectional_overrun",
-				  "unidirectional_overrun of <controller> must be more than 0");
+				  "unidirectional_overrun of <controller> must be greater than 0");
 	if (from->least_input.given &&
 	    !(from->least_input.value >= LEAST_INPUT_MIN && from->least_input.value <= LEAST_INPUT_MAX))
 		description_fault(file, from->at, "least_input",
@@ -367,7 +368,7 @@ static void build_order(struct description_file *file, const struct place_descri
 			continue;
 		if (slot < 0 || !place->has[slot]) {
 			description_fault(file, described->at, "order",
-					  "order of <%s> names '%c', but <%s> gives no position for it",
+					  "order of <%s> names '%c', but <%s> has no position for it",
 					  element_of(described), *at > ' ' && *at < 127 ? *at : '?',
 					  element_of(described));
 			return;
@@ -412,7 +413,7 @@ static void build_value(struct description_file *file, const struct place_descri
 		return;
 	}
 	if (!axis_allows(axis, value))
-		description_fault(file, described->at, letter, "%s=\"%s\" of <%s> lies outside the limits of axis %s",
+		description_fault(file, described->at, letter, "%s=\"%s\" of <%s> is outside the limits of axis %s",
 				  letter, description_quote(file, described->at, letter).text, element_of(described),
 				  letter);
 	place->has[slot] = true;
@@ -435,7 +436,7 @@ static void build_place(struct description_file *file, const struct place_descri
 	}
 	/* A <tool_change> without positions: the tool is changed at the current position of the spindle. */
 	if (!any && (!described->tool_change || described->order))
-		description_fault(file, described->at, NULL, "<%s> gives no position", element_of(described));
+		description_fault(file, described->at, NULL, "<%s> has no position", element_of(described));
 	else if (described->order)
 		build_order(file, described, place);
 	else if (described->tool_change)

@@ -75,7 +75,7 @@ static bool check_name(const struct body_list lists[3], const struct pair_name *
 			return true;
 	if (!any_setup) {
 		diag_warning(diag, loc,
-			     "<pair>: the machine has no body '%s', and no setup was given that could have one",
+			     "<pair>: the machine has no body '%s', and there is no setup that could have one",
 			     name->body);
 		return false;
 	}

@@ -48,11 +48,11 @@ static void check_limits(struct description_file *file, const struct axis_descri
 	if (axis_allows(axis, axis->home))
 		return;
 	if (described->home.given)
-		description_fault(file, described->at, "home", "home=\"%s\" of axis %s lies outside its limits",
+		description_fault(file, described->at, "home", "home=\"%s\" of axis %s is outside its limits",
 				  description_quote(file, described->at, "home").text, axis->name);
 	else
 		description_fault(file, described->at, NULL,
-				  "0, the default home, lies outside the limits of axis %s: give it a home",
+				  "0, the default home, is outside the limits of axis %s: give this axis a home",
 				  axis->name);
 }
 
@@ -65,7 +65,7 @@ static void check_kind(struct description_file *file, const struct axis_descript
 				  axis->rotary ? "linear" : "rotary");
 	if (axis->rotary && !described->has_location)
 		description_fault(file, described->at, NULL,
-				  "axis %s is rotary and lacks the attribute 'location', a point on its axis",
+				  "rotary axis %s needs the attribute 'location', a point on its axis",
 				  axis->name);
 	if (!axis->rotary && axis->wrap != WRAP_NONE)
 		description_fault(file, described->at, "wrap", "axis %s is linear: only a rotary axis can have wrap",
@@ -209,7 +209,7 @@ static void build_pair(struct description_file *file, const struct pair_descript
 	if (rule->check == PAIR_NEVER && (!reason || !*reason))
 		description_fault(file, at, NULL, "<pair> with check=\"never\" needs a reason=\"...\"");
 	if (rule->check == PAIR_DERIVED && !clearance)
-		description_fault(file, at, NULL, "<pair> says nothing: give it a check or a clearance");
+		description_fault(file, at, NULL, "<pair> needs a check or a clearance");
 }
 
 static void build_pairs(struct machine_description *described, struct machine *machine)

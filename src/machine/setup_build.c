@@ -29,7 +29,7 @@ static void build_work_offset(struct description_file *file, const struct work_o
 	for (size_t i = 0; i < setup->offset_count; i++) {
 		if (strcmp(setup->offsets[i].name, offset.name) == 0) {
 			description_fault(file, described->at, "name",
-					  "work offset %s is given twice (the other in line %ld)", offset.name,
+					  "work offset %s is given twice (also in line %ld)", offset.name,
 					  setup->offsets[i].line);
 			return;
 		}
@@ -93,8 +93,8 @@ static bool find_radius(struct description_file *file, const struct length_offse
 	if (form != COMP_D_UNKNOWN)
 		return true;
 	description_fault(file, described->at, "href",
-			  "D%ld is not 0: a parameter of the control decides whether D counts a radius or a diameter; "
-			  "cutter_comp_d=\"radius\" or \"diameter\" of the machine's <controller> says it",
+			  "D%ld is not 0, and a parameter of the control decides whether D is a radius or a diameter: "
+			  "set cutter_comp_d=\"radius\" or \"diameter\" in the machine file's <controller>",
 			  described->number);
 	return false;
 }
@@ -134,12 +134,12 @@ static void build_edge(struct description_file *file, const struct edge_descript
 
 	if (described->number < 2 || described->number > TOOL_NUMBER_MAX) {
 		description_fault(file, described->at, "number",
-				  "number=\"%s\" of <edge> is not between 2 and %d; the tool itself has the values of "
-				  "edge 1", description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
+				  "number=\"%s\" of <edge> is not between 2 and %d; edge 1 is the tool itself",
+				  description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
 		return;
 	}
 	if (described->diameter.given && !(edge.diameter > 0))
-		description_fault(file, described->at, "diameter", "diameter=\"%s\" of <edge> must be more than 0",
+		description_fault(file, described->at, "diameter", "diameter=\"%s\" of <edge> must be greater than 0",
 				  description_quote(file, described->at, "diameter").text);
 	for (size_t i = 0; i < setup->edge_count; i++) {
 		if (setup->edges[i].tool == edge.tool && setup->edges[i].number == edge.number)
@@ -191,10 +191,11 @@ static void check_mounts(struct setup_description *described, const struct machi
 {
 	if (described->body_count > 0 && !machine->workholding.present)
 		description_fault(&described->file, described->bodies[0].at, NULL,
-				  "the machine has no <workholding> for a <%s>", body_roles[described->bodies[0].role]);
+				  "the machine has no <workholding>, which a <%s> needs",
+				  body_roles[described->bodies[0].role]);
 	if (described->tool_count > 0 && !machine->spindle.present)
 		description_fault(&described->file, described->tools[0].at, NULL,
-				  "the machine has no <spindle> for a <tool>");
+				  "the machine has no <spindle>, which a <tool> needs");
 }
 
 static void build_content(struct setup_description *described, const struct machine *machine, struct setup *setup,

@@ -51,7 +51,7 @@ static bool has_size(struct description_file *file, const struct body_descriptio
 	if (least >= TOOL_SECTION_MIN && most <= TOOL_SIZE_MAX)
 		return true;
 	description_fault(file, described->at, box ? "box" : "cylinder",
-			  "%s=\"%s\" of <stock>: each of its sizes must be between %g and %g mm",
+			  "%s=\"%s\" of <stock>: each dimension must be between %g and %g mm",
 			  box ? "box" : "cylinder",
 			  description_quote(file, described->at, box ? "box" : "cylinder").text, TOOL_SECTION_MIN,
 			  TOOL_SIZE_MAX);

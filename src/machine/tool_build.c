@@ -35,7 +35,7 @@ static double build_diameter(struct description_file *file, const void *at, cons
 		return d;
 	description_fault(file, at, name, "%s=\"%s\" of <section> is not between %g and %g mm%s", name,
 			  description_quote(file, at, name).text, TOOL_DIAMETER_MIN, TOOL_SIZE_MAX,
-			  least > 0 ? "" : ", nor 0");
+			  least > 0 ? "" : " and not 0");
 	return TOOL_DIAMETER_MIN;
 }
 
@@ -86,7 +86,7 @@ static void build_cone(struct description_file *file, const struct piece_descrip
 	solid->angle = PI / 2;
 	if (!described->angle.given)
 		description_fault(file, described->at, NULL,
-				  "<cutter> with tip=\"cone\" needs an angle, the full angle of the point");
+				  "<cutter> with tip=\"cone\" needs an angle (full angle of the point)");
 	else if (angle < CONE_MIN || angle > CONE_MAX)
 		description_fault(file, described->at, "angle",
 				  "angle=\"%s\" of <cutter> is not between %g and %g degrees",
@@ -101,7 +101,7 @@ static void build_bull(struct description_file *file, const struct piece_descrip
 	solid->corner = described->corner.value;
 	if (!described->corner.given)
 		description_fault(file, described->at, NULL,
-				  "<cutter> with tip=\"bull\" needs a corner, the radius of its rounded edge");
+				  "<cutter> with tip=\"bull\" needs a corner (corner radius)");
 	else if (solid->corner <= 0 || solid->corner > radius + TOOL_SUM_TOLERANCE)
 		description_fault(
 		    file, described->at, "corner",
@@ -181,7 +181,7 @@ static void build_piece(struct tool_builder *builder, struct piece *piece)
 	} else {
 		if (described->has_units)
 			description_fault(file, described->at, "units",
-					  "<%s> has units, but no mesh that they are for", piece->name);
+					  "<%s> has units, but no mesh to which they apply", piece->name);
 		build_sections(builder, piece);
 		if (piece->cutter && piece->solid.count) {
 			build_tip(file, described, &piece->solid);
@@ -214,7 +214,7 @@ static void stack(struct tool_builder *builder, const struct tool_description *d
 	}
 	if (last - first == 2 && pieces[PIECE_SHANK].described->at && !pieces[PIECE_SHANK].described->mesh_path)
 		description_fault(builder->file, pieces[PIECE_SHANK].described->at, NULL,
-				  "<shank> stands between two meshes: give it a mesh too");
+				  "<shank> is between two meshes: give it a mesh too");
 	if (-top > length + TOOL_SUM_TOLERANCE || tip > TOOL_SUM_TOLERANCE)
 		description_fault(builder->file, described->at, "length",
 				  "the sections of tool %ld are longer than the tool", described->number);
@@ -245,7 +245,7 @@ static void count_triangles(struct tool_builder *builder, const void *at, const 
 	size_t triangles = tool_solid_triangles(solid);
 
 	if (triangles > TOOL_TRIANGLES_MAX - builder->triangles)
-		description_fault(builder->file, at, NULL, "the tools' sections make more than %zu triangles",
+		description_fault(builder->file, at, NULL, "the sections of the tools make more than %zu triangles",
 				  TOOL_TRIANGLES_MAX);
 	else
 		builder->triangles += triangles;
@@ -343,7 +343,7 @@ static bool check_tool(struct tool_builder *builder, const struct tool_descripti
 	}
 	other = setup_tool(builder->setup, (int)described->number);
 	if (other) {
-		description_fault(file, described->at, "number", "tool %ld is given twice (the other in line %ld)",
+		description_fault(file, described->at, "number", "tool %ld is given twice (also in line %ld)",
 				  described->number, other->line);
 		return false;
 	}
@@ -385,7 +385,7 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 		tool.point_angle = pieces[PIECE_CUTTER].solid.angle;
 	if (!any)
 		diag_warning(builder->diag, description_place(builder->file, described->at),
-			     "tool %d has neither holder nor shank nor cutter: nothing of it is checked", tool.number);
+			     "tool %d has no holder, shank or cutter, so nothing of it is checked", tool.number);
 	else if (builder->file->faults == faults)
 		stack(builder, described, pieces);
 	setup->tools[setup->tool_count++] = tool;

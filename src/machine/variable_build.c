@@ -52,14 +52,14 @@ static void check_value(struct description_file *file, const struct variable_des
 	if (!variable->text)
 		return;
 	if (!variable->text[0] && !(variable->typed && variable->type == CONTROL_STRING))
-		description_fault(file, described->at, "value", "value of <variable> is empty: what does %s hold?",
+		description_fault(file, described->at, "value", "value of <variable> is empty: give the value of %s",
 				  variable->name);
 	else if ((number || (macro && strcmp(variable->text, "vacant") != 0)) && isnan(variable->number))
-		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no number%s",
+		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is not a number%s",
 				  description_quote(file, described->at, "value").text,
-				  macro ? ", and not \"vacant\"" : "");
+				  macro ? " and not \"vacant\"" : "");
 	else if (variable->typed && variable->type == CONTROL_AXIS && !is_axis(variable->text))
-		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is no letter of an axis",
+		description_fault(file, described->at, "value", "value=\"%s\" of <variable> is not an axis letter",
 				  description_quote(file, described->at, "value").text);
 }
 
@@ -96,20 +96,20 @@ static void build_one(struct description_file *file, const struct variable_descr
 	if (!described->name)
 		return;
 	if (!control_variable_name_normalise(described->name, name) || (numbered && !is_numbered(name))) {
-		description_fault(file, described->at, "name", "name=\"%s\" of <variable> is no name%s",
+		description_fault(file, described->at, "name", "name=\"%s\" of <variable> is not a name%s",
 				  description_quote(file, described->at, "name").text,
 				  numbered ? ", such as #500" : "");
 		return;
 	}
 	if ((variable.typed || described->size) && !types) {
 		description_fault(file, described->at, variable.typed ? "type" : "size",
-				  "<variable> of this control has a name and a value, and neither type nor size");
+				  "<variable> of this control has only a name and a value, no type and no size");
 		return;
 	}
 	if (described->size && (!variable.typed || !read_sizes(described->size, &variable)))
 		description_fault(file, described->at, "size",
-				  "size of <variable>: one to three whole numbers, beside a type: size=\"10\", "
-				  "size=\"3,4\"");
+				  "size of <variable> must be one to three whole numbers, and needs a type: "
+				  "size=\"10\", size=\"3,4\"");
 	variable.name = arena_strdup(arena, name);
 	variable.at = description_place(file, described->at);
 	variable.at.file = arena_strdup(arena, variable.at.file);
@@ -125,7 +125,8 @@ static size_t build_all(struct description_file *file, const struct variable_des
 	size_t count = 0;
 
 	if (given > 0 && !row->has_parameters && !row->has_planes && !row->has_frames) {
-		description_fault(file, described[0].at, NULL, "<variable>: %s takes its values from the program alone",
+		description_fault(file, described[0].at, NULL,
+				  "<variable>: only the program determines the value of %s",
 				  row->title);
 		return 0;
 	}

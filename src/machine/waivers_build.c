@@ -61,7 +61,8 @@ static void build_axes(struct description_file *file, const struct waiver_descri
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (machine_axis(machine, slot) && !seen[slot])
-			description_fault(file, described->at, "axes", "axes=\"%s\" of <waiver> lacks the axis %c",
+			description_fault(file, described->at, "axes",
+					  "axes=\"%s\" of <waiver> has no position of axis %c",
 					  description_quote(file, described->at, "axes").text, AXIS_LETTERS[slot]);
 	}
 }
@@ -75,8 +76,8 @@ static void build_subject(struct description_file *file, const struct waiver_des
 
 	if (limit ? waiver->a || waiver->b || !axis : !waiver->a || !waiver->b || axis) {
 		description_fault(file, described->at, NULL,
-				  limit ? "<waiver kind=\"limit\"> needs axis=\"\", and has no bodies"
-					: "<waiver> needs the two bodies a=\"\" and b=\"\", and has no axis");
+				  limit ? "<waiver kind=\"limit\"> needs axis=\"\", and cannot have bodies"
+					: "<waiver> needs the two bodies a=\"\" and b=\"\", and cannot have an axis");
 		return;
 	}
 	if (!limit)

@@ -189,7 +189,7 @@ static void put_mesh(struct printing *p, const struct aiMesh *mesh, const struct
 			unsigned index = face->mIndices[mirrored ? 2 - k : k];
 
 			if (index >= mesh->mNumVertices)
-				p->fault = "a triangle has a corner that is not there";
+				p->fault = "a triangle refers to a corner that does not exist";
 			else
 				put_corner(pose, &mesh->mVertices[index]);
 		}
@@ -224,7 +224,7 @@ int main(int argc, char **argv)
 	struct aiMatrix4x4 pose;
 
 	if (argc != 2)
-		return complain("one file is wanted; fivecheck import calls this program");
+		return complain("give one file; fivecheck import calls this program");
 	printing.scene = aiImportFileEx(argv[1], aiProcess_Triangulate | aiProcess_ValidateDataStructure, &io);
 	if (!printing.scene)
 		return complain(aiGetErrorString());

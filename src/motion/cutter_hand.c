@@ -30,16 +30,15 @@ bool cutter_hand_ask(struct cutter_hand *hand, struct diag *diag, struct srcloc 
 {
 	if (hand->decides) {
 		diag_error(diag, at,
-			   "the spindle turns counterclockwise (M4), and the hand of T%d is not given: <tool "
-			   "number=\"%d\" hand=\"left\"> cuts so, hand=\"right\" rubs",
+			   "the spindle turns counterclockwise (M4), and the hand of T%d is not known: set <tool "
+			   "number=\"%d\" hand=\"left\"> (it cuts) or hand=\"right\" (it rubs) in the setup",
 			   hand->tool, hand->tool);
 		return false;
 	}
 	if (hand->matters)
 		diag_warning(diag, at,
-			     "the spindle turns counterclockwise (M4), and the hand of T%d is not given: it is taken "
-			     "for a left-hand cutter; <tool number=\"%d\" hand=\"left\"> or hand=\"right\" says which "
-			     "it is",
+			     "the spindle turns counterclockwise (M4), and the hand of T%d is not known: it is assumed "
+			     "to be left; set <tool number=\"%d\" hand=\"left\"> or hand=\"right\" in the setup",
 			     hand->tool, hand->tool);
 	hand->matters = false;
 	return true;

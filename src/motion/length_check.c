@@ -52,8 +52,8 @@ void length_check_look(struct length_check *check, struct diag *diag, struct src
 		if (other == tool || fabs(length_of(setup, other) - length) > SAME)
 			continue;
 		diag_warning(diag, at,
-			     "T%d cuts with the length of T%d: %.6g mm in place of %.6g mm; check H, or that G43 comes "
-			     "again after the tool change, or give the tool checked=\"reason\"",
+			     "T%d cuts with the length of T%d: %.6g mm instead of %.6g mm; check H, or write G43 again "
+			     "after the tool change, or set checked=\"reason\" for the tool",
 			     tool->number, other->number, length, length_of(setup, tool));
 		check->told = true;
 		check->tool = NULL;

@@ -26,7 +26,7 @@ static APART bool fault_of_reach(const struct canon_move *move, struct diag *dia
 
 	while (is_near(move->end.v[slot]))
 		slot++;
-	diag_error(diag, move_place(move, program), "axis %c is sent to %g, farther than can be computed",
+	diag_error(diag, move_place(move, program), "axis %c moves to %g, which is too far to compute",
 		   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
 	return false;
 }
@@ -42,7 +42,7 @@ bool move_is_in_reach(const struct canon_move *move, struct diag *diag, const ch
 	if (move->kind != CANON_ARC ||
 	    (vec3_norm(move->arc.centre) <= FARTHEST && fabs(move->arc.sweep) <= FARTHEST))
 		return true;
-	diag_error(diag, move_place(move, program), "the arc is larger than can be computed");
+	diag_error(diag, move_place(move, program), "the arc is too large to compute");
 	return false;
 }
 
@@ -50,7 +50,7 @@ bool move_is_bearable(const struct canon_move *move, double seconds, struct diag
 {
 	if (seconds <= LONGEST)
 		return true;
-	diag_error(diag, move_place(move, program), "this takes %g s: check the feed or the dwell", seconds);
+	diag_error(diag, move_place(move, program), "this block takes %g s: check the feed or the dwell", seconds);
 	return false;
 }
 
@@ -65,6 +65,6 @@ bool move_is_countable(const struct canon_move *move, const struct path *path, d
 	if (sqrt(most / (8 * flatness)) <= MOST_PIECES)
 		return true;
 	diag_error(diag, move_place(move, program),
-		   "this move would take more than %g straight pieces; give it fewer turns", MOST_PIECES);
+		   "this move needs more than %g straight pieces; give it fewer turns", MOST_PIECES);
 	return false;
 }

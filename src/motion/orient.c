@@ -184,16 +184,17 @@ static void add_reason(struct strbuf *text, const struct problem *problem, const
 	size_t order[2] = {problem->first, 1 - problem->first};
 
 	if (!other->found) {
-		strbuf_addf(text, ", lies outside the limits");
+		strbuf_addf(text, ", is outside the limits");
 		return;
 	}
 	for (size_t i = 0; i < 2; i++) {
 		if (compare(chosen->way[order[i]], other->way[order[i]])) {
-			strbuf_addf(text, ", is farther for %c", AXIS_LETTERS[problem->chain.joints[order[i]].slot]);
+			strbuf_addf(text,
+				    ", needs a longer move of %c", AXIS_LETTERS[problem->chain.joints[order[i]].slot]);
 			return;
 		}
 	}
-	strbuf_addf(text, ", is as far, but stands farther from 0");
+	strbuf_addf(text, ", needs equal moves, but is farther from 0");
 }
 
 static void tell(const struct problem *problem, const struct solution solutions[2], size_t count, size_t chosen,
@@ -230,8 +231,8 @@ static bool fault_tie(const struct problem *problem, const struct solution *one,
 	add_solution(&text, problem, one);
 	strbuf_addf(&text, " or to ");
 	add_solution(&text, problem, other);
-	strbuf_addf(&text, ", which are as near: turn the rotary axes towards the one that is meant, in a block "
-			   "before");
+	strbuf_addf(&text,
+		    ", which are equally near: turn the rotary axes towards the intended position in a block before");
 	if (other == &turned)
 		strbuf_addf(&text, ", or give half_turn to axis %c in the machine file",
 			    AXIS_LETTERS[problem->chain.joints[one->half_turn].slot]);
@@ -267,7 +268,7 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 	if (!tcp_init(&tcp, machine, &state, loc, diag))
 		return false;
 	if (!is_orthonormal(&tcp.matrix)) {
-		diag_error(diag, loc, "a tilted plane needs axes X, Y and Z at right angles, and right-handed");
+		diag_error(diag, loc, "a tilted plane needs a right-handed system of perpendicular axes X, Y and Z");
 		return false;
 	}
 	*problem = (struct problem){.machine = machine,
@@ -299,9 +300,10 @@ bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *
 	if (count == 2 && prefer(&problem, &solutions[1], &solutions[0]) < 0)
 		chosen = 1;
 	if (count == 0 || !solutions[chosen].found) {
-		diag_error(diag, loc, count == 0 ? "the rotary axes of this machine cannot stand the tool on this plane"
-						 : "within the limits of their travel, the rotary axes cannot stand "
-						   "the tool on this plane");
+		diag_error(diag, loc, count == 0 ? "the rotary axes of this machine cannot turn the tool perpendicular "
+						   "to this plane"
+						 : "within their limits, the rotary axes cannot turn the tool "
+						   "perpendicular to this plane");
 		return false;
 	}
 	if (count == 2 && prefer(&problem, &solutions[0], &solutions[1]) == 0)

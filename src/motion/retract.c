@@ -40,8 +40,7 @@ bool retract_along_tool(const struct machine *machine, struct srcloc loc, struct
 		way = way_to_limit(machine, &retract->position, rate);
 	if (!isfinite(way)) {
 		diag_error(diag, loc,
-			   "the retract goes to the end of travel, but no axis that it moves has a limit in the "
-			   "machine file");
+			   "the retract moves to the end of travel, but the machine file has no limit for its axes");
 		return false;
 	}
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)

@@ -13,7 +13,7 @@ bool table_point_find(const struct machine *machine, struct srcloc loc, struct d
 		return false;
 	if (tcp.head.count) {
 		diag_error(diag, loc,
-			   "G254 works only where the rotary axes turn the table; on this machine %c turns the spindle",
+			   "G254 works only if the rotary axes turn the table; on this machine %c turns the spindle",
 			   AXIS_LETTERS[tcp.head.joints[0].slot]);
 		return false;
 	}

@@ -34,9 +34,9 @@ static bool take_linear(struct tcp *tcp, struct chain *chain, double sense, bool
 		}
 		if (kept) {
 			diag_error(diag, loc,
-				   "tool centre point control cannot be computed for this machine: "
-				   "linear axis %c is carried by rotary axis %c; it needs every linear axis nearer "
-				   "the base than the rotary ones",
+				   "tool centre point control is not supported for this machine: linear axis %c is "
+				   "carried by rotary axis %c; every linear axis must be nearer the base than the "
+				   "rotary axes",
 				   AXIS_LETTERS[joint.slot], AXIS_LETTERS[chain->joints[kept - 1].slot]);
 			return false;
 		}
@@ -58,8 +58,9 @@ static bool invert(struct tcp *tcp, struct srcloc loc, struct diag *diag)
 	double determinant = vec3_dot(m->x, yz);
 
 	if (!(fabs(determinant) > LEAST_DETERMINANT)) {
-		diag_error(diag, loc, "tool centre point control needs axes X, Y and Z that span space; "
-				      "on this machine their directions lie in one plane");
+		diag_error(diag, loc,
+			   "tool centre point control needs axes X, Y and Z that span space; on this machine their "
+			   "directions are in one plane");
 		return false;
 	}
 	tcp->rows[0] = vec3_scale(1 / determinant, yz);

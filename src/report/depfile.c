@@ -8,7 +8,7 @@ bool depfile_add_name(struct strbuf *out, const char *name, bool target, struct 
 
 	if (strpbrk(name, "\r\n")) {
 		diag_error(diag, (struct srcloc){0},
-			   "--depfile: a makefile cannot name a file with a line break in its name");
+			   "--depfile: a makefile cannot contain a file name with a line break");
 		return false;
 	}
 	if (out->length && !strchr(" \n", out->text[out->length - 1]))

@@ -45,9 +45,9 @@ static const char *const texts[] = {
 				 "(an angle in radians needs more digits), or give <spindle checked=\"reason\">",
 	[DOUBT_ROTARY_MISSES] = "axis {axis} turns about a line that misses all that it carries by {value} mm: check "
 				"its location and its direction, or give the axis checked=\"reason\"",
-	[DOUBT_ROTARY_BESIDE] = "no circle of what axis {axis} turns, or of what carries it, has its middle on the "
-				"axis: the nearest one, {limit 5} mm wide, is {value} mm beside it; check the "
-				"location, or give the axis checked=\"reason\"",
+	[DOUBT_ROTARY_BESIDE] = "axis {axis} is not in the middle of any circle that it turns or that carries it: the "
+				"nearest one, {limit 5} mm wide, is {value} mm beside it; check the location, or give "
+				"the axis checked=\"reason\"",
 	[DOUBT_SPINDLE_ACROSS] = "axis {axis} does not move the tool along the spindle (all axes at 0): check the "
 				 "direction of both, or give <spindle checked=\"reason\">",
 	[DOUBT_SPINDLE_TOWARD] = "axis {axis}: a positive value moves the tool where its tip points, into the work: "
@@ -59,9 +59,9 @@ static const char *const texts[] = {
 	[DOUBT_SPINDLE_AWAY] = "the spindle points away from the work: the workholding is at least {value} mm behind "
 			       "the gauge point, wherever the axes stand: check direction and location of <spindle> "
 			       "and <workholding>, or give one of them checked=\"reason\"",
-	[DOUBT_SPINDLE_BESIDE] = "no circle of the bodies that move with the spindle has its middle on the spindle's "
-				 "line: the nearest one, {limit 5} mm wide, is {value} mm beside it; check the "
-				 "location and the direction of <spindle>" OR_CHECKED,
+	[DOUBT_SPINDLE_BESIDE] = "the spindle's line is not in the middle of any circle of the bodies that move with "
+				 "it: the nearest one, {limit 5} mm wide, is {value} mm beside it; check the location "
+				 "and the direction of <spindle>" OR_CHECKED,
 	[DOUBT_SPINDLE_FAR] = "the spindle's gauge point is {value} mm away from the nearest body that moves with it "
 			      "({body}): check its location and the units of the mesh, or give "
 			      "<spindle checked=\"reason\">",
@@ -77,12 +77,12 @@ static const char *const texts[] = {
 	[DOUBT_BODIES_LARGE] = "all bodies of the machine together are {value} mm large, but its longest travel is "
 			       "{limit} mm: the meshes may have other units than the file (<body units=\"inch\">, "
 			       "\"cm\" or \"m\")",
-	[DOUBT_SPINDLE_BARE] = "no body moves with the spindle, so that no head is checked: a <body> is missing or on "
+	[DOUBT_SPINDLE_BARE] = "no body moves with the spindle, so no head is checked: a <body> is missing or on "
 			       "another axis, or give <spindle checked=\"reason\">",
-	[DOUBT_WORKHOLDING_BARE] = "no body moves with the workholding, so that no table is checked: a <body> is "
-				   "missing or on another axis, or give <workholding checked=\"reason\">",
-	[DOUBT_BASE_BARE] = "no body stands still, so that no bed is checked: a <body> of <base> is missing or on an "
-			    "axis, or give <base checked=\"reason\">",
+	[DOUBT_WORKHOLDING_BARE] = "no body moves with the workholding, so no table is checked: a <body> is missing or "
+				   "on another axis, or give <workholding checked=\"reason\">",
+	[DOUBT_BASE_BARE] = "no body is fixed, so no bed is checked: a <body> of <base> is missing or on an axis, or "
+			    "give <base checked=\"reason\">",
 	[DOUBT_GAP] = "{body} and {against} are about {value} mm apart at home, and nothing else joins axis {axis} to "
 		      "what carries it: a <body> is missing, drawn elsewhere or in other units" OR_AXIS_CHECKED,
 	[DOUBT_EXCUSED_APART] = "{body} and {against} are excused as neighbours, but are about {value} mm apart: "
@@ -94,7 +94,7 @@ static const char *const texts[] = {
 				  "<pair ... check=\"always\"/>" OR_AXIS_CHECKED,
 	[DOUBT_TRAVEL_LONG] = "axis {axis} has a travel of {value 5} mm, but all bodies together reach over {limit 5} "
 			      "mm along it: check its limits and the units of the meshes" OR_AXIS_CHECKED,
-	[DOUBT_TRAVEL_ENDLESS] = "axis {axis} has no end of its travel, though other linear axes have: no position of "
+	[DOUBT_TRAVEL_ENDLESS] = "axis {axis} has unlimited travel, but other linear axes have limits: no position of "
 				 "it is refused, and a limit_min or limit_max may be missing" OR_AXIS_CHECKED,
 	[DOUBT_TWICE] = "{body} and {against} are one mesh in one place: one of them names the wrong file, or is drawn "
 			"twice" OR_CHECKED,
@@ -112,7 +112,7 @@ static const char *const texts[] = {
 			     "its units " HAS_NO_UNITS OR_CHECKED,
 	[DOUBT_PART_BELOW_CUTTERS] = "{body} is only {value} mm large, less than the thinnest cutter ({limit} mm); "
 				     "check its units " HAS_NO_UNITS OR_CHECKED,
-	[DOUBT_OUT_OF_STOCK] = "{body} stands {value} mm out of {against}, from which it is cut; check location, size "
+	[DOUBT_OUT_OF_STOCK] = "{body} extends {value} mm out of {against}, from which it is cut; check location, size "
 			       "and units of both" OR_CHECKED,
 	[DOUBT_PART_BELOW_STOCK] = "{body} is small beside {against}, from which it is cut: {value} and {limit 5} mm "
 				   "long, and less than an eighth in every direction; check the units of "
@@ -136,11 +136,11 @@ static const char *const texts[] = {
 	[DOUBT_TOOL_ASIDE] = "tool {tool} is drawn beside the spindle's line: the middle of {body} is {value} mm off "
 			     "it; " GAUGE_AT_ORIGIN OR_CHECKED,
 	[DOUBT_RADIUS_OFFSET] = "tool {tool} has a diameter of {limit} mm, but the radius of its D is {value} mm: "
-				"check that it is no diameter" OR_CHECKED,
-	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name tells {limit} mm: check that no "
-			    "radius is given as diameter" OR_CHECKED,
+				"check that it is not a diameter" OR_CHECKED,
+	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name says {limit} mm: check that the "
+			    "diameter is not a radius" OR_CHECKED,
 	[DOUBT_LENGTH_OFFSET] = "tool {tool} is {limit 5} mm long, but its length offset is {value 5} mm: with G43 its "
-				"tip is {difference} mm from where the program takes it to be; check length_offset"
+				"tip is {difference} mm from where the program assumes it; check length_offset"
 				OR_CHECKED,
 	[DOUBT_OFFSET_OUTSIDE] = "work offset {offset} has {axis} {position} {unit}, outside the axis' travel "
 				 "({limit_min} to {limit_max} {unit}); check its values, their signs and units"

@@ -49,9 +49,9 @@ static bool refuse(const struct reading *reading, const char *why)
 static bool take_header(struct reading *reading, json_t *object)
 {
 	if (!is_kind(object, "header"))
-		return refuse(reading, "it has no header");
+		return refuse(reading, "the header is missing");
 	if (json_integer_value(json_object_get(object, "format")) != NDJSON_FORMAT)
-		return refuse(reading, "its format has another number: run this version of fivecheck again");
+		return refuse(reading, "the format has another version: run this version of fivecheck again");
 	reading->run->header = json_incref(object);
 	return true;
 }
@@ -77,8 +77,8 @@ static bool take_program(struct reading *reading, const json_t *object)
 	if (findings != (json_int_t)reading->pending) {
 		diag_error(
 		    reading->diag, reading->at,
-		    "'%s' has %lld %s, but %zu stand in this file: lines were taken out or added; use the file as "
-		    "the run wrote it",
+		    "'%s' has %lld %s, but this file has %zu: lines were removed or added; use the file as the run "
+		    "wrote it",
 		    ndjson_run_text(object, "file"), (long long)findings, findings == 1 ? "finding" : "findings",
 		    reading->pending);
 		return false;
@@ -100,7 +100,7 @@ static bool take_line(struct reading *reading, json_t *object)
 	if (!run->header)
 		return take_header(reading, object);
 	if (is_kind(object, "header"))
-		return refuse(reading, "two runs in one file");
+		return refuse(reading, "the file has the results of two runs");
 	if (run->summary)
 		return refuse(reading, "lines after its summary");
 	if (is_kind(object, "summary")) {
@@ -161,7 +161,7 @@ static bool is_whole(const struct reading *reading)
 
 	if (!run->summary || reading->pending || (json_int_t)reading->programs != programs ||
 	    (json_int_t)reading->findings != findings)
-		return refuse(reading, "it was cut short");
+		return refuse(reading, "the file is truncated");
 	return true;
 }
 

@@ -107,8 +107,9 @@ static bool match_files(const struct ndjson_run *a, const json_t *files, const s
 		if (!other && optional)
 			continue;
 		if (!digest || (other && !other_digest)) {
-			diag_error(diag, nowhere, "%s has no digest of %s, which cannot be read twice: nobody can tell "
-						  "whether the shards read the same bytes",
+			diag_error(diag, nowhere,
+				   "%s has no digest of %s, which cannot be read twice, so it is not known whether the "
+				   "shards read the same bytes",
 				   digest ? b->path : a->path, name ? name : "a file");
 			return false;
 		}

@@ -55,8 +55,8 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 			  "stock is drawn with these",
 			  remainder->edge);
 	diag_note(diag, nowhere,
-		  "%s contains all remaining stock; material deeper than %.2f mm below its surface is certainly "
-		  "there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
+		  "%s contains all remaining stock; material deeper than %.2f mm below its surface certainly remains: "
+		  "<stock mesh=\"%s\" excess=\"%.2f\"/>",
 		  path, excess, path, excess);
 	return true;
 }

@@ -117,7 +117,8 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 	pair->fault = PAIR_RAPID_CONTACT;
 	if (!cutter->profile) {
 		pair->steps = 0;
-		decide(pair, PAIR_CUTTING, "the cutter is a mesh: how deep it enters the part is not checked");
+		decide(pair, PAIR_CUTTING,
+		       "the cutter is a mesh, so the depth to which it enters the part is not checked");
 		return;
 	}
 	set_core(scene, pair, part->rapid_allowance);
@@ -157,7 +158,7 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	pair->fault = PAIR_GOUGE;
 	pair->steps = rule->work;
 	set_core(scene, pair, part->gouge);
-	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
+	decide(pair, PAIR_CUTTING, "while the cutter cuts the part, it may enter it %g mm deep", part->gouge);
 }
 
 static bool are_of_two_tools(const struct body *a, const struct body *b)

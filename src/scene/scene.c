@@ -101,14 +101,14 @@ bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *dia
 		mesh = tessellated(tool_solid_mesh, body->profile);
 	} else {
 		if (!stl_read_below(&mesh, body->mesh_root, body->mesh_path, diag)) {
-			diag_note(diag, body->loc, "body '%s' names that mesh", body->name);
+			diag_note(diag, body->loc, "body '%s' uses this mesh", body->name);
 			return false;
 		}
 		if (body->scale > 1 || body->scale < 1)
 			mesh_scale(&mesh, body->scale);
 		if (!within_bounds(&mesh)) {
 			diag_error(diag, (struct srcloc){body->mesh_path, 0, 0},
-				   "coordinates beyond %g mm: body '%s' cannot be that large; check its units",
+				   "coordinates beyond %g mm: body '%s' cannot be so large; check its units",
 				   COORDINATE_MAX, body->name);
 			mesh_release(&mesh);
 			return false;

@@ -160,7 +160,7 @@ void static_query_report_undecided(const struct scene *scene, const struct scene
 				   struct diag *diag)
 {
 	diag_error(diag, scene->bodies[pair->b].body->loc,
-		   "'%s' and '%s' cannot be decided to within %g mm: their coordinates are too large for that; "
-		   "give a larger --tolerance or move the drawing nearer to the origin",
+		   "'%s' and '%s' cannot be decided to within %g mm, because their coordinates are too large; give a "
+		   "larger --tolerance or move the drawing nearer to the origin",
 		   scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name, tolerance);
 }

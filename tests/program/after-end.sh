@@ -1,15 +1,15 @@
-# What moves axes behind the end of a program is never carried out: the verdict says so, with the line, in every format.
+# Motion after the end of a program is never executed: the verdict says so, with the line, in every format.
 small_machine
 sed -i 's|<base>|<controller dialect="fanuc"/><base>|' m.xml
 machine_of() { sed "s|dialect=\"fanuc\"|dialect=\"$1\"|" m.xml >"$1.xml"; }
 machine_of linuxcnc
-# A block behind M30, and a second program with an O-number.
+# A block after M30, and a second program with an O-number.
 printf '%%\nO1\nG21 G90\nG0 X10.\nM30\n(X1) M5\n\nG0 Z-149.\n%%\n' >behind.nc
 printf '%%\nO1\nG21 G90\nG0 X10.\nM30\nO2\nG0 Z-149.\nM30\n%%\n' >second.nc
 for program in behind second; do
 	status fivecheck -q --parse-only m.xml $program.nc
 done
-# Subprograms stand behind the end; so do local ones, between an N-number and M99, and comments.
+# Allowed after the end: subprograms, local subprograms between an N-number and M99, and comments.
 printf '%%\nO1\nG21 G90\nM98 P2\nM30\nO2\nG0 X10.\nM99\nN100 G0 X5.\nG0 X7. M99\n(G0 X9.)\nN5 M5\n%%\n' >subs.nc
 status fivecheck -q --parse-only m.xml subs.nc
 printf 'G21 G90\nG0 X10\nM2\no<late> sub\nG0 X20\no<late> endsub\n' >late.nc
@@ -34,7 +34,7 @@ sed 's|^DRILL$|FACE|' archive-2.mpf >archive-called.mpf
 for program in archive archive-2 archive-called; do
 	status fivecheck -q --parse-only sinumerik.xml $program.mpf
 done
-# A part that is repeated is carried out, though it stands behind M30; the line right behind it is not.
+# A repeated part after M30 is executed; the line after it is not.
 printf 'G90 G71 G500\nREPEAT A B\nM30\nA: G0 X10\nB:\n' >part.mpf
 sed '$aG0 X20' part.mpf >behind-part.mpf
 for program in part behind-part; do

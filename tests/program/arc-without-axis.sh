@@ -1,4 +1,4 @@
-# An arc moves both axes of its plane: a machine that lacks one cannot follow it.
+# An arc moves both axes of its plane: a machine without one of them cannot execute it.
 small_machine
 program flat.nc <<'NC'
 G0 X50

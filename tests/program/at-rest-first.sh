@@ -1,5 +1,5 @@
-# What is found where the axes stand, before a block moves them, comes before what is found as they begin to move: the
-# first finding is the same with --all, though the pair that is found second stands first in the machine file.
+# Findings at rest, before a block moves the axes, come before findings at the start of the motion: the first finding is
+# the same with --all, although its pair is second in the machine file.
 box near 20.03 -20 0 40 20 40
 box deep -40 -20 0 -19 20 40
 box head -20 -20 0 20 20 40
@@ -20,7 +20,7 @@ findings() {
 need jq
 findings near.xml p.nc
 findings --all near.xml p.nc | head -n 1
-# Bodies and the stock are checked after all others, and still take their place in the order of the file.
+# Pairs with the stock are checked after all others, but are reported in the order of the file.
 sed 's|<body name="near".*|<workholding location="0 0 0"/>|; s|<body name="deep".*||
 	s|<body name="head".*|&<spindle location="0 0 5" direction="0 0 -1"/>|' m.xml >stock.xml
 box vise -40 -20 -11 -19 20 -1
@@ -32,8 +32,8 @@ sed 's|<setup |<setup initial_tool="1" |; s|</setup>|<tool number="1" length="30
 	<cutter><section length="10" diameter="4"/></cutter></tool></setup>|' s.xml >tool.xml
 findings -s tool.xml stock.xml p.nc
 findings --all -s tool.xml stock.xml p.nc | head -n 1
-# Of one long program the last block of the second of two shards is a tool change after which the holder stands in a post.
-# The next block, of the first shard, begins with the same contact at the same time.
+# The last block of the second of two shards of a long program is a tool change that puts the holder into a post. The
+# next block, in the first shard, begins with the same contact at the same time.
 box post -20 -20 0 20 20 90
 box high -20 -20 100 20 20 150
 sed 's|<body name="near".*|<body name="post" mesh="post.stl"/>|; s|<body name="deep".*||

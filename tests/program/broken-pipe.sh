@@ -1,4 +1,4 @@
-# A reader that leaves ends the run early and quietly, but not with success.
+# If the reader closes the pipe, the run ends early and quietly, but not with success.
 small_machine
 awk 'BEGIN { for (i = 0; i < 100000; i++) printf "G0 X%d\n", i % 100 }' >long.nc
 {

@@ -1,4 +1,4 @@
-# Where the machine is at fault the reports say so: that of an earlier run must not be taken for this one's.
+# If the machine file has an error, the reports say so: a report of an earlier run must not look like one of this run.
 small_machine
 echo 'G0 X10' >a.nc
 echo 'G0 X20' >b.nc
@@ -12,7 +12,7 @@ echo "broken:"
 status run 2>&1
 cat out.json out.xml
 grep -o -e '"ruleId".*"uri":"[a-z.]*"' -e '"exit.*' out.sarif
-# What people read, and a record, stay; so does whatever else stands there: it might be a mesh of the machine.
+# Text reports, records and all other files stay: such a file may be a mesh of the machine.
 cat out.txt
 grep -c clear out.record
 cp head.stl before.stl

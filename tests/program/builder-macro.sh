@@ -1,5 +1,5 @@
 # <macro> in the machine file says what programs of the machine's builder do: nothing, a straight move to the X, Y and Z
-# of the call, or moves somewhere around the place of the call. What it does not answer is refused with the words that do.
+# of the call, or moves somewhere around the place of the call. If the element is missing, the error names it.
 small_machine
 box post 120 -20 80 140 20 90
 sed 's|<workholding|<body name="post" mesh="post.stl"/><workholding|
@@ -32,7 +32,7 @@ for block in 'G65 P9999' 'M98 P9999' 'G65 P77' 'M98 P9810' 'G66 P9811'; do
 	printf '%%\nG90 G21\n%s\nM30\n' "$block" >a.nc
 	status fivecheck -q --parse-only m.xml a.nc 2>&1 | grep -v '^ '
 done
-# A code whose program nobody knows.
+# A code whose program is not known.
 sed 's|<!-- -->|<macro code="131.1" action="none"/><macro code="130" action="none"/>|' bare.xml >a.xml
 printf '%%\nG90 G21\nG131.1 F3. R.001\nG0 X1.\nG130\nG65 P130\nM30\n' >a.nc
 status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
@@ -45,7 +45,7 @@ for macro in 'action="none"' 'program="0" action="none"' 'program="9" action="no
 done
 sed 's|<!-- -->|<macro program="9" action="none"/>|; s/dialect="fanuc"/dialect="linuxcnc"/; s/least_input="1" power_on_plane="xy"//' bare.xml >a.xml
 status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
-# On a control that calls programs by names.
+# A control that calls programs by name.
 for macro in 'program="A-B" action="none"' 'program="PROBE" action="none"/><macro program="probe" action="none"'; do
 	sed "s|<!-- -->|<macro $macro/>|; s/dialect=\"fanuc\"/dialect=\"sinumerik\"/; s/least_input=\"1\"//" bare.xml >a.xml
 	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'

@@ -1,5 +1,5 @@
-# A finding in a subprogram names the calls that led there, in every dialect and format: also where its block had waited for
-# the next corner, and where the block itself is a call or a return.
+# A finding in a subprogram names the calls that led there, in every dialect and format; also if its block was delayed
+# until the next corner, and if the block itself is a call or a return.
 small_machine
 told() {
 	fivecheck -q --parse-only --all "$@" | grep -e '^[a-z].*error:' -e '    called '
@@ -8,7 +8,7 @@ controller() {
 	sed "s|<base|<controller $1 path_tolerance=\"0.01\"><tool_change/></controller><base|" m.xml
 }
 
-# LinuxCNC: in files of their own, two calls deep, and once more after the return.
+# LinuxCNC: in separate files, two calls deep, and again after the return.
 program p.ngc <<'NC'
 G0 X0
 o<outer> call

@@ -1,5 +1,5 @@
 small_machine
-# An open mesh, and one that stands in the head at home.
+# An open mesh, and a mesh that overlaps the head at home.
 grep -v '^endsolid' table.stl | head -n 78 >open.stl
 echo 'endsolid' >>open.stl
 box post 10 10 0 30 30 150

@@ -1,4 +1,4 @@
-# The commands of the GitHub workflow and the GitLab job of examples/ci, taken out of them and run.
+# The commands of the GitHub workflow and the GitLab job of examples/ci, extracted and run.
 small_machine
 mv m.xml machine.xml
 setup setup.xml <<'XML'
@@ -20,7 +20,7 @@ github = yaml.safe_load(open(sys.argv[1] + '/github-workflow.yml'))
 gitlab = yaml.safe_load(open(sys.argv[1] + '/gitlab-ci.yml'))
 assert any('fivecheck -j' in step.get('run', '') for step in github['jobs']['check']['steps'])
 assert gitlab['fivecheck']['artifacts']['reports']['junit'] == 'fivecheck.xml'
-# A subprogram or a mesh that changes is a reason to check, too.
+# A changed subprogram or mesh also causes a check.
 assert {'**/*.nc', '**/*.ngc', '**/*.xml', '**/*.stl'} <= set(gitlab['fivecheck']['rules'][0]['changes'])
 PY
 else

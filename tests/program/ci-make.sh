@@ -1,4 +1,4 @@
-# The makefile of examples/ci: checks what changed and nothing else, and stops at what collides.
+# The makefile of examples/ci: checks only what changed, and stops at a collision.
 small_machine
 cp "$(dirname "$LIB")/../../examples/ci/Makefile" .
 mv m.xml machine.xml
@@ -14,7 +14,7 @@ touch -d '-2 hours' ./*.stl machine.xml a.nc
 echo "one changed:"
 status make -s -k check
 echo "a mesh changed:"
-# Files that are written one after the other may have the same time.
+# Files written one after the other may have the same time.
 touch -d '-1 hour' a.checked b.checked
 touch head.stl
 status make -s -k check

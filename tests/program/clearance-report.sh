@@ -1,4 +1,5 @@
-# Each block's clearance, known here in closed form: never more than it is, and at least 0.85 of it up to the cap.
+# The clearance of each block against a closed form: never more than the true value, and up to the cap at least 0.85 of
+# it.
 small_machine
 cat >a.nc <<'NC'
 G0 Z-50
@@ -10,7 +11,7 @@ C90 X-60
 Z-99.99 X0
 X160
 NC
-# distances CAP LINE:MM ... - compares a report of the pair with what is known
+# distances CAP LINE:MM ... - compares a report of the pair with the known values
 distances() {
 	awk -F, -v known="$*" 'BEGIN { count = split(known, k, /[ :]/); cap = k[1]; for (i = 2; i < count; i += 2) mm[k[i]] = k[i + 1] }
 		NR == 1 { print; next }
@@ -21,17 +22,17 @@ status fivecheck -q --clearance-report report.csv m.xml a.nc
 distances 10 1:50 2:5 3:5 4:1 6:1 7:0.01 8:0.01
 fivecheck -q --clearance-report report.csv --clearance-cap 3.5 -o verdict m.xml a.nc
 distances 3.5 1:50 2:5 3:5 4:1 6:1 7:0.01 8:0.01
-# The verdict is the same without; the report is the same for any number of threads.
+# The verdict is the same without the report; the report is the same for any number of threads.
 fivecheck -q -o without m.xml a.nc
 cmp verdict without
 fivecheck -q -j 8 --clearance-report again.csv --clearance-cap 3.5 -o verdict m.xml a.nc
 cmp report.csv again.csv
-# What was measured as clear is not checked again; what is as near as the clearance and the tolerance is.
+# A step measured as clear is not checked again; a step within clearance and tolerance is.
 spans() { awk '$1 == "measured" || $1 == "budgets" || $1 == "planes" { print $1, $2 }'; }
 fivecheck --stats --clearance-report again.csv m.xml a.nc | spans
 fivecheck -a --stats --clearance 1 --clearance-report again.csv m.xml a.nc | spans
 fivecheck -a --stats --clearance 1 --clearance-cap 0.5 --clearance-report again.csv m.xml a.nc | spans
-# Up to the block that ended the check, or through all of them.
+# Up to the block that ended the check, or for all blocks.
 box "table, big" -50 -50 -20 50 50 0
 sed -e 's/name="table" mesh="table.stl"/name="table, big" mesh="table, big.stl"/' m.xml >big.xml
 printf '%s\n' 'G0 Z-95' 'G0 Z-101' 'G0 Z-95' 'G0 Z0' >b.nc
@@ -57,7 +58,7 @@ echo 'o<near> call' >c.nc
 printf '%s\n' 'G0 X10' 'G0 Q1' >d.nc
 echo 'G0 X5' | status fivecheck -q -j 4 --clearance-report report.csv -o /dev/null m.xml d.nc c.nc - 2>/dev/null
 cat report.csv
-# What it cannot be.
+# Invalid options.
 status fivecheck --clearance-report a.nc m.xml a.nc
 status fivecheck --clearance-report - m.xml a.nc
 status fivecheck --clearance-report x.csv --timing x.csv m.xml a.nc
@@ -65,10 +66,10 @@ status fivecheck --clearance-report x.csv --method conventional m.xml a.nc
 status fivecheck --clearance-cap 5 m.xml a.nc
 status fivecheck -q --clearance-report nowhere/x.csv m.xml a.nc
 status fivecheck -q --clearance-report /dev/full -o /dev/null m.xml a.nc
-# make is told of it.
+# The depfile names the report.
 fivecheck -q --clearance-report report.csv --depfile d -o /dev/null m.xml a.nc
 head -n 1 d
-# On a whole machine, with the tool guided (TCP): the least clearance of all is kept, and is near the least that is.
+# On a whole machine, with the tool guided (TCP): the smallest clearance is recorded, and is near the true one.
 top=${LIB%/*}/../..
 check() {
 	fivecheck -q "$@" -s "$top/examples/ac-trunnion/setup.xml" "$top/machines/ac-trunnion/machine.xml" "$top/examples/ac-trunnion/clear.nc"

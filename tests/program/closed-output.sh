@@ -8,7 +8,7 @@ fivecheck -q m.xml a.nc >&-
 echo "status $?"
 fivecheck -q --dump-path m.xml a.nc >&- 2>&-
 echo "status $?"
-# Even where nothing is found, NDJSON has a header and a summary; GitHub's commands have nothing to lose.
+# Even without findings, NDJSON has a header and a summary; the GitHub format has no output to lose.
 fivecheck -q -f ndjson m.xml a.nc >&- 2>&-
 echo "status $?"
 fivecheck -q -f github m.xml a.nc >&-

@@ -1,4 +1,4 @@
-# --color: never by default where the output is no terminal; always and never are obeyed, whatever NO_COLOR says.
+# --color: by default only on a terminal; always and never override NO_COLOR.
 small_machine
 printf 'G0 X10\nG1 Z-120 F6000\n' >a.nc
 escapes() {

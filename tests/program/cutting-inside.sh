@@ -1,5 +1,5 @@
-# A cutter that is wholly inside the finished part touches none of its surface. Its steps that count follow on steps
-# that do not: where they begin, it has to be asked whether the one body is inside the other.
+# A cutter that is wholly inside the finished part does not touch its surface. Its checked steps follow steps that are
+# not checked, so at the start of each the check must test whether one body is inside the other.
 box head -20 -20 100 20 20 200
 machine m.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
@@ -42,11 +42,11 @@ X6
 NC
 findings -a -s s.xml m.xml p.nc
 
-# Rapids 0.05 mm above the ball's surface are so much work that what follows is divided into parts, for several
-# threads; the one rapid inside the ball comes where such a part begins, whichever of these programs meets it.
+# Rapids 0.05 mm above the surface of the ball need so much work that the rest is divided among several threads; in each
+# of these programs, the one rapid inside the ball is at the start of such a part.
 echo '== a rapid inside the part, after much work'
 sphere ball 30 24
-# The sines of pi are not 0: without them the mesh is closed.
+# The sine of pi is not exactly 0, so it is not used: the mesh must be closed.
 sed -i 's/[0-9.-]*e-[0-9]*/0/g' ball.stl
 job 'mesh="ball.stl"'
 for count in 1206 1207 1208 1209; do

@@ -1,4 +1,4 @@
-# CYCL DEF 19 of Klartext: which of two positions Q120 to Q122 have, and what they have once its angles are 0 again.
+# CYCL DEF 19 of Klartext: which of two solutions Q120 to Q122 contain, and their values after the angles are 0 again.
 need python3
 cat >check.py <<'PYTHON'
 import re
@@ -20,7 +20,7 @@ def run(pole, blocks):
 ZERO, STAYS = ' swivel_pole="zero"', ' swivel_pole="stays"'
 TILT = 'CYCL DEF 19.0\nCYCL DEF 19.1 A+30 B+0 C+10\nL A+Q120 C+Q122 R0 FMAX\n'
 LEVEL = 'CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+0\nL A+Q120 C+Q122 R0 FMAX\n'
-# The manual measures the shorter way from the zero of the axes. From where they stand, A-30 C190 is nearer.
+# The manual measures the shorter path from axis position 0. From the present position, A-30 C190 is nearer.
 for start in '', 'L A-30 C+170 R0 FMAX\n':
     rows, errors = run(ZERO, start + TILT)
     off = subtract(tool_direction(rows[-1], AC), turned_by(Z, [(Z, 10), (X, 30)]))

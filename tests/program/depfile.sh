@@ -1,4 +1,4 @@
-# What --depfile names is what make watches, whatever the files are called.
+# make watches the files that --depfile names, whatever their names.
 small_machine
 echo 'G0 X10' >good.nc
 cp m.xml 'a $b#c.xml'
@@ -11,7 +11,7 @@ echo 'o<near> call' >main.nc
 status fivecheck -q -o main.checked --depfile main.d m.xml main.nc
 cat main.d
 status fivecheck -q --parse-only -f 'ndjson=o u:t%.json' --depfile odd.d 'a $b#c.xml' good.nc
-# make reads it: after the first run everything is up to date, after a touch of any input it is not.
+# make reads the depfile: after the first run everything is up to date, after a change of any input it is not.
 cat >Makefile <<'MK'
 o\ u\:t\%.json:
 	@echo made; touch 'o u:t%.json'
@@ -34,7 +34,7 @@ done
 uptodate main.checked
 touch -d '-1 hour' 'a $b#c.xml'
 uptodate 'o u:t%.json'
-# A mesh that is gone and no longer wanted does not stop make.
+# A deleted mesh that is no longer needed does not stop make.
 rm head.stl
 make -s main.checked
 status fivecheck --depfile x.d m.xml good.nc

@@ -1,5 +1,5 @@
-# --dialect=auto takes the dialect that all signs in a program have in common, says which sign that was, and guesses
-# nothing: what is open or contradictory is an error.
+# --dialect=auto takes the dialect that all signs in a program agree on, reports the sign, and never guesses: undecided
+# or contradictory signs are an error.
 small_machine
 sed 's|<base|<controller dialect="linuxcnc"/><base|' m.xml >c.xml
 printf '%%\nO1\nG90 G21\nG187 P3\nG0 X1.\nM30\n%%\n' >haas.nc

@@ -1,4 +1,4 @@
-# What cannot be written is never a success.
+# If a file cannot be written, the run is not a success.
 [ -e /dev/full ] || exit 0
 small_machine
 program a.nc <<'NC'

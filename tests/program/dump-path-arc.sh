@@ -1,4 +1,4 @@
-# Every point of the path lies on the circle, and the deviation column bounds what the chords cut off.
+# Every point of the path lies on the circle, and the deviation column bounds the error of the chords.
 small_machine
 box table -50 -50 -20 50 50 0
 machine m.xml <<'XML'

@@ -1,4 +1,4 @@
-# A path is no check: it is printed past a limit too, with a warning at the first such place.
+# --dump-path does not check: the path continues past a limit, with a warning at the first such place.
 small_machine
 program a.nc <<'NC'
 G0 X100

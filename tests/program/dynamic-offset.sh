@@ -1,5 +1,5 @@
-# Haas' G254 and G255, from the program to --dump-path: with B about Y through X5 Z80 and C about Z through X30 Y40,
-# both of them the table's, the work zero is where the closed form has it, and X, Y, Z count from there along the axes.
+# Haas' G254 and G255, from the program to --dump-path: on a table with B about Y through X5 Z80 and C about Z through
+# X30 Y40, the work zero agrees with the closed form, and X, Y, Z are relative to it along the axes.
 # Haas mill operator's manual (NGC), "G254 Dynamic Work Offset (DWO)".
 table='
   <axis name="Y" type="linear" direction="0 1 0" rate_max="6000">
@@ -40,7 +40,7 @@ NC
 fivecheck -q -s s.xml --dump-path m.xml part.nc | awk '
 BEGIN {
 	d = atan2(0, -1) / 180; cb = cos(30 * d); sb = sin(30 * d); cc = cos(-50 * d); sc = sin(-50 * d)
-	# The gauge point stands at (41, 38, -180 + 300) at rotary zero.
+	# The gauge point is at (41, 38, -180 + 300) at rotary zero.
 	x = cc * (41 - 30) - sc * (38 - 40) + 30 - 5; y = sc * (41 - 30) + cc * (38 - 40) + 40; z = -180 + 300 - 80
 	x0 = cb * x + sb * z + 5; y0 = y; z0 = cb * z - sb * x + 80 - 300 + 80
 }
@@ -50,7 +50,7 @@ NR > 1 {
 	print ""
 }'
 
-# What the manual leaves open stops the check at its place.
+# Behaviour that the manual does not define is an error at its line.
 refuse() {
 	printf 'G54 G0 B30. C-50.\nG254\n%b\n' "$1" >bad.nc
 	status fivecheck -q -s s.xml --parse-only "${2:-m.xml}" bad.nc

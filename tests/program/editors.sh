@@ -1,4 +1,4 @@
-# Editors jump to what is found: vim's errorformat, and the regular expression of the problem matcher of VS Code.
+# Editors jump to findings: vim's errorformat, and the regular expression of the problem matcher of VS Code.
 need vim
 need python3
 editors="$(dirname "$LIB")/../../examples/editors"

@@ -12,14 +12,14 @@ for program in clear holder rapid; do
 		<"$root/examples/stock/$program.nc" | grep -E 'error|clear|block  |status'
 done
 paper=$root/machines/ac-trunnion/machine.xml
-# The paper's own block says Z twice; corrected, it is clear.
+# The block of the paper has Z twice; the corrected block is clear.
 status fivecheck -q "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'error|status'
 status fivecheck --duplicates last "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'warning|clear|status'
 status fivecheck -q "$paper" - <"$root/examples/paper-block-corrected.nc" | grep -E 'clear|status'
 # Of the ten pairs of the paper's links, Z-A and Z-C are left.
 fivecheck --list-pairs "$paper" |
 	grep -E '^(bridge|carriage|head|cradle|table)	(bridge|carriage|head|cradle|table)	' | cut -f 1-3
-# The first verdict that anybody sees has one remark: neighbours are excused.
+# The first verdict of a new user has only one caution: neighbours are excused.
 for machine in ac-trunnion cb-head b-head-c-table; do
 	fivecheck -q -s "$root/examples/$machine/setup.xml" "$root/machines/$machine/machine.xml" "$root/examples/$machine/clear.nc" 2>&1 |
 		sed 's/^.*clear.nc: //'

@@ -1,11 +1,11 @@
-# What becomes of a code is told from the tables that read it: in all dialects that know it, or in one.
+# --explain takes the treatment of a code from the tables of the interpreter: for all dialects that have it, or for one.
 fivecheck --explain G43.4 --dialect=haas
 fivecheck --explain m08
 fivecheck --explain 'while[...]do m' --dialect=fanuc
-status fivecheck --explain G999 2>&1 | sed 's/none of .*/none of .../'
+status fivecheck --explain G999 2>&1 | sed 's/nor one of .*/nor one of .../'
 status fivecheck --explain G43.4 --dialect=heidenhain 2>&1 | sed 's/one of .*/one of .../'
 
-# A code that is refused is an error, and one that is ignored or read is not; the list says which is which.
+# A code that is refused is an error, and one that is ignored or read is not; this agrees with the list.
 small_machine
 sed 's|<base|<controller dialect="haas" power_on_units="mm" power_on_distance="absolute" power_on_plane="xy"/><base|' m.xml >haas.xml
 for state in ignored refused; do

@@ -1,5 +1,5 @@
-# --explain, SARIF's rules and the manual page say the same of every word.
-names=$("$FIVECHECK" --explain xxxx 2>&1 | sed 's/.* is none of //' | tr ',' '\n' | sed 's/^ //')
+# --explain, SARIF's rules and the manual page have the same text for every word.
+names=$("$FIVECHECK" --explain xxxx 2>&1 | sed 's/.* nor one of //' | tr ',' '\n' | sed 's/^ //')
 fivecheck --explain clearance
 status fivecheck --explain colision
 status fivecheck --explain COLLISION
@@ -9,7 +9,7 @@ status fivecheck --explain clear m.xml
 status fivecheck --explain clear --all
 status fivecheck --explain clear --list-pairs
 
-# The text without its headline, in one line.
+# The text without headline, in one line.
 said() {
 	"$FIVECHECK" --explain "$1" | tail -n +3 | tr -s '\n' ' ' | sed 's/ $//'
 }

@@ -11,7 +11,7 @@ status fivecheck -q --fail-on clearance -f github m.xml a.nc
 status fivecheck -q --fail-on=none m.xml a.nc | rows
 echo 'G0 B1' >b.nc
 status fivecheck -q --fail-on=none m.xml a.nc b.nc 2>/dev/null | rows
-# With a clearance a collision is of the kind clearance: to leave that out would let it pass.
+# With a clearance a collision is of the kind clearance: without that kind it would pass.
 status fivecheck -q --clearance 1 --fail-on collision -o /dev/null m.xml a.nc 2>&1
 status fivecheck -q --clearance 1 --fail-on collision,clearance -o /dev/null m.xml a.nc
 status fivecheck -q --clearance 1 --fail-on limit -o /dev/null m.xml a.nc

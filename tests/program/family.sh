@@ -1,9 +1,9 @@
-# A program that looks like another control's is told apart before it is misread: with certain signs it is refused.
+# A program that looks like one for another control is reported before it is misread; with certain signs it is an error.
 small_machine
 sed 's|<base>|<controller dialect="fanuc" least_input="0.001"/><base>|' m.xml >fanuc.xml
 sed 's|<base>|<controller dialect="haas" least_input="0.001"/><base>|' m.xml >haas.xml
 
-# look TEXT - what each dialect says of a program's family, and the exit status
+# look TEXT - what each dialect reports about the control, and the exit status
 look() {
 	printf '%b' "$1" >p.nc
 	for machine in m fanuc haas; do
@@ -37,7 +37,7 @@ look 'G21 G90\nG54.1 P3\nM30\n'
 look 'G21 G90\nG65 P100\nM30\n'
 look 'G0 G90 SUPA Z0\n'
 look 'IF R1==1 GOTOB END_\n'
-# None of these: words in comments, and what only resembles a sign.
+# No signs: words in comments, and text that only resembles a sign.
 look 'G21 G90\n#<_supa>=5\n#<go_gotof>=1\nM2\n'
 look '%\nO1\nPOPEN\nDPRNT[SUPA*GOTOF]\nPCLOS\nG21 G90\nM30\n%\n'
 look '(PROC PART, X=IC(5), MSG, CR=5)\nG21 G90\nG0 X1.\nM30\n'

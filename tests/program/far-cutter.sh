@@ -1,4 +1,4 @@
-# A cutter that feeds and turns but never comes near the part is doubted beside the verdict, however the check is done.
+# A cutter that feeds and turns but never comes near the part is a caution beside the verdict, with every method.
 need jq
 stock_mill
 box cube -20 -20 0 20 20 30

@@ -1,4 +1,4 @@
-# A file that may grow no further is an error like a full disk: nothing half written, nothing left beside it.
+# A file size limit is an error like a full disk: no file is half written, and no temporary file is left.
 small_machine
 awk 'BEGIN { for (i = 0; i < 2000; i++) print "G0 X" i % 2 }' >a.nc
 echo before >path

@@ -14,7 +14,7 @@ cat err
 # The same for any number of threads, from standard input.
 fivecheck -q --parse-only -j 4 --files-from - m.xml p5.nc <list 2>err.4 | sed '$a status 2' | cmp - out
 cmp err err.4
-# Shards: each program in exactly one, and too many shards are no fault.
+# Shards: each program in exactly one, and too many shards are no error.
 for k in 1 2 3; do
 	fivecheck -q --parse-only --files-from list --shard $k/3 m.xml p5.nc 2>/dev/null | names
 done
@@ -23,7 +23,7 @@ fivecheck -q --parse-only --shard 3/4 -f ndjson m.xml p1.nc p2.nc
 fivecheck --parse-only --progress=plain m.xml p1.nc p2.nc bad.nc nowhere.nc 2>&1 |
 	grep -e '^fivecheck: [0-9]' -e '^  programs'
 fivecheck --parse-only --progress=none m.xml p1.nc p2.nc 2>&1 | grep -c '^fivecheck: [0-9]' || true
-# No lists: the first byte 0 is enough, however long they are, and what never ends is too long.
+# Not lists: a file with a NUL byte is refused at that byte, and an endless file is too long.
 printf 'p1.nc\0p2.nc' >zeros
 for list in zeros /dev/zero . nowhere; do
 	fivecheck -q --parse-only --files-from $list m.xml 2>&1

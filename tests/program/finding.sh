@@ -1,4 +1,4 @@
-# The report of a finding, whole. The head comes down on the table: 100 mm of 120.
+# The complete report of a finding. The head moves down onto the table: 100 mm of 120.
 small_machine
 program a.nc <<'NC'
 G0 X10

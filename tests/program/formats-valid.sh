@@ -1,5 +1,5 @@
-# Validators that know nothing of fivecheck read its documents. SARIF_SCHEMA names the published JSON schema of SARIF
-# 2.1.0 where there is a copy of it (OASIS has it: sarif-schema-2.1.0.json); what is not there is skipped.
+# Independent validators read the documents. SARIF_SCHEMA names the published JSON schema of SARIF
+# 2.1.0 if there is a copy (OASIS publishes sarif-schema-2.1.0.json); missing validators are skipped.
 small_machine
 printf 'G0 X10\n\tG1 Z-120 F6000 (\303\244 & <b> \001 \377 ]]>)\r\n' >'a b,c:d%.nc'
 printf 'G0 X300\nG0 X-300\nG0 X300\nG0 Z400\n' >limits.nc
@@ -55,7 +55,7 @@ PY
 	done
 fi
 
-# NDJSON and the record against their own schemas, which are installed.
+# NDJSON and the record against their installed schemas.
 if python3 -c 'import jsonschema' 2>/dev/null; then
 	python3 - "$(dirname "$LIB")/../../src/report" <<'PY'
 import copy, json, sys, jsonschema

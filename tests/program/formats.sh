@@ -1,4 +1,4 @@
-# Several formats at once: each in its file, text on standard output, and all of them tell the same.
+# Several formats at once: each in its file, text on standard output, all with the same results.
 small_machine
 printf 'G0 X10\n\tG1 Z-120 F6000 (\303\244 & <b>)\r\n' >'a b,c:d%.nc'
 echo 'G0 X10' >good.nc

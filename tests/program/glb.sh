@@ -1,4 +1,4 @@
-# The motion before a finding as glTF: read by a reader of its own, it ends where --pose stands.
+# The motion before a finding as glTF: an independent reader finds the same end position as --pose.
 need python3
 small_machine
 setup s.xml <<'XML'

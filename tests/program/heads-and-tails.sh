@@ -1,8 +1,8 @@
-# What stands around the blocks of a posted program: names, text before the first '%', ends of tapes and files.
+# Text around the blocks of a posted program: names, text before the first '%', ends of tapes and files.
 small_machine
 sed -i 's|<base>|<controller dialect="fanuc" least_input="0.001"/><base>|' m.xml
 
-# read TEXT - one line: what comes of a program of this text, for both controls
+# read TEXT - one line per control: the result of a program with this text
 read_as() {
 	printf '%b' "$1" >p.nc
 	for dialect in fanuc haas; do
@@ -21,7 +21,7 @@ read_as "%\nO X500.\n${body}M30\n%\n"
 read_as "%\nOCIRCLE(TITLE)\n${body}M30\n%\n"
 read_as "%\nOX500.\n${body}M30\n%\n"
 read_as "=====\nListing by: lili (draft\nDate: 10/25/2006 5:12:18 PM D:\\\\part.prt\n%\nO1\n${body}M30\n%\nend of listing\n"
-# The only '%' may end a program that none starts: nothing is skipped.
+# A single '%' may be the end of the program: nothing is skipped.
 read_as "${body}M30\n%\n"
 read_as "(header)\n${body}%\n${body}M30\n"
 # Bytes of tapes and of CP/M.
@@ -40,10 +40,10 @@ read_as "%\r\n\r\no1\r\ng21 g90\r\n\tg0 x 1 . 5\r\nn123456789012345678 m30\r\n%\
 slashes="O1\n${body}/X500.\n/2 X500.\n/1/3 X500.\nN10 /X500.\nM30\n"
 read_as "$slashes" --block-delete
 read_as "$slashes" -a 9
-# Text behind ';' may stay if it has no word.
+# Text after ';' is accepted if it has no word.
 read_as "O1\n${body}G0 X2.; to the left, then back\nM30;\n"
 read_as "O1\n${body}G0 X2.; then X500.\nM30;\n"
 read_as "O1\n${body}G0 X2.; then; #1=5\nM30;\n"
-# A comment inside a comment, where no reading of it leaves a word.
+# A comment inside a comment, if no interpretation of it leaves a word.
 read_as "O1 (TITLE (DRAFT) )\n(#508= (MILL_.25 ))\n${body}M30\n"
 read_as "O1\n${body}G0 (TO (LEFT) X500.)\nM30\n"

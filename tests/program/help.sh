@@ -1,5 +1,5 @@
 fivecheck --help
-# Nothing else is needed, and nothing else is looked at.
+# --help needs no other argument and ignores all others.
 fivecheck --list-pairs --help nowhere.xml | head -n 1
 fivecheck -h | head -n 1
 fivecheck -V | sed 's, .*, VERSION,'

@@ -1,4 +1,4 @@
-# A mesh that is no mesh: missing, a folder, a device, a pipe, cut off, lying about its size, 2 GB of nothing, all zeros.
+# Invalid meshes: missing, a folder, a device, a pipe, truncated, with a wrong size, 2 GB of holes, all zeros.
 small_machine
 echo 'G0 X10' >a.nc
 mkdir folder

@@ -1,4 +1,4 @@
-# A name chosen by somebody else neither writes lines of its own into a report nor commands the terminal.
+# A foreign file name can neither add lines to a report nor control the terminal.
 small_machine
 program bad.nc <<'NC'
 G21 G90 G61

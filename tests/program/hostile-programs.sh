@@ -1,8 +1,9 @@
-# Programs that are none, or mean ill: a message with its place, exit status 2, soon, and in little memory.
+# Files that are no programs, and malicious programs: a message with its place, exit status 2, quickly and with little
+# memory.
 small_machine
 check() {
 	soon "$FIVECHECK" -q "$@" 2>&1 | cut -c1-150
-	# The status of the first command of a pipe is not for a plain shell to know: once more, for it alone.
+	# A plain shell does not know the exit status of the first command of a pipe: run it again alone.
 	soon "$FIVECHECK" -q "$@" >/dev/null 2>&1
 	echo "status $?"
 }
@@ -38,6 +39,6 @@ for dialect in fanuc haas; do
 		check --max-blocks 10000 --dialect $dialect m.xml $name.nc
 	done
 done
-# Offsets so large that their digits leave no room for a move's: the move arrives all the same.
+# Offsets so large that a move is below their precision: the move must still arrive.
 printf 'G92 X-10000000000000000\nG91\nG1 F100 X1\nX1\nX1.3\n' >shift.nc
 fivecheck --dump-path m.xml shift.nc

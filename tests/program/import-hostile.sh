@@ -1,4 +1,4 @@
-# Files that are made to mislead or to stop an import: each ends at once, with a message that has the file and its line.
+# Files made to mislead or to block an import: each import ends at once, with a message that has the file and its line.
 need python3
 hostile() { # NAME OPTIONS... - standard input is the file
 	name=$1

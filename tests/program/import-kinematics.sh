@@ -67,7 +67,7 @@ for con in 0 1; do
 	python3 "$truth" maxkins "pivot-length=80,conventional-directions=$con" "max$con/machine.xml"
 done
 ini maxkins XYZBCU </dev/null >max.ini
-fivecheck import -o maxu max.ini 2>&1 | grep 'counts U'
+fivecheck import -o maxu max.ini 2>&1 | grep 'treat U'
 echo "nutating heads:"
 for kins in xyzacb-y xyzbca-x; do
 	name=${kins%-?}_trsrn

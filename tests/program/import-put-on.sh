@@ -1,5 +1,5 @@
-# A project of VERICUT whose setup brings an axis: a rotary table with a chuck on one attach of the machine, a tailstock
-# on another, which moves, and a stop that stands still. An independent script says where every body must be.
+# A project of VERICUT whose setup brings an axis: a rotary table with a chuck on one attach of the machine, a moving
+# tailstock on another, and a fixed stop. An independent script says where every body must be.
 need python3
 box block 0 0 0 40 30 20
 mesh() { # POSITION

@@ -1,5 +1,5 @@
-# Tool libraries: outlines with arcs and pieces that stand in each other (VERICUT), and the sizes of Fusion. What comes
-# out is a setup that a check takes.
+# Tool libraries: outlines with arcs and overlapping pieces (VERICUT), and the dimensions of Fusion. The result is a
+# setup that a check accepts.
 need python3
 small_machine
 cat >mills.tls <<'EOF'

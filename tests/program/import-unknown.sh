@@ -1,4 +1,4 @@
-# Files that cannot be imported: each is told what to do instead.
+# Files that cannot be imported: each message says what to do instead.
 told() { # NAME - standard input is the file
 	cat >"$1"
 	status "$FIVECHECK" import --output out "$1" 2>&1 | sed 's/: error: /:\n  /'

@@ -1,8 +1,8 @@
-# A machine of VERICUT 7 with a nutating table, a mesh in its own format, solids by their sizes, and a collision list:
+# A machine of VERICUT 7 with a nutating table, a mesh in VERICUT's format, solids by dimensions, and a collision list:
 # an independent script says where every body must be.
 need python3
 mkdir models
-# A tetrahedron in the VERICUT-model format: a head of text, then triangles of a count, corners and a normal.
+# A tetrahedron in the VERICUT-model format: a text header, then triangles with a count, corners and a normal.
 python3 - models/Z_Head.PLY <<'EOF'
 import struct, sys
 corners = [(0, 0, 0), (40, 0, 0), (0, 30, 0), (0, 0, 20)]
@@ -118,9 +118,9 @@ sed "s,$PWD,HERE," job/new/setup.xml job/new/jobs.xml
 python3 "$(dirname "$LIB")/../import/project_truth.py" job/job.VcProject dmu.mch job/new
 "$FIVECHECK" --parse-only -q job/new/jobs.xml 2>&1 | sed "s,$PWD,HERE,"
 project '-220 -195 -474.1' >job/job.VcProject
-fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'are taken'
+fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'are used'
 project '-220 -195 -474 0 45' >job/job.VcProject
-fivecheck import --meshes . --output job/turned job/job.VcProject 2>&1 | grep 'alone'
+fivecheck import --meshes . --output job/turned job/job.VcProject 2>&1 | grep 'not only'
 grep -c '<work_offset' job/turned/setup.xml
 echo "a base work offset makes the others uncertain, and other tables are named:"
 base() { # VALUE

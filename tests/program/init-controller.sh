@@ -1,4 +1,4 @@
-# What only the control knows is told to init, judged by the reader of machine files, and read again by the check.
+# Attributes of the control are given to init, verified by the reader of machine files, and used by the check.
 make() {
 	"$FIVECHECK" init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0,A=-120:30,C=none --location=A=0,0,120 \
 		--location=C=0,0,120 --spindle=0,0,520 "$@" 2>stderr >made.xml

@@ -1,4 +1,4 @@
-# Whatever the options, what init writes is a machine file that passes as soon as its meshes are there.
+# With any options, init writes a machine file that is valid as soon as its meshes exist.
 mkdir stl
 make_meshes() { # MACHINE.xml: a small box for each body, apart from the others
 	i=0
@@ -41,7 +41,7 @@ nutating nutating-head C,B
 nutating nutating-head C,A --direction A=1,0,2
 nutating nutating-table C,B
 nutating nutating-head B,C
-# A title with everything that XML minds; an axis that is tilted; a home, as 0 is no place to start.
+# A title with all special characters of XML; a tilted axis; a home, because 0 is outside the limits.
 init() {
 	status fivecheck init table-table --rotary B,C --limits X=-300:300,Y=-1:1,Z=-400:0,B=0:180,C=none \
 		--location B=0,0,0 --location C=0,0,0 --spindle 0,0,0 "$@"

@@ -1,5 +1,5 @@
-# Oblique heads and tables at any inclination: with M128 the tip keeps its place on the work while the oblique axis turns, and
-# that place is told by Rodrigues' formula about (0, sin i, cos i), which the machine file has nothing to do with.
+# Oblique heads and tables at any inclination: with M128 the tip keeps its position on the work while the oblique axis
+# turns; that position is computed independently by Rodrigues' formula about (0, sin i, cos i).
 cat >s.xml <<'END'
 <setup version="1" units="mm"><work_offset name="G54.1 P1"/>
 <tool number="1" length="75.5" checked="only its length counts here"/></setup>
@@ -28,7 +28,7 @@ inclined() {
 			p[0] = 0; p[1] = 0; p[2] = 220 - 75.5
 			if (head) turn(b * d)
 			p[0] += q["X"]; p[1] += q["Y"]; p[2] += q["Z"]
-			# The table turned by B against the axis; back to where the work was drawn.
+			# Rotated by B against the axis of the table: back to the drawn position of the work.
 			if (!head) turn(b * d)
 			printf "%s, inclined by %s, B%s: %.3f %.3f %.3f\n", family, i, q["B"], p[0], p[1], p[2] }'
 	done
@@ -39,7 +39,7 @@ inclined nutating-table B,C 40
 inclined nutating-table B,C 117.5
 inclined head-table B,C 45
 inclined table-table B,C 90
-# An angle that is likely to be in radians.
+# An angle that is probably in radians.
 for angle in 0.785 24.9 25 155 155.1; do
 	"$FIVECHECK" init nutating-head --rotary C,B --limits X=none,Y=none,Z=none,B=none,C=none --location B=0,3,120 \
 		--location C=0,0,0 --spindle 0,0,220 --inclination B=$angle 2>&1 >m.xml | grep inclination

@@ -1,4 +1,4 @@
-# On a terminal init asks, again where an answer makes no sense, and writes what the options would have written.
+# On a terminal init asks, repeats a question after an invalid answer, and writes the same file as with options.
 need python3
 python3 -c 'import pty; pty.openpty()' 2>/dev/null || skip "there is no pseudo-terminal"
 cat >terminal.py <<'PY'

@@ -1,5 +1,5 @@
-# The three machines that ship with fivecheck, told to init by options, are the same machines: the tree, what carries
-# what, the pairs with their reasons, and the verdict of a program that collides.
+# The three machines that ship with fivecheck, given to init by options, become the same machines: the same tree, the
+# same pairs with their reasons, and the same verdict for a colliding program.
 root=$(dirname "$LIB")/../..
 same() { # FOLDER, then options
 	folder=$1
@@ -29,7 +29,7 @@ same b-head-c-table head-table --rotary B,C --table Y --head X,Z --limits X=-500
 	--limits C=none --location B=0,0,720 --location C=0,0,0 --spindle 0,0,500 --rates B=10800,C=36000 \
 	--title 'B=Swivel head' --title 'C=Turning table' --name 'B head C table 560' --body X=stl/column.stl \
 	--body Z=stl/slide.stl --body Y=stl/saddle.stl --body B=stl/head.stl
-# An origin of fixtures and parts that nobody told is a guess, which is said where it stands.
+# If the origin of fixtures and parts is not given, the file marks it as a guess.
 for workholding in --workholding=0,0,80 ''; do
 	# shellcheck disable=SC2086 # no word if there is none
 	"$FIVECHECK" init head-head --rotary C,B --limits X=none,Y=none,Z=none,C=none,B=none --location C=0,0,1050 \

@@ -1,4 +1,4 @@
-# What foreign files name has to be below --input-root, whatever ".." and links pretend.
+# All files named by foreign files must be below --input-root, also by way of ".." and links.
 small_machine
 mkdir in out lib
 mv head.stl table.stl out
@@ -8,7 +8,7 @@ echo 'G0 X10' >a.nc
 status fivecheck -q --input-root in in/m.xml a.nc
 status fivecheck -q --input-root=. in/m.xml a.nc
 status fivecheck -q --input-root=/ in/m.xml a.nc
-# Up and out, by an absolute path, by a link to a file, through a link to a folder.
+# Outside by "..", by an absolute path, by a link to a file, through a link to a folder.
 sed 's,head.stl,../out/head.stl,' m.xml >in/up.xml
 sed "s,head.stl,$PWD/out/head.stl," m.xml >in/absolute.xml
 ln -s ../out/head.stl in/link.stl
@@ -18,7 +18,8 @@ sed 's,head.stl,folder/head.stl,' m.xml >in/folder.xml
 for case in up absolute link folder; do
 	status fivecheck -q --input-root in in/$case.xml a.nc 2>&1 | sed "s,$PWD,HERE,"
 done
-# A neighbour whose name begins alike is outside; so is what is not even there; a link within stays inside.
+# A neighbouring folder with the same beginning of its name is outside; a missing file too; a link to a file inside is
+# inside.
 mkdir in2
 cp out/head.stl in2
 sed 's,head.stl,../in2/head.stl,' m.xml >in/alike.xml
@@ -28,13 +29,13 @@ status fivecheck -q --input-root in in/none.xml a.nc
 ln -s head.stl in/within.stl
 sed 's,head.stl,within.stl,' m.xml >in/within.xml
 status fivecheck -q --input-root in in/within.xml a.nc
-# The setup, and every mode; not without the option.
+# The setup, in every mode; allowed without the option.
 setup in/s.xml <<'XML'
   <fixture name="vise" mesh="../out/table.stl" location="0 0 300"/>
 XML
 status fivecheck -q --input-root in --list-pairs -s in/s.xml in/m.xml
 status fivecheck -q -s in/s.xml in/m.xml a.nc
-# A tool library outside is not even opened, neither from a setup nor from one inside of the machine file.
+# A tool library outside is never opened, neither from a setup nor from a setup inside the machine file.
 printf 'T1 P1 Z100 D6\n' >out/tool.tbl
 echo 'a secret line' >out/secret
 for name in out/tool.tbl out/secret; do
@@ -45,7 +46,7 @@ for name in out/tool.tbl out/secret; do
 	sed "s,</machine>,<setup version=\"1\"><tools href=\"../$name\"/></setup></machine>," m.xml >in/inside.xml
 	status fivecheck -q --input-root in in/inside.xml a.nc
 done
-# Subprograms: in the program's own folder, by a link that leads out, in a folder of --include.
+# Subprograms: in the folder of the program, by a link to a file outside, in a folder of --include.
 printf 'o<sub> call\nM2\n' >in/p.nc
 printf 'o<sub> sub\nG0 X1\no<sub> endsub\n' >lib/sub.ngc
 cp lib/sub.ngc in

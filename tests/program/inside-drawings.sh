@@ -1,4 +1,4 @@
-# A probe that stands inside a block, however the block is drawn: found, or said to be unknown beside the verdict.
+# A probe inside a block, drawn in various ways: the overlap is found, or a caution says that it is unknown.
 box block -50 -50 -50 50 50 50
 box probe -5 -5 -5 5 5 5
 inside_out() {
@@ -36,7 +36,7 @@ for drawing in once inverted twice nested cavity open open-twice; do
 	"$FIVECHECK" -q m.xml a.nc | grep -E 'start-overlap|clear|surfaces' | sed 's/no setup.*//'
 	"$FIVECHECK" --check-machine m.xml | sed -n '/^oddities/,$p' | grep -v overlap
 done
-# A tool that is put in inside an open body, and a shard that starts there.
+# A tool change inside an open body, and a shard that starts there.
 cp open.stl block.stl
 machine t.xml <<'XML'
   <body name="block" mesh="block.stl"/>

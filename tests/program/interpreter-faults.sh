@@ -1,4 +1,4 @@
-# What is not understood is an error at its place; the verdict says that the check is incomplete.
+# Text that cannot be interpreted is an error with its place; the verdict is incomplete.
 small_machine
 program a.nc <<'NC'
 G0 X10

@@ -1,4 +1,4 @@
-# SIGINT while there is nothing but blank lines and comments, or a loop that moves nothing: nobody hears of those.
+# SIGINT during blank lines and comments, or in a loop without motion, which produce no events.
 need python3
 cat >start.py <<'PY'
 import os, signal, sys
@@ -8,7 +8,7 @@ PY
 small_machine
 for line in '' '(nothing)'; do
 	for threads in 1 2; do
-		# New ones each time: what still writes into the last one would end the next program.
+		# A new pipe each time: a writer that still has the old one would end the next program.
 		rm -f endless consumed
 		mkfifo endless consumed
 		python3 start.py "$FIVECHECK" -q -j $threads m.xml - <endless 2>err &

@@ -5,7 +5,7 @@ import os, signal, sys
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])
 PY
-# ticks PID - the processor time that the process has used, in ticks of the system
+# ticks PID - the processor time used by the process, in ticks of the system
 ticks() {
 	sed 's/.*) //' "/proc/$1/stat" | awk '{ print $12 + $13 }'
 }
@@ -13,7 +13,7 @@ ticks() {
 sphere ball 99.95 80
 sphere hollow 100 80
 sphere bowl 120 8
-# A bowl is a ball with a hollow: the same triangles, facing the other way.
+# A bowl is a ball with a hollow of the same triangles, facing the other way.
 awk '/^vertex/ { v[n++] = $0; if (n == 3) { print v[0]; print v[2]; print v[1]; n = 0 }; next } !/solid/' hollow.stl >inside
 {
 	grep -v '^endsolid' bowl.stl
@@ -34,10 +34,10 @@ mkfifo a.nc
 for threads in 1 2; do
 	python3 start.py "$FIVECHECK" -q -j $threads m.xml a.nc 2>&1 &
 	checker=$!
-	# Opened only once everything is loaded.
+	# The program is opened only after everything is loaded.
 	printf 'G1 A30 C360 F1000\n' >a.nc
 	began=$(ticks $checker)
-	# Reading one line takes next to nothing: what takes longer is the proof.
+	# Reading one line takes almost no time: all other time is the proof.
 	until [ $(($(ticks $checker) - began)) -ge 20 ]; do
 		:
 	done

@@ -1,4 +1,4 @@
-# A job file names machine, setup and programs: several setups are checked in one command, and make sees what it needs.
+# A job file names machine, setup and programs: several setups are checked in one command, and make gets all inputs.
 small_machine
 setup low.xml <<'XML'
 <work_offset name="G54" Z="0"/>

@@ -1,7 +1,7 @@
-# A link that is far from all that carries it, and bodies that only a large adjacent_within excuses, are doubted; a
-# joint with a small gap is not, nor an axis that is marked checked="".
+# Doubts: a link far from everything that carries it, and bodies that only a large adjacent_within excuses. No doubt: a
+# joint with a small gap, and an axis with checked="".
 drawn_mill whole.xml
-# The distance that is said is a bound that is at most a tenth too small.
+# The printed distance is a lower bound, at most a tenth too small.
 doubts() { # MACHINE DISTANCE...
 	fivecheck --check-machine "$1" | sed -n '/^oddities/,$p' | grep 'mm apart' >said
 	shift

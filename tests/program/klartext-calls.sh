@@ -1,5 +1,5 @@
 # Klartext from files: CALL PGM finds programs beside the program and in --include, messages name the calls that led there,
-# a pipe is read as a file is, endless loops end, and what stands behind M30 is no second program.
+# a pipe is read like a file, endless loops end, and text after M30 is not a second program.
 small_machine
 sed 's|<base|<controller dialect="klartext" path_tolerance="0.01"><tool_change/></controller><base|' m.xml >k.xml
 mkdir more
@@ -20,7 +20,7 @@ fivecheck --dump-path --include=more k.xml p.h | cut -f 1,4-6
 status fivecheck --parse-only k.xml p.h
 fivecheck --dump-path --include=more --include=. k.xml - <p.h | cut -f 1,4-6 | tail -n 1
 
-# SEL PGM and CALL SELECTED PGM, and cycle 12 behind a move: the move comes first, and the rest behind the program.
+# SEL PGM and CALL SELECTED PGM, and cycle 12 after a move: the move comes first, then the program, then the rest.
 program q.h <<'NC'
 0 BEGIN PGM P MM
 1 SEL PGM "TNC:\NC\sub.h"
@@ -33,7 +33,7 @@ program q.h <<'NC'
 NC
 fivecheck --dump-path k.xml q.h | cut -f 1,4-6
 
-# SEL PATTERN: the points of a table beside the program, but for those that FADE hides; a blank value in between.
+# SEL PATTERN: the points of a table beside the program, without those that FADE hides; an empty value between others.
 printf 'BEGIN P.PNT MM\nNR   X      Y     Z     FADE  CLEARANCE\n0    +1,5   +2    -1    N\n1    +3     +4          Y\n' >P.PNT
 printf '2    +5     +6\n[END]\n' >>P.PNT
 program q.h <<'NC'
@@ -54,7 +54,7 @@ sed -i 's/^2 .*/2    +100000  +6/' P.PNT
 status fivecheck --parse-only k.xml q.h
 sed -i 's/MM$//' P.PNT
 status fivecheck --parse-only k.xml q.h
-# A value whose column is doubtful: two below one name, a name twice, tabs.
+# Ambiguous columns: two values below one name, a name twice, tabs.
 printf 'BEGIN P.PNT MM\nNR X Y Z\n0 1 2 3\n[END]\n' >P.PNT
 status fivecheck --parse-only k.xml q.h
 printf 'BEGIN P.PNT MM\nX    Y    X\n1    2    3\n[END]\n' >P.PNT
@@ -62,19 +62,19 @@ status fivecheck --parse-only k.xml q.h
 printf 'BEGIN P.PNT MM\nNR\tX\tY\n1\t1\t2\n[END]\n' >P.PNT
 status fivecheck --parse-only k.xml q.h
 
-# The fault stands two calls deep.
+# The error is two calls deep.
 printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0\n2 END PGM SUB MM\n' >sub.h
 status fivecheck --parse-only --include=more k.xml p.h
 
 printf 'BEGIN PGM P MM\nLBL 1\nL X+0 FMAX\nCALL LBL 2\nFN 9: IF 1 EQU 1 GOTO LBL 1\nM2\nLBL 2\nLBL 0\nEND PGM P MM\n' >p.h
 status fivecheck --parse-only --max-blocks=1000 k.xml p.h
 
-# The sign of the other family, both ways.
+# The signs of the other kind of control, both ways.
 printf 'G0 X1\nM30\n' >g.nc
 status fivecheck --parse-only k.xml g.nc
 status fivecheck --parse-only m.xml p.h
 
-# Names in upper or lower case are one file; folders that differ may be two files, of which only one is here.
+# Names in upper and lower case mean one file; different folders may mean two files, of which only one exists.
 printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0 F1000\n2 END PGM SUB MM\n' >sub.h
 program w.h <<'NC'
 0 BEGIN PGM P MM

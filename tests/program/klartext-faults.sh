@@ -1,5 +1,5 @@
-# Klartext: every fault of a program is told once, in one pass: the lines of a cycle that is refused are not faults of their
-# own, nor are its calls.
+# Klartext: every error of a program is reported once, in one pass: the lines of a refused cycle and its calls are not
+# further errors.
 small_machine
 sed 's|<base|<controller dialect="klartext" path_tolerance="0.01"><tool_change/></controller><base|' m.xml >k.xml
 program p.h <<'NC'

@@ -1,5 +1,5 @@
-# PLANE and M128 of Klartext on a trunnion, a head with a table, two heads, and nutating axes at 45 degrees: from the axes
-# that --dump-path tells, forward kinematics of its own brings the tip and the tool back to the workpiece.
+# PLANE and M128 of Klartext on a trunnion, a head with a table, two heads, and nutating axes at 45 degrees: independent
+# forward kinematics computes tip and tool direction on the workpiece from the axes of --dump-path.
 slant=0.70710678118654752
 
 # rotary NAME SENSE X Y Z PX PY PZ - an axis element, open; SENSE -1 is a table's
@@ -80,7 +80,7 @@ program() {
 	printf 'BEGIN PGM P MM\nCYCL DEF 247 Q339=+1\nTOOL CALL 1 Z S100\nL Z+300 R0 FMAX\nCYCL DEF 7.0\n%s\nEND PGM P MM\n' "$1" >p.h
 }
 
-# rotary_words NAME - its axes with the angles that the control has computed
+# rotary_words NAME - its axes with the angles computed by the control
 rotary_words() {
 	sed 's/^[a-z]* \(.\).*/\1/; s/A/A+Q120/; s/B/B+Q121/; s/C/C+Q122/' "$1.axes" | paste -sd ' '
 }
@@ -111,7 +111,7 @@ M140 MB MAX
 PLANE RESET STAY"
 	echo "$name, M140: $(tip $name 9), $("$FIVECHECK" -q --dump-path -s s.xml $name.xml p.h |
 		awk '$1 == 10 { for (i = 4; i <= 6; i++) if ($i > 4999.999 || $i < -4999.999) far++ } END { print far + 0, "axis at its limit" }')"
-	# M128: the tip goes where the words say, whatever the rotary axes do.
+	# M128: the tip moves to the programmed position with any rotary axes.
 	first=$(sed -n '1s/^[a-z]* \(.\).*/\1/p' $name.axes)
 	second=$(sed -n '2s/^[a-z]* \(.\).*/\1/p' $name.axes)
 	program "L M128

@@ -1,4 +1,4 @@
-# PLANE ... STAY of Klartext where the rotary axes stand already, as three decimals put them: the next block is tilted.
+# PLANE ... STAY of Klartext with the rotary axes already in position, to three decimals: the next block is tilted.
 need python3
 cat >check.py <<'PYTHON'
 import re

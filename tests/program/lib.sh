@@ -1,4 +1,4 @@
-# lib.sh - what the program tests have in common: small bodies and machines, made on the spot.
+# lib.sh - functions of the program tests: they make small bodies, machines and setups.
 # shellcheck shell=sh
 
 # box NAME X0 Y0 Z0 X1 Y1 Z1 - writes NAME.stl: a closed box between two corners, twelve triangles facing outward
@@ -92,7 +92,7 @@ setup() {
 }
 
 # small_machine - m.xml: X carries Z, which carries the head (its face at z=100 when Z=0) with the
-# spindle; the table (top at z=0) turns about C, which stands at the origin. X +-200, Z -150..50.
+# spindle; the table (top at z=0) turns about C, which is at the origin. X +-200, Z -150..50.
 small_machine() {
 	box head -20 -20 100 20 20 200
 	box table -50 -50 -20 50 50 0
@@ -191,23 +191,23 @@ rectangle() {
 	}')
 }
 
-# skip REASON - ends the test here, as something that it needs is not on this computer; the runner repeats the reason
+# skip REASON - ends the test, because this computer lacks something; the runner repeats the reason
 skip() {
 	echo "$*" >>"$SKIP_REASONS"
 	exit 77
 }
 
-# leave_out REASON - the test goes on without a part of it that prints nothing
+# leave_out REASON - the test continues without a part that prints nothing
 leave_out() {
 	echo "$*" >>"$SKIP_REASONS"
 }
 
-# need TOOL - skips the test where there is no such program
+# need TOOL - skips the test if this program is missing
 need() {
 	command -v "$1" >/dev/null || skip "there is no $1"
 }
 
-# soon COMMAND... - in at most 20 s of processor time; who waits for ever is ended, however busy the computer is
+# soon COMMAND... - in at most 20 s of processor time; ends a command that waits for ever, also on a busy computer
 soon() (
 	ulimit -t 20
 	exec timeout 1000 "$@"

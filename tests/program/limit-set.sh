@@ -1,5 +1,5 @@
-# A motion that is known only as a set of paths is held to the limits with all of them: the overrun of G60, cutter
-# compensation whose form is not given. What lies between places that were covered is not farther out.
+# A motion known only as a set of paths must keep the limits with all of them: the overrun of G60, cutter compensation
+# whose form is not given. Positions between covered ones are not farther out.
 box post 105.5 20 0 120 40 50
 machine m.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" limit_min="0" limit_max="200" rate_max="6000">

@@ -1,4 +1,4 @@
-# One row a pair of bodies, in the order of the XML: the machine's, the part, the tools'.
+# One row per pair of bodies, in the order of the XML: machine, part, tools.
 small_machine
 box part -10 -10 0 10 10 30
 setup s.xml <<'XML'

@@ -1,4 +1,4 @@
-# A program that is still being written: what has come is checked, and found, before the writer says more.
+# A program that is still being written: its first lines are checked, and findings reported, before more lines arrive.
 small_machine
 # read_until LINE - the results up to a finding in this line of the program
 read_until() {
@@ -15,7 +15,7 @@ for threads in 1 2 3; do
 		"$FIVECHECK" -a -q -j $threads -f $format m.xml - <program >results 2>err &
 		checker=$!
 		exec 3>program 4<results
-		# The reader has nothing but these lines, and the second one has no end yet.
+		# The reader has only these lines, and the second one is not complete.
 		printf 'G21 G90\nG1 Z-110 F1000\nG0 Z' >&3
 		read_until 2
 		printf '0\nG1 X60\r\nG1 Z-110\r\n' >&3

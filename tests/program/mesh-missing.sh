@@ -1,5 +1,5 @@
-# Every mesh that the machine or the setup names is read, whether or not a pair of bodies needs it: the same answer for
-# everything that is asked.
+# Every mesh that the machine or the setup names is read, whether or not a pair of bodies needs it: with the same result
+# in every mode.
 box head -5 -5 0 5 5 10
 machine m.xml <<'XML'
   <body name="bed" mesh="nofile.stl"/>

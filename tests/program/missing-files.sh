@@ -10,5 +10,5 @@ status fivecheck -q m.xml folder
 status fivecheck -q folder a.nc
 rm head.stl
 status fivecheck -q m.xml a.nc
-# No body is looked at, so its mesh is not missed.
+# No body is used, so a missing mesh is no error.
 status fivecheck -q --parse-only m.xml a.nc

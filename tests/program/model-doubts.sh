@@ -1,4 +1,4 @@
-# A doubt about the model stands beside the verdict in every format, and checked="" with a reason takes it away.
+# A doubt about the model is a caution beside the verdict in every format; checked="" with a reason removes it.
 need python3
 small_machine
 program a.nc <<'NC'
@@ -16,9 +16,9 @@ done
 fivecheck --check-machine wrong.xml | sed -n '/^what/,$p'
 fivecheck --check-machine checked.xml | sed -n '/^what/,$p'
 status fivecheck --check-machine empty.xml
-# Said without bodies, too.
+# Reported without bodies, too.
 fivecheck --parse-only wrong.xml a.nc | grep -c "$doubt"
-# The spindle, the workholding and all that is set up are silenced likewise.
+# checked="" works on the spindle, the workholding and everything in the setup.
 machine places.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
     <axis name="Z" type="linear" direction="0 0 1" limit_min="-150" limit_max="50" rate_max="6000">
@@ -39,7 +39,8 @@ fivecheck --check-machine -s s.xml places.xml | sed -n '/^oddities/,$p' | sed 's
 sed -e 's/<work_offset/& checked="r"/; s/<part/& checked="r"/; s/<tool/& checked="r"/' s.xml >sc.xml
 sed -e 's/<spindle/& checked="r"/; s/<workholding/& checked="r"/' places.xml >pc.xml
 fivecheck --check-machine -s sc.xml pc.xml | sed -n '/^oddities/,$p' | sed 's/[:;].*//'
-# What is missing is said of a machine with bodies on three links; axis, spindle, workholding and tool silence it.
+# Missing bodies are reported for a machine with bodies on three links; checked="" on axis, spindle, workholding and
+# tool removes these doubts.
 drawn_mill drawn.xml
 sed 's/ limit_max="100"//' drawn.xml >whole.xml
 setup tools.xml <<'XML'
@@ -47,7 +48,7 @@ setup tools.xml <<'XML'
   <tool number="2" length="100"><cutter tip="flat"><section length="100" diameter="6"/></cutter></tool>
 XML
 missing() { # MACHINE SETUP
-	fivecheck --check-machine -s "$2" "$1" | sed -n '/^oddities/,$p' | grep -e 'no body' -e 'no end' -e 'travel of' -e holder
+	fivecheck --check-machine -s "$2" "$1" | sed -n '/^oddities/,$p' | grep -e 'no body' -e 'unlimited travel' -e 'travel of' -e holder
 }
 echo "missing:"
 missing whole.xml tools.xml

@@ -1,4 +1,4 @@
-# A tool that cuts with the length of another one in force is a warning, which stands beside the verdict.
+# A tool that cuts with the length of another tool causes a warning, also beside the verdict.
 need jq
 stock_mill
 setup s.xml <<'XML'

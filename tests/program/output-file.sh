@@ -7,12 +7,12 @@ chmod 640 report
 status fivecheck -q -o report m.xml a.nc
 cat report
 ls -l report | cut -c 1-10
-# A run that breaks off leaves the file as it was, and nothing beside it.
+# An aborted run leaves the file unchanged, and no other file.
 echo before >pairs
 status fivecheck -q -o pairs --list-pairs nowhere.xml 2>/dev/null
 cat pairs
 ls
-# Through a link, the file that it leads to is written.
+# Through a link, its target is written.
 ln -s report link
 status fivecheck -o link --list-pairs m.xml
 test -h link && head -n 1 report

@@ -1,4 +1,4 @@
-# A slip that would write over an input is refused.
+# An output that would overwrite an input is refused.
 small_machine
 program a.nc <<'NC'
 G0 X10
@@ -11,7 +11,7 @@ for arguments in '-o a.nc' '-o m.xml' '-o s.xml' '-o other.nc' '--pose a.nc' '--
 	status fivecheck -q $arguments -s s.xml m.xml a.nc
 done
 cat a.nc
-# Nor over a mesh, of whichever file.
+# Meshes of any file are protected.
 box vise 60 60 0 70 70 10
 setup s.xml <<'XML'
 <fixture name="vise" mesh="vise.stl"/>
@@ -29,16 +29,16 @@ cmp head.stl before.stl
 for file in *.new*; do
 	[ ! -e "$file" ] || echo "left: $file"
 done
-# Nor over the results that the shell has sent to the same file.
+# The file to which the shell sends the results is protected.
 "$FIVECHECK" -q --record report m.xml a.nc >report 2>messages
 echo "status $?"
 cat messages report
-# Where no results go there it is as good as any other.
+# Without results on standard output, this file is allowed.
 "$FIVECHECK" -q -f ndjson=/dev/stdout m.xml a.nc >report
 echo "status $?"
 grep -c '"kind"' report
 
-# Nor over a subprogram, which nobody has named: a report replaces only what is a report.
+# Subprograms, which the command line does not name, are protected: a report replaces only a report.
 printf 'o<sub> call\nM2\n' >p.ngc
 printf 'o<sub> sub\nG0 X11\no<sub> endsub\n' >sub.ngc
 cp sub.ngc sub-p.ngc

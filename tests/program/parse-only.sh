@@ -8,7 +8,7 @@ G0 X100
 G0 X-300 (too far)
 G0 X-310
 NC
-# A collision is none of its business.
+# It does not check collisions.
 status fivecheck -q --parse-only m.xml good.nc
 status fivecheck -q --parse-only m.xml bad.nc
 status fivecheck -q --parse-only -a m.xml bad.nc

@@ -1,4 +1,4 @@
-# The gnuplot scripts draw what the two reports hold, for any names in it. Without gnuplot nothing is drawn, nor tested.
+# The gnuplot scripts draw the two reports, with any names in them. Without gnuplot this is skipped.
 plots=${LIB%/*}/../../examples/plots
 need gnuplot
 small_machine
@@ -6,7 +6,7 @@ sed -e 's/body name="table"/body name="big_1 {x}"/' m.xml >odd.xml
 printf 'G0 Z%s\n' 0 -95 -98 -95 0 >a.nc
 printf 'G0 X%s\n' 0 10 >b.nc
 fivecheck -q --clearance-report c.csv --timing t.csv -o /dev/null odd.xml a.nc b.nc
-# drawn SCRIPT ARGUMENT... - draws, and says what stands in the picture and how many lines and points it has
+# drawn SCRIPT ARGUMENT... - draws, and prints the texts of the picture and the numbers of lines and points
 drawn() {
 	gnuplot -c "$plots/$@" 2>/dev/null || echo "gnuplot failed"
 	for word in "Proven clearance" "Time to check" 'head - big_1 {x}' "nothing came" interpreted checked "in a.nc"; do
@@ -21,7 +21,7 @@ drawn timing.gnuplot t.csv t.svg b.nc
 fivecheck -q --clearance-report c.csv -o /dev/null m.xml b.nc
 echo G4 P1 >c.nc
 drawn clearance.gnuplot c.csv c.svg
-# Of nothing that was checked, or no table at all, there is no picture.
+# Without checked blocks, or without a table, there is no picture.
 fivecheck -q --clearance-report e.csv -o /dev/null m.xml c.nc
 for table in e.csv absent.csv; do
 	gnuplot -c "$plots/clearance.gnuplot" $table e.svg 2>/dev/null

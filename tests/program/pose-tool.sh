@@ -1,4 +1,4 @@
-# Of the tools only the one in the spindle is drawn.
+# Only the tool in the spindle is drawn.
 small_machine
 for number in 1 2 3; do
 	box tool$number -5 -5 -$((10 * number)) 5 5 0

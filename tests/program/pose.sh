@@ -1,4 +1,4 @@
-# All bodies as they stand at the first finding: head down, table turned by 45 degrees; 24 triangles.
+# All bodies in their positions at the first finding: head down, table turned by 45 degrees; 24 triangles.
 small_machine
 program a.nc <<'NC'
 G0 C45
@@ -21,7 +21,7 @@ bounds() {
 od -An -v -tu1 -w1 -j 80 -N 4 pose.stl | tr -d ' \n'
 echo
 bounds pose.stl 0 23
-# The blank is one more solid, drawn whole on the table that has turned, though the cutter has taken its top off.
+# The blank is one more solid, drawn complete on the rotated table, although the cutter has removed its top.
 setup s.xml <<'XML'
   <work_offset name="G54" Z="-100"/>
   <stock box="20 20 30" location="30 0 0"/>
@@ -44,5 +44,5 @@ bounds cut.stl 24 35
 status fivecheck --pose none.stl -f ndjson m.xml clear.nc 2>&1 | grep none.stl
 ls none.stl 2>/dev/null
 status fivecheck -q --pose nowhere/pose.stl m.xml a.nc | tail -n 1
-# What cannot be written is named before anything is checked, also where nothing will be found.
+# A file that cannot be written is reported before the check, also if there will be no finding.
 status fivecheck -q --pose nowhere/pose.stl m.xml clear.nc

@@ -1,5 +1,5 @@
-# Fanuc and Haas controls start in cutting mode (G64): a program that does not say G61 leaves its path by what only the
-# machine file can tell.
+# Fanuc and Haas controls start in cutting mode (G64): without G61 the control may leave the path by a tolerance that
+# only the machine file gives.
 small_machine
 for dialect in fanuc haas; do
 	echo "== $dialect"

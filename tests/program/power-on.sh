@@ -1,7 +1,7 @@
-# What only a parameter of the control knows is asked of the machine file, by an attribute each, and never guessed.
+# Parameters of the control are attributes of the machine file, and are never guessed.
 small_machine
 
-# run_with ATTRIBUTES TEXT - where a program of this text leads with these attributes of <controller>
+# run_with ATTRIBUTES TEXT - the end position of a program with this text and these attributes of <controller>
 run_with() {
 	printf '%b' "$2" >p.nc
 	for dialect in fanuc haas; do
@@ -23,11 +23,11 @@ run_with 'power_on_distance="incremental"' 'G21\nG0 X10.\nX10.\nM30\n'
 run_with 'power_on_distance="absolute"' 'G21\nG0 X10.\nX10.\nM30\n'
 run_with '' 'G21 G90\nG0 X10.\nG2 X20. I5. F100.\nM30\n'
 run_with "$all" 'G2 X20. I10. F100.\nM30\n'
-# Whole numbers count a thousand times less, or not.
+# Whole numbers in increments of a thousandth, or in whole units.
 run_with '' 'G21 G90\nG0 X0\nX-100\nM30\n'
 run_with 'least_input="1"' 'G20 G90\nG0 X-1\nM30\n'
 run_with 'least_input="0.001"' 'G20 G90\nG0 X-10000\nM30\n'
 run_with 'least_input="0.001"' 'G21 G90\nG0 X-10000\nM30\n'
-# LinuxCNC starts as its manual says.
+# The start modes of LinuxCNC's manual.
 printf 'G0 X10\nM2\n' >p.nc
 fivecheck --dump-path m.xml p.nc | tail -n 1

@@ -1,6 +1,6 @@
-# Where a probe stops is not known: what moves from there is proved for every place of its way. A ledge that the tool
-# hits only if the probe stops between 5 and 15 mm over the end of its way is found. Of a rotary axis only the end of its
-# way is followed, and that is said beside the verdict.
+# The position where a probe stops is not known: motion from there is proved for every position on its path. A ledge
+# that the tool hits only if the probe stops between 5 and 15 mm above the end of its path is found. For a rotary axis
+# only the end is followed, with a warning beside the verdict.
 small_machine
 box ledge 40 -20 80 60 20 90
 sed 's|<workholding|<body name="ledge" mesh="ledge.stl"/><workholding|' m.xml >ledge.xml

@@ -1,4 +1,4 @@
-# The progress line fits into the columns of the terminal; one that obeys no control sequences gets none.
+# The progress line fits into the columns of the terminal; a terminal without control sequences gets none.
 need python3
 python3 -c 'import pty; pty.openpty()' 2>/dev/null || skip "there is no pseudo-terminal"
 small_machine

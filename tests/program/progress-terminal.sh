@@ -1,4 +1,4 @@
-# What a terminal shows while programs run: a line that fits into it, with whole seconds, gone when results are printed.
+# The progress line on a terminal: it fits, shows whole seconds, and disappears when results are printed.
 command -v script >/dev/null || skip "there is no script (bsdutils)"
 script -q -e -f -c true /dev/null >/dev/null 2>&1 </dev/null || skip "there is no pseudo-terminal"
 small_machine
@@ -25,7 +25,7 @@ shown >lines
 grep -c . lines | sed 's/^[1-9][0-9]*$/some/'
 awk 'length($0) > 79' lines
 grep -v -E '^\[#+ *\] 2 of 3 programs, [0-9.]+/s, [0-9]+ s left; <' lines
-# A name cannot steer the terminal, and one program without an end has no bar.
+# A file name cannot control the terminal; a single endless program has no bar.
 cat >run <<'RUN'
 stty cols 30
 name=$(printf 'red \033[31m.nc')

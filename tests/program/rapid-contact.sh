@@ -15,7 +15,7 @@ XML
 flat='<cutter><section length="60" diameter="10"/></cutter>'
 ball='<cutter tip="ball"><section length="60" diameter="10"/></cutter>'
 
-# run TITLE [OPTION...] - the moves in standard input, above the block and with the tool's length in force
+# run TITLE [OPTION...] - the moves in standard input, above the block and with the tool length active
 run() {
 	echo "== $1"
 	shift
@@ -32,7 +32,7 @@ run() {
 }
 
 job '' "$flat"
-# Its core meets the side of the block at X-34.9: (60 - 34.9) / 120 of the way.
+# Its core meets the side of the block at X-34.9: (60 - 34.9) / 120 of the path.
 run 'straight through at rapid' <<'NC'
 G0 Z10
 X60

@@ -1,5 +1,5 @@
-# Under TCP (G43.4) a rapid keeps the tip on its line only where rapids are linear. Elsewhere the axes go their own ways
-# to the same end, and meet a post that stands beside the line.
+# Under TCP (G43.4) a rapid keeps the tip on a line only if rapids are linear. Otherwise each axis moves independently
+# to the same end, and the tool hits a post beside the line.
 box pin -1 -1 -1 1 1 1
 box table -5 -5 -60 5 5 -50
 box post 26 26 -5 34 34 5
@@ -21,8 +21,8 @@ for rapid in linear dogleg any; do
 XML
 	sed -i "s|<base>|<controller rapid=\"$rapid\"/><base>|" $rapid.xml
 done
-# The tip stays where it is on the table, which turns by 90 degrees: X Y go around with it, from (60,0) to (0,60), or
-# straight across.
+# The tip keeps its position on the table, which turns by 90 degrees: X and Y follow the circle from (60,0) to (0,60),
+# or the straight line.
 printf 'G21 G90\nG43.4 H0\nG0 X60\nG0 C90\nM2\n' >turn.nc
 for rapid in linear dogleg any; do
 	echo "rapid=$rapid"

@@ -1,8 +1,8 @@
-# What the README shows under "Your own machine" is what its commands print. (MAKE_README=1 prints it anew.)
+# The README section "Your own machine" shows the output of its commands. (MAKE_README=1 prints it.)
 root=$(dirname "$LIB")/../..
 ln -s "$root/machines" machines
 awk '/^## / { on = $0 == "## Your own machine" } on && /^    / { print substr($0, 5) }' "$root/README.md" >shown
-# Commands begin with "$ " and go on after a backslash.
+# Commands begin with "$ " and continue after a backslash.
 awk '
 /^\$ / { sub(/^\$ /, ""); command = $0; while (/\\$/) { getline; command = command "\n" $0 } print command; print "" }
 ' shown | awk 'BEGIN { RS = "" } { print > ("command" NR) } END { print NR }' >count

@@ -26,11 +26,13 @@ diff r.json other.json | grep -c '^>'
 fivecheck -q --clearance 1 --record other.json -s setup.xml m.xml a.nc >/dev/null
 fivecheck -q --record r.json -s setup.xml m.xml a.nc >/dev/null
 diff r.json other.json | sed -n 's/^> *"\([a-z0-9_]*\)".*/\1/p'
-# What changes while it is checked cannot be vouched for. The run waits in a pipe of a program; it is refused as well.
+# A file that changes during the check cannot be recorded. The run waits for a program in a pipe, which is refused as
+# well.
 mkfifo slow.nc
 fivecheck -q --parse-only --record racy.json m.xml slow.nc >/dev/null 2>messages &
 run=$!
-# The pipe opens once the machine is read. The time of the change is set back, as by a clock that was: the size tells.
+# The pipe opens once the machine is read. The time of the change is set back, as by a wrong clock; the size reveals the
+# change.
 {
 	touch -r m.xml before
 	echo '<!-- -->' >>m.xml

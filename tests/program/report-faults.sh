@@ -1,4 +1,4 @@
-# What a report needs and cannot have is named, and the exit status is 2; a file that was there stays.
+# If a report cannot be made, the message says what is missing, and the exit status is 2; an old file stays.
 small_machine
 program a.nc <<'NC'
 G1 Z-120 F600
@@ -27,11 +27,11 @@ G999
 NC
 status fivecheck -q --report=bad.html m.xml bad.nc
 grep -o 'G999[^<]*</li>' bad.html
-# A report that cannot be written adds an error behind those that the output already has.
+# A report that cannot be written adds an error after those in the output.
 [ -e /dev/full ] && fivecheck -q --report=/dev/full -f ndjson m.xml bad.nc >bad.ndjson
 echo "status $?"
 grep -o '"errors":.*' bad.ndjson
-# A program that is not there.
+# A missing program.
 status fivecheck -q --report=none.html m.xml none.nc
 grep -o 'incomplete: the program could not be opened' none.html | head -n 1
 # An accepted finding is in the report, too, and the status stays 0.

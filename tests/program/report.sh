@@ -1,4 +1,4 @@
-# A report against the other outputs of the same check, read by a decoder of its own (report_data.py).
+# A report against the other outputs of the same check, read by an independent decoder (report_data.py).
 need python3
 check() {
 	python3 "$(dirname "$LIB")/report_data.py" "$@"
@@ -27,7 +27,7 @@ test "$(fivecheck -q -a m.xml a.nc)" = "$(fivecheck -q -a --report=all.html m.xm
 # The picture rings the contact, and again in the inset that enlarges it.
 fivecheck -q --picture=a.svg m.xml a.nc >/dev/null
 test "$(grep -o '<circle' a.svg | wc -l)" = 4
-# What moves with an axis that leaves its travel is red.
+# Bodies that move with an axis past its limit are red.
 printf 'G1 F600 X9000\n' | program limit.nc
 fivecheck -q --picture=limit.svg m.xml limit.nc | grep -q 'X leaves its travel'
 grep -q 'fill="#8e0d14"' limit.svg
@@ -43,7 +43,7 @@ fivecheck -q --report=long.html -o /dev/null m.xml long.nc
 fivecheck -q --clearance-report=long.csv -o /dev/null m.xml long.nc
 check long.html long-clearance=long.csv
 
-# A program that starts too close: of its first block nothing is proved, and its clearance is measured.
+# A program that starts too close: nothing is proved for its first block, whose clearance is measured.
 box post -40 -20 90 -24 20 210
 sed 's|<axis name="X"|<body name="post" mesh="post.stl"/>&|' m.xml >near.xml
 printf 'G1 F6000 X40 C45\nC90\nX90\n' >near.nc
@@ -51,7 +51,7 @@ status fivecheck -q -a -o /dev/null --clearance=5 --report=near.html near.xml ne
 status fivecheck -q -a -o /dev/null --clearance=5 --clearance-report=near.csv near.xml near.nc
 check near.html clearance=near.csv
 
-# Cutter and part are not kept apart: in the block where the cutter is too deep the curve falls to 0 all the same.
+# Cutter and part are not kept apart: in the block where the cutter is too deep the curve still falls to 0.
 box block -30 -30 0 30 30 20
 setup deep.xml <<'XML'
   <work_offset name="G54" Z="-100"/>
@@ -61,7 +61,7 @@ XML
 printf 'T1 M6\nM3 S1000\nG0 X-60\nG43 H1 Z60\nZ20\nG1 X60 F1000\nZ30\nX0\nZ10\nZ40\nG0 X-60\nZ10\nX60\n' >deep.nc
 status fivecheck -q -a -o /dev/null --report=deep.html -s deep.xml m.xml deep.nc
 check deep.html curve
-# What a bound is called by: of a long program, in which not every block is measured, and of a short one.
+# The label of a bound in a long program, where not every block is measured, and in a short one.
 caption() {
 	grep -o 'clear; smallest[^<]*' "$1" | sed 's/line [0-9]*/line N/; s/[0-9.]* mm/D mm/g; q'
 }
@@ -72,7 +72,7 @@ caption short.html
 grep -c '^short.nc: clear; smallest.*</figcaption>' short.html
 fivecheck -q --report=nearest.html --clearance-report=nearest.csv -o /dev/null m.xml short.nc
 check nearest.html smallest=nearest.csv
-# It may stand in a subprogram, of which the same is said.
+# The same in a subprogram.
 { echo 'o<down> sub'; sed -n 4,5p short.nc; echo 'o<down> endsub'; echo 'M2'; } >down.ngc
 printf 'G0 Z0\no<down> call\nG0 Z0\nM2\n' >calls.nc
 fivecheck -q --report=calls.html --clearance-report=calls.csv -o /dev/null m.xml calls.nc
@@ -96,7 +96,7 @@ fivecheck -q --report=none.html --report-code=none m.xml b.nc >/dev/null
 check none.html code=b.nc
 grep -c 'G1 X-12.345' none.html
 
-# Several programs: an index beside one report each; names that are the same, or are no file names.
+# Several programs: an index and one report each; equal names, and names that are not valid as file names.
 mkdir p 'p/q & <b>'
 cp a.nc p/a.nc
 cp b.nc 'p/q & <b>/b b.nc'
@@ -108,7 +108,7 @@ check all-a-2.html policy "text=p/a.nc"
 check all-b_b.html policy "text=p/q & <b>/b b.nc"
 
 
-# A report whose name is made from a program's must not overwrite what is read, nor another output.
+# A report with a name derived from a program must not overwrite an input or another output.
 cp a.nc o-b.html
 status fivecheck -q --report=o.html m.xml b.nc o-b.html 2>&1
 cmp a.nc o-b.html

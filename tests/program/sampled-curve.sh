@@ -1,4 +1,4 @@
-# The sampled methods look at the path itself: a cube goes round a post, which stands 4 um beside its way.
+# The sampled methods look at the path itself: a cube moves round a post, which is 4 um beside its path.
 box head -5 -5 0 5 5 100
 box post -0.5 -20 0 0.5 94.845 100
 machine m.xml <<'XML'

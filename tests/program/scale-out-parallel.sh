@@ -1,4 +1,5 @@
-# examples/scale-out with GNU parallel, and the command of its Kubernetes job: what the shards find is what one run finds.
+# examples/scale-out with GNU parallel, and the command of its Kubernetes job: the shards have the same findings as one
+# run.
 need jq
 scale_out="$(dirname "$LIB")/../../examples/scale-out"
 mkdir 'a folder' && cd 'a folder' || exit 1
@@ -28,7 +29,7 @@ if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q '^
 else
 	leave_out "there is no GNU parallel"
 fi
-# The command of the Kubernetes job, as its shell gets it.
+# The command of the Kubernetes job as its shell receives it.
 mkdir results
 fivecheck() {
 	"$FIVECHECK" "$@"

@@ -1,4 +1,4 @@
-# examples/scale-out with Slurm's own daemons, started here for one node: what the shards find is what one run finds.
+# examples/scale-out with Slurm daemons started here for one node: the shards have the same findings as one run.
 PATH="$PATH:/usr/sbin:/sbin"
 for tool in jq slurmctld slurmd sbatch scontrol; do
 	need $tool

@@ -1,4 +1,4 @@
-# scan reads Klartext past its first TOOL CALL: tools of any number and name, and their radii, do without a setup.
+# scan reads Klartext past its first TOOL CALL: tools of any number and name, and their radii, need no setup.
 program part.h <<'NC'
 0 BEGIN PGM PART MM
 1 TOOL DEF 3 L+50 R+4

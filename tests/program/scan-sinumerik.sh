@@ -1,4 +1,4 @@
-# Of Sinumerik's words scan counts cycles by their names, and none as the start of another (PO of POCKET3, SETM of SETMS).
+# scan counts Sinumerik's cycles by name, and no word as the start of another (PO of POCKET3, SETM of SETMS).
 program part.mpf <<'NC'
 G54 G17 G90 F100
 TRANS X1
@@ -11,14 +11,14 @@ CYCLE63("KONTUR",50,0,1,-5)
 M30
 NC
 fivecheck scan part.mpf 2>/dev/null | sed -n '/^code/,/^$/p'
-# An answer of scan's own may make a loop endless: it gives up, and lists what it has found.
+# An assumed answer of scan may make a loop endless: scan gives up, and lists its results so far.
 program loop.mpf <<'NC'
 LOOP
 R1=_GUD
 ENDLOOP
 NC
 status fivecheck scan --dialect=sinumerik --max-blocks=50 loop.mpf 2>&1 | sed -n '/error\|variable\|status/p'
-# Tools have names, edges and radii, and none of them stops it; what swivels and turns is asked for.
+# Names, edges and radii of tools do not stop scan; it asks for the data of swivelling and turning.
 program five.mpf <<'NC'
 N10 G17 G54 G90 G71 G94
 N20 T="MILL 10"
@@ -36,7 +36,7 @@ N130 M77
 N140 M30
 NC
 status fivecheck scan five.mpf 2>&1 | sed -n '/error/p; /^needed in the machine/,$p'
-# What the setup must have stands behind: tools by name and by number, and work offsets.
+# The list of elements for the setup comes last: tools by name and by number, and work offsets.
 program job.mpf <<'NC'
 G17 G90 G71 G94 G505
 T="MILL 10" D1

@@ -1,4 +1,4 @@
-# With the tool guided (TCP) and the table turning: what is said of a tool's length, seen from outside with the setup changed.
+# With the tool guided (TCP) and the table turning: the result for the tool length against runs with a changed setup.
 top=${LIB%/*}/../..
 cp "$top"/examples/ac-trunnion/*.stl .
 # check SETUP OPTION...

@@ -1,4 +1,4 @@
-# How far a setup may be off: 1 mm above the table, 2 mm from a limit, and nowhere where it has no effect.
+# How far a setup may be wrong: 1 mm above the table, 2 mm from a limit, and values without effect.
 small_machine
 setup s.xml <<'XML'
 <work_offset name="G54" X="10" Z="-99"/>
@@ -6,7 +6,7 @@ setup s.xml <<'XML'
 XML
 printf '%s\n' 'G54 G0 X188' 'G1 Z0 F6000' 'X0' 'G53 G0 Z0' >a.nc
 printf '%s\n' 'T1 M6' 'G0 G43 H1 Z-0.5' 'G0 X-150' 'G49' >tool.nc
-# ranges - of each answer in text that turns: is the bracket as narrow as it has to be, and the truth in it?
+# ranges - of each changing answer in the text: is the bracket narrow enough, and does it contain the true value?
 brackets() {
 	awk -v known="$*" '
 	BEGIN { split(known, k, " ") }
@@ -21,15 +21,15 @@ brackets() {
 }
 fivecheck -q --sensitivity 5,5,5,5 -s s.xml m.xml a.nc | brackets 2 1
 fivecheck -q --sensitivity 5,0,20,0.5 -s s.xml m.xml tool.nc | brackets 0.5 0.5
-# A tool that is put in, and never moved, counts as well.
+# A tool that is loaded but never moved counts as well.
 printf '%s\n' 'G54 G0 X0 Z0' 'T1 M6' >put.nc
 fivecheck -q --sensitivity 0,0,5,0 -s s.xml m.xml put.nc | brackets 0.5
-# The clearance that is required is no room to move; the same answers for any number of threads.
+# The required clearance is kept; the same answers for any number of threads.
 fivecheck -q --sensitivity 0,0,5,0 --clearance 0.25 -s s.xml m.xml a.nc | brackets 0.75
 fivecheck -q --sensitivity 5,5,5,5 -s s.xml m.xml a.nc tool.nc >one
 fivecheck -q -j 8 --sensitivity 5,5,5,5 -s s.xml m.xml a.nc tool.nc >eight
 cmp one eight
-# Looked at from outside: with the setup changed by what is proved the verdict holds, by what turns it it does not.
+# Independent runs: with the setup changed by the proved amount the verdict holds, with the other amount it does not.
 fivecheck -q -f ndjson=out.json --sensitivity 20,0,20,0 -s s.xml m.xml a.nc
 sed -n 's/^{"kind":"program".*"sensitivity":\[\(.*\)\]}$/\1/p' out.json | sed 's/},{/}\n{/g' >answers
 sed 's/\(proved\|tried\|turn\)":[0-9.]*/\1":*/g' answers
@@ -48,18 +48,18 @@ while read -r answer; do
 		echo "$(value quantity) $(value direction): status $?"
 	done
 done <answers
-# Something is found to begin with: tried in steps, with no proof. And what is not even interpreted.
+# A program with a finding: tried in steps, without proof. And a program that cannot be interpreted.
 printf '%s\n' 'G54 G0 X-50 Z-2' >b.nc
 status fivecheck -q -a --sensitivity 1,0,5,0 -s s.xml m.xml b.nc | sed -n '/with one/,$p'
 status fivecheck -q --sensitivity 1,0,5,0 -s s.xml m.xml absent.nc
 printf '%s\n' 'G0 Q1' >c.nc
 status fivecheck -q --sensitivity 1,0,5,0 -s s.xml m.xml c.nc
-# A program that looks at the offset and goes another way proves nothing; one that then fails is told.
+# Nothing is proved for a program that reads the offset and takes another path; one that then fails is reported.
 printf '%s\n' '#1 = #5221' 'o1 if [#1 GT 13]' 'G0 X-100' 'o1 else' 'G0 X100' 'o1 endif' >course.nc
 fivecheck -q --sensitivity 5,0,0,0 -s s.xml m.xml course.nc
 printf '%s\n' '#1 = #5221' 'o1 if [#1 GT 13]' 'G0 Q1' 'o1 endif' 'G54 G0 X100' >fails.nc
 fivecheck -q --sensitivity 5,0,0,0 -s s.xml m.xml fails.nc
-# Standard input may be a file that can be read again, but no pipe.
+# Standard input may be a file, which can be read again, but not a pipe.
 fivecheck -q --sensitivity 0,0,5,0 -s s.xml m.xml - <a.nc | brackets 1
 cat a.nc | status fivecheck -q --sensitivity 0,0,5,0 -s s.xml m.xml -
 for value in 1 1,2,3 1,2,3,4,5 1,2,3,x 1,2,3,-4 0,0,0,0 1,,1,1 20000,1,1,1; do

@@ -1,4 +1,4 @@
-# A setup without its option is read as a program; the fault says what may have been meant.
+# A setup without its option is read as a program; the error suggests the option.
 small_machine
 setup s.xml <<'XML'
 <work_offset name="G54" Z="1"/>

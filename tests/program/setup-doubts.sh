@@ -1,5 +1,5 @@
-# What is said of tools that are drawn the wrong way round, at the wrong place or with a diameter for a radius, and of
-# a part that its blank does not hold; just within the limits, and where checked="" stands, nothing is said.
+# Doubts about tools that are drawn upside down, at the wrong position or with a diameter for a radius, and about a part
+# outside its blank; no doubt just within the limits or with checked="".
 small_machine
 box cutter -4 -4 -100 4 4 -40
 box short -4 -4 -98 4 4 -40

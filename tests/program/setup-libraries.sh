@@ -106,7 +106,7 @@ bad 'number,length,diameter,units\n1,70,10,ell\n'
 bad 'number,length,diameter,type\n1,70,10,dovetail\n'
 bad 'number,length,diameter,type\n1,70,10,drill\n'
 bad 'number,name,diameter,length\n1,"open,10,70\n'
-# What would make a tool that is another one, or cuts more than it does.
+# Data that would make a different tool, or one that cuts more.
 bad 'number,length,diameter,stickout,shank_diameter\n1,70,6,40,12\n'
 bad 'number,type,length,diameter\n1,bull,70,10\n'
 bad 'number,type,length,diameter,corner_radius\n1,flat,70,10,2\n'

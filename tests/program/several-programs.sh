@@ -1,4 +1,5 @@
-# One after the other, in the order given; what cannot be read does not hide the rest, and 2 beats 1.
+# One after the other, in the order given; an unreadable program does not hide the others, and status 2 has priority
+# over 1.
 small_machine
 echo 'G0 X10' >good.nc
 echo 'G0 X300' >bad.nc

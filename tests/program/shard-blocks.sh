@@ -1,5 +1,5 @@
-# One long program shared out by its blocks: every block is checked by exactly one shard, and what the shards find
-# together is what one run finds. It has contacts, limits, tools that change, and bodies inside of others for long.
+# One long program shared out by its blocks: every block is checked by exactly one shard, and together the shards have
+# the findings of one run. The program has contacts, limits, tool changes, and bodies that stay inside others.
 box probe -1 -1 100 1 1 102
 box head -20 -20 150 20 20 200
 box table -50 -50 -90 50 50 0
@@ -22,7 +22,7 @@ setup s.xml <<'XML'
 <tool number="1" length="60"><holder><section length="60" diameter="10"/></holder></tool>
 <tool number="2" length="4"><holder><section length="4" diameter="1"/></holder></tool>
 XML
-# 5200 blocks; the probe is inside of the table through the blocks 900 to 2200, the short tool inside of it at its change.
+# 5200 blocks; the probe is inside the table in the blocks 900 to 2200, the short tool at its change.
 awk 'BEGIN {
 	srand(5)
 	print "T1 M6"
@@ -75,13 +75,13 @@ compare '1 2 3 4 5'
 compare 3 --clearance 1.5 -j 2
 compare 4 --parse-only
 compare 5 --method=conventional --step 0.1
-# Without --all, the first finding of all is that of the shard that has it.
+# Without --all, the first finding of the run is reported by its shard.
 fivecheck -q -s s.xml m.xml a.nc | grep error >first
 for k in 1 2 3; do
 	fivecheck -q -f ndjson --shard $k/3 -s s.xml m.xml a.nc 2>/dev/null | sed -n 's/.*"line":\([0-9]*\),.*"time":\([0-9.]*\),.*/\2 \1/p'
 done | sort -g | sed -n 's/.* //;1p' | sed 's/\(.*\)/a.nc:\1:/' >line
 grep -q -F "$(cat line)" first || cat first line
-# What a shard says for itself: it never calls the program clear.
+# The verdict of one shard: it never calls the program clear.
 printf 'G0 X10\n' >b.nc
 status fivecheck -q --shard 1/2 -s s.xml m.xml b.nc
 status fivecheck -q --shard 2/2 -s s.xml m.xml b.nc

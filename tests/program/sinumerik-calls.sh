@@ -50,7 +50,8 @@ for call in 'HOLE(1,2,"a",4)' 'HOLE("a")' 'COUNT(5)' 'L10(5)' 'HOLE(1' 'PLAIN' '
 	fivecheck -s setup.xml --parse-only s.xml bad.mpf >/dev/null
 	echo "exit $?"
 done
-# MCALL acts in subprograms, too; one that stays in force at the end of a subprogram, and what SAVE may not bring back.
+# MCALL acts in subprograms, too; an MCALL that is still active at the end of a subprogram, and modes that SAVE must not
+# restore.
 printf 'X20\nX30\nM17\n' >AT.SPF
 printf 'MCALL CYCLE81(10,0,2,-5)\nM17\n' >STAYS.SPF
 printf 'PROC SMOOTH SAVE\nG641 ADIS=1\nRET\n' >SMOOTH.SPF
@@ -61,7 +62,7 @@ for call in STAYS SMOOTH; do
 	fivecheck --parse-only s.xml bad.mpf >/dev/null
 	echo "exit $?"
 done
-# An endless loop, from a file and from a pipe; a subprogram without an end.
+# An endless loop, from a file and from a pipe; a subprogram without end.
 printf 'G500 G71 G90\nLOOP\nENDLOOP\n' >loop.mpf
 fivecheck --max-blocks=100 --parse-only s.xml loop.mpf >/dev/null
 echo "exit $?"
@@ -71,7 +72,7 @@ printf 'X5\n' >OPEN.SPF
 printf 'G500 G71 G90 F100\nOPEN\nM30\n' >open.mpf
 fivecheck --parse-only s.xml open.mpf >/dev/null
 echo "exit $?"
-# What the machine file says of the builder's programs and of a measuring cycle, by their names.
+# Programs of the builder and a measuring cycle, described by name in the machine file.
 sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program="CYCLE977" action="around" X="30" Z="20"/><macro program="L9" action="around" Z="3"/><macro program="H12" action="none"/>|' \
 	s.xml >named.xml
 printf 'G500 G17 G71 G90 G0 X1 Z3\nCYCLE_HSC(1,"a")\nCYCLE977(101,1,,1)\nTRANS X5\nL9\nX5\nX9 H12\nH1=12\nM30\n' >named.mpf

@@ -1,4 +1,4 @@
-# -a reads behind a fault every block once: a loop whose condition is not known has no end.
+# After an error, -a reads every block once: a loop with an unknown condition would have no end.
 small_machine
 sed 's/<base>/<controller dialect="sinumerik" path_tolerance="0.01"\/>\n<base>/' m.xml >s.xml
 program loops.mpf <<'NC'
@@ -18,7 +18,7 @@ M30
 NC
 "$FIVECHECK" --parse-only -a s.xml loops.mpf
 
-# A modal call that was refused is none: the blocks behind it are read once, too.
+# A refused modal call does not act: the blocks after it are read once, too.
 program modal.mpf <<'NC'
 %
 N1 G500 G17 G71 G90 F600
@@ -32,7 +32,7 @@ M30
 NC
 "$FIVECHECK" --parse-only -a s.xml modal.mpf
 
-# What holds after a subprogram has given a name of DEFINE another text, or has changed its parameter and is repeated.
+# After a subprogram has redefined a name of DEFINE, or changed its parameter and is repeated.
 program changed.mpf <<'NC'
 %_N_MAIN_MPF
 N1 G500 G17 G71 G90 F600

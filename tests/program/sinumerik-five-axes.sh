@@ -1,5 +1,5 @@
-# TRAORI and CYCLE800 on tables, heads and nutating axes: where the tip stands on the workpiece, and how the tool
-# points, computed back from the axis positions by chains of their own (five_axes.py).
+# TRAORI and CYCLE800 on tables, heads and nutating axes: position of the tip and direction of the tool on the
+# workpiece, computed from the axis positions by independent chains (five_axes.py).
 need python3
 cat >check.py <<'PYTHON'
 import math
@@ -126,14 +126,15 @@ for name, rotary in FAMILIES.items():
     print(name + (': as computed' if good else ': TRAORI %g mm, CYCLE800 %g mm, direction %g, refused %s'
                   % (checked.traori, checked.cycle, checked.direction, checked.refused)))
 
-# SUPA while a plane is swivelled: over a table the tool's length stands along Z as before; a head needs D0.
+# SUPA while a plane is swivelled: with a table the tool length acts along Z as before; a head needs D0.
 for name, rotary in FAMILIES.items():
     for edge in '', ' D0':
         rows, errors = ends(machine(rotary), 'T1 D1 M6\nG54 G17 G71 G90\nG0 X0 Y0 Z0\n'
                             'CYCLE800(0,"",0,57,0,0,0,25,10,0,0,0,0,1)\nG0 X9\nG0 SUPA X5 Z50%s\nM30\n' % edge)
         print(name, edge, 'X %g Z %g' % (rows[6]['X'], rows[6]['Z']) if 6 in rows else errors.split('\n')[0])
 
-# Limits that leave one solution choose it whatever DIR says, and ask nothing of the machine file; then there is none.
+# If limits leave one solution, it is taken whatever DIR says, and without a question to the machine file; then no
+# solution is left.
 for low in -60, -20:
     xml = machine(FAMILIES['AC table']).replace(' swivel_axis="A"', '').replace(
         'limit_min="-9999" limit_max="9999" rate_max="3600"', 'limit_min="%d" limit_max="10" rate_max="3600"' % low, 1)

@@ -1,5 +1,5 @@
-# ORIVECT on tables, heads and nutating axes: the tip goes straight, the tool turns in the plane of its two directions,
-# and between two rows the rotary axes are where the great circle has them, to what a piece may be beside its chord.
+# ORIVECT on tables, heads and nutating axes: the tip moves on a line, the tool turns in the plane of its two
+# directions, and between two rows the rotary axes follow the great circle within the chord error of a piece.
 need python3
 cat >check.py <<'PYTHON'
 import math
@@ -92,12 +92,12 @@ for name, rotary in FAMILIES.items():
     checked = Checked(rotary)
     for case in range(12):
         checked.check(case % 2)
-    # Rows inside of a piece lie on its chord, which may be beside the circle.
+    # Rows inside a piece are on its chord, which may be beside the circle.
     good = checked.tip < 1e-6 and checked.plane < 5e-5 and checked.beside < 0.0012 and not checked.refused
     print(name + (': as computed' if good else ': tip %g mm, direction %g, angle %g degrees, refused %s'
                   % (checked.tip, checked.plane, checked.beside, checked.refused)))
 
-# From a pole, where the tool lies along C: a parameter says what the control does.
+# From a pole, where the tool is parallel to the C axis: a parameter decides what the control does.
 for answer in '', ' orientation_pole="axes"':
     _, errors = path(machine(FAMILIES['AC table']).replace(' swivel_axis', answer + ' swivel_axis'),
                      'T1 D1 M6\nG54 G17 G71 G90\nTRAORI\nORIWKS ORIVECT\nF1000\nG1 X1 A3=0.1 B3=0.2 C3=1\nM30\n')

@@ -1,5 +1,5 @@
-# A cutter whose spindle stops while it stands in the finished part: it is found where it stops, whether or not anything
-# moves afterwards. The part and the tool are those of rapid-contact.sh: the core has a radius of 4.9 mm.
+# A cutter whose spindle stops in the finished part: the finding is at the stop, whether or not anything moves
+# afterwards. The part and the tool are those of rapid-contact.sh: the core has a radius of 4.9 mm.
 small_machine
 box block -30 -30 0 30 30 20
 setup s.xml <<'XML'
@@ -68,7 +68,7 @@ for shard in 1 2 3; do
 done | sort -n -k 2 | grep -v '^status' >shards
 grep -v '^status' one | sort -n -k 2 | cmp - shards
 
-# What speed the control has without any S is not known, and may be none.
+# Without S the speed of the control is not known, and may be 0.
 printf '%s\n' 'G21 G90 G94 T1 M6' 'G0 X-60' 'G43 H1 Z60' M3 'G0 X0 Z21' 'G1 Z5 F100' M4 'G1 Z60' M30 >p.nc
 fivecheck -q -s s.xml m.xml p.nc
 fivecheck -s s.xml m.xml p.nc 2>&1 | grep M[34]

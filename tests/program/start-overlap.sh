@@ -1,4 +1,4 @@
-# Bodies that overlap where the program starts; the line that would waive it is ready to be copied, and waives it.
+# Bodies that overlap at the start of the program; the printed <pair> line can be copied to waive the pair.
 small_machine
 box post 10 10 0 30 30 150
 sed -e '/<body name="table"/a <body name="post &amp; &quot;co&quot;" mesh="post.stl"/>' m.xml >odd.xml

@@ -1,4 +1,4 @@
-# How near bodies come to what remains of the stock, in closed form, and changes that move the cuts.
+# The clearance of bodies from the remaining stock, against closed forms, and changes that move the cuts.
 stock_mill
 setup s.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>
@@ -10,7 +10,7 @@ setup s.xml <<'XML'
   </tool>
 XML
 
-# program_of - blocks on standard input, after those that bring the tool above the stock, which is 10 mm high
+# program_of - blocks on standard input, after blocks that move the tool above the stock, which is 10 mm high
 program_of() {
 	echo 'G21 G90 G94 G61 T1 M6'
 	echo 'M3 S1000'

@@ -1,4 +1,5 @@
-# Closed forms with a table that turns: a plane cut at B30, and a flank cut at B90, meet a level cutter at B0 where they must.
+# Closed forms with a rotary table: a plane cut at B30, and a flank cut at B90, touch a cutter at B0 at the right
+# height.
 machine m.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
     <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
@@ -30,7 +31,7 @@ check() {
 	findings -s s.xml m.xml p.nc
 }
 
-# At B30 a point (x, z) of the stock stands at the height z cos 30 - x sin 30. What is above 12 mm goes.
+# At B30 a point (x, z) of the stock has the height z cos 30 - x sin 30. Material above 12 mm is cut.
 plane='G0 X-60 B30
 G0 Y-12 Z12
 G1 X60 F600
@@ -45,8 +46,8 @@ contact=$(awk 'BEGIN { b = atan2(0, -1) / 6; printf "%.4f", (12 + 4.75 * sin(b))
 check 'a tilted plane: down to 0.15 mm before the core touches it' "$plane" "$(awk "BEGIN { print $contact + 0.15 }")"
 check 'and 0.02 mm too far' "$plane" "$(awk "BEGIN { print $contact - 0.02 }")"
 
-# At B90 the cutter lies along the stock's X, and the machine's X is the height over the table: with its axis at 18 mm its
-# side leaves a level face at 13 mm.
+# At B90 the cutter is parallel to the stock's X, and the machine's X is the height above the table: with its axis at 18
+# mm its side cuts a level face at 13 mm.
 flank='G0 X25 Y-30 B90
 G0 Z-20.5
 G1 X18 F600

@@ -1,4 +1,5 @@
-# A holder that reaches over a wall: it may, once the wall is cut. The same blocks in the other order are found.
+# A holder that reaches over a wall: this is clear after the wall was cut. The same blocks in the other order are a
+# finding.
 stock_mill
 setup s.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>
@@ -13,7 +14,7 @@ head='G21 G90 G94 G61 F600 T1 M6
 M3 S1000
 G0 G43 H1 Z100
 G0 X-30 Z30'
-# The upper half goes in three passes of 10 mm; then a slot along the middle, in which the holder comes down to 17 mm.
+# Three passes of 10 mm cut the upper half; then a slot along the middle, in which the holder moves down to 17 mm.
 top='G1 Y-6 Z10
 G1 X30
 G1 Y0

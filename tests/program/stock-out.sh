@@ -1,4 +1,4 @@
-# What a program leaves of the stock is the blank of the next setup.
+# The remaining stock of a program is the blank of the next setup.
 stock_mill
 setup first.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>

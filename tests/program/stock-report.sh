@@ -1,4 +1,4 @@
-# What remains of the stock in the report and in the scene, against the closed forms of examples/stock.
+# The remaining stock in the report and in the scene, against the closed forms of examples/stock.
 need python3
 here=$(dirname "$LIB")
 examples=$here/../../examples/stock

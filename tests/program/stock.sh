@@ -1,4 +1,5 @@
-# What remains of the stock: nothing but a feeding, turning cutter may touch it. Each case has a twin on the other side.
+# The remaining stock: only a cutter that feeds and turns may touch it. Each case has a counterpart with the other
+# verdict.
 stock_mill
 
 # job STOCK_ATTRIBUTES - s.xml, with a flat cutter of 10 mm and a shank of 8 mm above it, 20 mm over the tip

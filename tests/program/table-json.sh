@@ -1,4 +1,4 @@
-# --check-machine and --list-pairs as JSON say what their text says.
+# --check-machine and --list-pairs as JSON contain the same as their text.
 need python3
 small_machine
 box part -10 -10 0 10 10 30

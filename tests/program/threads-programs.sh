@@ -1,4 +1,5 @@
-# Several programs at once say the same as one after the other: findings, faults and warnings in the order given.
+# Several programs at once give the same output as one after the other: findings, errors and warnings in the given
+# order.
 small_machine
 awk 'BEGIN { for (i = 0; i < 3000; i++) printf "G1 X%.3f Z%.3f C%d F60000\n", i % 150, -50 - i % 40, i * 7 }' >clear.nc
 { cat clear.nc; echo 'G0 X10 Z-110'; } >hit.nc
@@ -14,7 +15,7 @@ for j in 1 2 3 16; do
 done
 grep -v '^ ' 1.out
 
-# A thread with no program left helps with that of another one, from the middle of it: the same bytes, also in reports.
+# A thread without a program helps with that of another thread, from its middle: the same bytes, also in reports.
 printf 'o<deep> sub\nG1 Z-10\no<deep> endsub\n' >deep.ngc
 awk 'BEGIN {
 	print "G0 X20 Z-90\nF60000"

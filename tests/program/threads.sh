@@ -10,7 +10,7 @@ fivecheck -q -a -j 8 -f ndjson m.xml a.nc >eight.json
 cmp one three && cmp one.json eight.json
 grep -c '' one.json | awk '{ print ($1 > 100) }'
 
-# The head turns within a hair of the table until it cuts a corner: what threads share is the same work for all.
+# The head turns very close to the table until it cuts a corner: all threads share the same work.
 awk 'BEGIN {
 	print "G0 X20 Z-99.99"
 	for (i = 0; i < 5000; i++)
@@ -22,7 +22,7 @@ done
 cmp b.1 b.2 && cmp b.1 b.5
 head -1 b.1 | cut -d: -f1-4
 
-# What is read beyond the batch that ends the check is not known to it: no fault, no file of a subprogram, no block.
+# Nothing read after the batch that ends the check is reported: no error, no file of a subprogram, no block.
 printf 'o<deep> sub\nG1 Z-10\no<deep> endsub\n' >deep.ngc
 awk 'BEGIN {
 	print "G0 X20 Z-90\nF60000"
@@ -39,7 +39,7 @@ cmp c.1 c.2 && cmp c.1 c.3 && cmp c.1-a c.2-a && cmp c.1-a c.3-a
 head -1 c.1 | cut -d: -f1-4
 grep -c 'deep\.ngc\|Q' c.1 c.1-a
 
-# A report shows the path up to the end of that batch, and nothing behind it.
+# A report shows the path up to the end of that batch, and nothing after it.
 for j in 1 2 3; do
 	fivecheck -q -j $j --report=r.html m.xml c.nc >out 2>err
 	sed -E 's/[0-9.]+ s (load|interpret|check|of processor time)//g' r.html >r.$j

@@ -1,4 +1,4 @@
-# What each block took: a row for each block, numbers that add up to no more than the run took, and the verdict as ever.
+# The time of each block: one row per block, a sum not above the time of the run, and the same verdict.
 small_machine
 cat >a.nc <<'NC'
 ( a block without words is none )
@@ -8,7 +8,7 @@ G1 X30 F6000
 G2 X-30 I-30 J0 F3000
 NC
 sed -i 's|</base>|<axis name="Y" type="linear" direction="0 1 0" rate_max="6000"/></base>|' m.xml
-# In us, by a clock that nobody sets. It may stand still for a while on a busy computer: a second more is allowed.
+# In us, by a monotonic clock. It may pause on a busy computer: one more second is allowed.
 uptime_us() {
 	awk '{ printf "%d\n", $1 * 1e6 }' /proc/uptime
 }

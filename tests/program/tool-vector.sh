@@ -22,7 +22,7 @@ setup s.xml <<'XML'
 <tool number="1" length="80"><cutter tip="flat"><section length="80" diameter="6"/></cutter></tool>
 XML
 
-# same NAME A B - how far apart the paths of two programs are, at most
+# same NAME A B - the largest distance of the paths of two programs
 same() {
 	for program in "$2" "$3"; do fivecheck -q -s s.xml --dump-path axes.xml "$program.nc" >"$program.path" 2>"$program.err" || cat "$program.err"; done
 	paste "$2.path" "$3.path" | awk -v name="$1" '
@@ -30,7 +30,8 @@ same() {
 	END { print name ": " rows " rows, " (most < 1e-6 ? "the same to 1e-6" : "apart by " most) }'
 }
 
-# A job of 40 random directions that keep clear of the pole: the first along the tool, so that both start alike.
+# A job of 40 random directions that keep clear of the pole: the first along the tool, so that both start in the same
+# way.
 awk 'BEGIN {
 	srand(7); d = atan2(0, -1) / 180; a = 30; c = 20
 	print "G54 G0 X0. Y0. Z200. A30. C20.\nG43.4 H1 X0. Y0. Z50. F500." >"angles.nc"
@@ -40,7 +41,7 @@ awk 'BEGIN {
 		c += 60 * rand() - 30
 		x = 40 * rand(); y = 40 * rand()
 		printf "G1 X%.4f Y%.4f A%.9f C%.9f\n", x, y, a, c >"angles.nc"
-		# The length of the vector says nothing.
+		# The length of the vector has no effect.
 		s = 0.5 + 3 * rand()
 		printf "G1 X%.4f Y%.4f I%.12f J%.12f K%.12f\n", x, y, s * sin(c * d) * sin(a * d), -s * cos(c * d) * sin(a * d), s * cos(a * d) >"vectors.nc"
 		# Without I, J and K the tool stays.

@@ -1,4 +1,4 @@
-# Every slip is named, ends with status 2, and prints nothing on standard output.
+# Every usage error is named, ends with status 2, and prints nothing on standard output.
 bad() {
 	echo "\$ $*"
 	"$FIVECHECK" "$@" 2>message >result
@@ -95,7 +95,7 @@ bad m.xml - --record r.json
 bad m.xml a.nc --record a.nc
 bad -o /dev/null part.nc m.xml
 
-# A slip in the name of a command is no machine file.
+# A misspelled command is not taken as a machine file.
 for word in m.xml inti scna; do
 	"$FIVECHECK" $word a.nc 2>&1 | grep 'did you mean'
 done

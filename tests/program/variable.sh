@@ -1,4 +1,4 @@
-# <variable> in the machine file says what the control keeps from one program to the next. scan prints the lines.
+# <variable> in the machine file gives values that the control keeps from earlier programs. scan prints these lines.
 small_machine
 machine() {
 	sed "s|<base|<controller dialect=\"$1\" rapid=\"linear\" power_on_units=\"mm\" power_on_distance=\"absolute\" power_on_plane=\"xy\" least_input=\"1\">$2</controller><base|" m.xml
@@ -49,7 +49,7 @@ M30
 NC
 machine fanuc '<variable name="#500" value="4"/>' >f.xml
 status fivecheck -q --parse-only f.xml one.nc two.nc 2>&1 | grep -v 'without a tolerance'
-# A setup says it for its job, in place of the machine file; what the machine file alone has stays.
+# A setup replaces values of the machine file for its job; values only in the machine file stay.
 machine fanuc '<variable name="#500" value="4"/><variable name="#501" value="3"/>' >f.xml
 sed 's/C#\[100+401\]/Z#501/' b.nc >c.nc
 echo '<setup version="1"><variable name="#500" value="9"/></setup>' >setup.xml
@@ -57,7 +57,7 @@ status fivecheck -q -s setup.xml --dump-path f.xml c.nc | cut -f 1-6
 machine sinumerik '<variable name="_ready" type="INT" value="0"/><variable name="_POS" type="REAL" size="3,2" value="1"/><variable name="R5" value="7"/><variable name="_MADE" type="STRING"/><variable name="$MN_TOP" value="40"/>' >s.xml
 echo '<setup version="1"><variable name="_READY" value="1"/><variable name="_POS[2,1]" value="15"/><variable name="$MN_TOP" value="30"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
 status fivecheck -q -s setup.xml --dump-path s.xml a.mpf | cut -f 1-6
-# What makes an array anew leaves nothing of its elements; a name without a value takes the value away.
+# A redefined array loses its elements; a name without a value removes the value.
 sed 's|<variable name="R5"|<variable name="_POS[2,1]" value="11"/>&|' s.xml >e.xml
 echo '<setup version="1"><variable name="_READY" value="1"/><variable name="_POS" type="REAL" size="3,2" value="16"/><variable name="_MADE_NOT" type="REAL" value="0.5"/></setup>' >setup.xml
 status fivecheck -q -s setup.xml --dump-path e.xml a.mpf | cut -f 1-6
@@ -68,7 +68,7 @@ status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
 printf '<setup version="1"><variable name="R5" value="9"/>\n<variable name="R5" value="8"/></setup>\n' >setup.xml
 status fivecheck -q -s setup.xml --parse-only s.xml a.mpf 2>&1 | grep error
 status fivecheck -q -s setup.xml --parse-only m.xml a.mpf 2>&1 | grep error
-# What is wrong with an element that only the reading of a program finds is told at the element.
+# An error in an element that is found only with a program is reported at the element.
 cat >k.h <<'NC'
 BEGIN PGM K MM
 FN 18: SYSREAD Q1 = ID50 NR3 IDX1

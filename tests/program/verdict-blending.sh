@@ -1,4 +1,4 @@
-# Where the control may leave the path the proof widens by that much: a gap of 0.03 mm.
+# If the control may leave the path, the proof includes that distance: a gap of 0.03 mm.
 box cube -5 -5 -5 5 5 5
 box wall -50 5.03 -50 150 10 50
 machine m.xml <<'XML'

@@ -1,4 +1,4 @@
-# Pairs out of reach count again past a limit, and a limit itself is a finding at the instant it is passed.
+# Pairs out of reach are checked again past a limit, and a limit itself is a finding at the instant it is passed.
 box head -5 -5 -5 5 5 5
 box wall 100 -50 -50 110 50 50
 machine m.xml <<'XML'
@@ -13,7 +13,7 @@ fivecheck --list-pairs m.xml | cut -f 1-3
 echo 'G1 X200 F600' >past.nc
 findings m.xml past.nc
 findings -a m.xml past.nc
-# To the limit, and a hair's breadth past it, is inside.
+# A move to the limit, or past it by less than rounding, is inside.
 status fivecheck -q m.xml - <<'NC'
 G1 X50 F600
 G1 X50.0000009
@@ -23,7 +23,7 @@ findings m.xml - <<'NC'
 G1 X40 F600
 G3 Y40 J20
 NC
-# A tool that is put in past a limit is looked at there, though nothing moves any more and the limit is accepted: wholly
+# A tool loaded past a limit is checked there, although nothing moves any more and the limit is accepted: wholly
 # inside the wall, through its surface, above it.
 box wall 100 -50 -50 200 50 50
 box head -5 -5 -5 5 5 5

@@ -1,4 +1,4 @@
-# The clearance that is reported is the distance of the nearest places, not of the first that were found too near.
+# The reported clearance is the distance of the nearest points, not of the first ones found too near.
 box left -30 -10 -1 -10 10 40
 box middle -9 -10 -2 9 10 40
 box right 10 -10 -3 30 10 40

@@ -17,7 +17,7 @@ G1 X-5
 NC
 findings inside.xml move.nc
 fivecheck -q inside.xml move.nc | grep '<pair'
-# A program that never moves has its start looked at.
+# The start of a program without motion is checked.
 echo 'G4 P1' >still.nc
 status fivecheck inside.xml still.nc 2>&1 | grep -E 'warning|error|status'
 # The tool appears in the table's post.

@@ -1,5 +1,5 @@
-# A post stands beside the straight way of a rapid from (0,0) to (100,20), but in the way of a dogleg, which
-# goes diagonally to (20,20) and then along X; and anywhere between them when the way is not known.
+# A post is beside the straight path of a rapid from (0,0) to (100,20), but in the path of a dogleg, which moves
+# diagonally to (20,20) and then along X; it is also hit if the path is not known.
 box pin -1 -1 -1 1 1 1
 box post 20 12 -5 24 30 5
 for rapid in linear dogleg any; do

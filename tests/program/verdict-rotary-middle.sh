@@ -1,5 +1,5 @@
-# An arm of 100 mm along X, 2 mm wide, turns by 90 degrees; a post stands on its way: both ends of the block are
-# free. The arm's edge y=1 meets the post's corner P = (70, 63.5) at the angle of P less asin(1/|P|).
+# An arm of 100 mm along X, 2 mm wide, turns by 90 degrees; a post is in its path: both ends of the block are free. The
+# arm's edge y=1 meets the post's corner P = (70, 63.5) at the angle of P less asin(1/|P|).
 box arm 0 -1 -1 100 1 1
 box post 63 63.5 -10 70 70 10
 machine m.xml <<'XML'

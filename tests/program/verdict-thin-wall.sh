@@ -1,5 +1,5 @@
 # A wall of 0.01 mm, crossed by one rapid of 300 mm. The cube's front, at x=5, meets the wall's face, at
-# x=100.3, after 95.3 of the 300 mm. Samples of 0.01 s are 1 mm apart: they see the cube in the wall, later.
+# x=100.3, after 95.3 of the 300 mm. Samples of 0.01 s are 1 mm apart: they find the cube in the wall, but later.
 box cube -5 -5 -5 5 5 5
 box wall 100.3 -50 -50 100.31 50 50
 box pin -0.001 -0.001 -0.001 0.001 0.001 0.001

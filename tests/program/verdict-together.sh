@@ -1,4 +1,4 @@
-# Two bodies that one axis carries cost nothing while only that axis moves, however close they are.
+# Two bodies on one axis need no work while only that axis moves, however close they are.
 box low -50 -50 0 50 50 10
 box high -5 -5 10.01 5 5 20
 machine m.xml <<'XML'

@@ -1,4 +1,4 @@
-# Results from which lines were taken, or to which lines were added, are no results of a run: waive and merge refuse them.
+# waive and merge refuse results from which lines were removed or to which lines were added.
 small_machine
 printf 'G0 X10\nG1 Z-120 F6000\nZ0\nZ-110\nM2\n' >a.nc
 fivecheck -q -a -f ndjson m.xml a.nc >whole.json 2>/dev/null

@@ -1,4 +1,4 @@
-# fivecheck waive writes waivers from a run: what it found is accepted, wherever it stands now; what is new fails.
+# fivecheck waive writes waivers from a run: its findings are accepted, also in other lines; new ones fail.
 small_machine
 export SOURCE_DATE_EPOCH=1767225599 # 2025-12-31
 printf 'G0 X10\nG1 Z-120 F6000\nG0 Z0\nG0 X300\nG0 X0\n' >a.nc

@@ -1,4 +1,4 @@
-# Waivers: what they name is accepted, with the reason, until their last day; nothing else is, and nothing silently.
+# Waivers: the named findings are accepted, with the reason, until the last day; nothing else is, and nothing silently.
 small_machine
 export SOURCE_DATE_EPOCH=1767225599 # 2025-12-31, the last second of it
 printf 'G0 X10\nG1 Z-120 F6000\nG0 Z0\nG0 X300\nG0 X0\n' >a.nc

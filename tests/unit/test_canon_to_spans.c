@@ -438,7 +438,7 @@ START_TEST(absurd_moves_are_refused)
 {
 	struct canon_move move = move_to(CANON_FEED, (axis_values){{0, 0, 1e300}});
 
-	assert_refused(move, "axis Z is sent to 1e+300");
+	assert_refused(move, "axis Z moves to 1e+300");
 	move.end.v[SLOT_Z] = (double)NAN;
 	assert_refused(move, "axis Z");
 	move = move_to(CANON_ARC, (axis_values){{1}});

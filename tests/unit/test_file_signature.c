@@ -32,11 +32,11 @@ END_TEST
 
 START_TEST(packed_files)
 {
-	expect("\x1f\x8b\x08\0", 4, "this file is packed by gzip: unpack it first");
+	expect("\x1f\x8b\x08\0", 4, "this file is compressed by gzip: unpack it first");
 	expect("PK\003\004\x14\0\0\0", 8,
 	       "this is a zip archive, or a document of a word processor or spreadsheet: unpack it first, or save the "
 	       "document as plain text");
-	expect("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8, "this is a document of an office program: save it as plain text");
+	expect("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8, "this is an office document: save it as plain text");
 }
 END_TEST
 

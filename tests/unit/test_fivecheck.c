@@ -194,7 +194,7 @@ START_TEST(keeps_clearances)
 	write_text("a.nc", "G1 Z-99 F6000\n");
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_FOUND);
 	ck_assert(!fivecheck_prepare(model, 2, diag));
-	assert_messages("error -:0:0 a model is prepared once\n");
+	assert_messages("error -:0:0 a model can be prepared only once\n");
 	ck_assert_int_eq((int)fivecheck_diag_errors(diag), 1);
 	(void)seen;
 }
@@ -207,7 +207,7 @@ START_TEST(parses_without_bodies)
 
 	write_text("a.nc", "o<up> sub\n/G1 Z60\no<up> endsub\nG1 Z-120 F6000\no<up> call\n");
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);
-	assert_messages("error -:0:0 the model was not prepared: its bodies are not known\n");
+	assert_messages("error -:0:0 the model was not prepared, so its bodies are not known\n");
 	fivecheck_options_set_parse_only(options, true);
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", &events, diag, NULL, NULL), FIVECHECK_FOUND);
 	ck_assert_int_eq(seen.findings, 1);
@@ -312,7 +312,8 @@ START_TEST(reports_faults)
 	ck_assert(!fivecheck_prepare(model, -1, diag));
 	ck_assert(!fivecheck_prepare(model, NAN, diag));
 	assert_messages("error -:0:0 'klingon' is not the name of a dialect\n"
-			"error -:0:0 the clearance must be 0 mm or more\nerror -:0:0 the clearance must be 0 mm or more\n");
+			"error -:0:0 the clearance must not be negative\nerror -:0:0 the clearance must not be "
+			"negative\n");
 	strbuf_clear(&messages);
 	fivecheck_options_set_parse_only(options, true);
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "none.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);

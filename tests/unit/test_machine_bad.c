@@ -4,8 +4,8 @@
 
 static const struct xml_case bad[] = {
     /* the file as XML */
-    {"", "m.xml: error: the file is empty: there is no element in it\n"},
-    {"\n \n", "m.xml: error: the file is empty: there is no element in it\n"},
+    {"", "m.xml: error: the file is empty: it has no element\n"},
+    {"\n \n", "m.xml: error: the file is empty: it has no element\n"},
     {"solid cube\n", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
     {"<!-- -->", "m.xml:1: error: this is not well-formed XML: Start tag expected, '<' not found\n"},
     {"<machine version='1'>\n<base>\n</machine>",
@@ -19,9 +19,9 @@ static const struct xml_case bad[] = {
     {"<?xml version='1.0' encoding='IBM037'?>\n<machine version='1'/>",
      "m.xml:1: error: the encoding \"IBM037\" is not supported: save the file as UTF-8\n"},
     {"<!DOCTYPE machine SYSTEM 'http://example.org/machine.dtd'>\n<machine version='1'/>",
-     "m.xml:1: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove it\n"},
+     "m.xml:1: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove them\n"},
     {"<?xml version='1.0'?>\n<!DOCTYPE m [<!ENTITY a 'x'><!ENTITY b '&a;&a;&a;'>]>\n<machine version='&b;'/>",
-     "m.xml:2: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove it\n"},
+     "m.xml:2: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove them\n"},
     {"<machine version='1' name='&nbsp;'><base/></machine>",
      "m.xml:1: error: this is not well-formed XML: Entity 'nbsp' not defined\n"},
     {"<lathe version='1'/>",
@@ -29,21 +29,21 @@ static const struct xml_case bad[] = {
     {"<setup version='1'/>",
      "m.xml:1: error: this is a setup file, but a machine file is needed here: give it with --setup\n"},
     {"<machine version='2'><novelty/></machine>",
-     "m.xml:1: error: version \"2\" of the machine file is not supported; this program reads version 1\n"},
+     "m.xml:1: error: version \"2\" of the machine file is not supported; fivecheck reads version 1\n"},
     /* its form */
-    {"<machine><base/></machine>", "m.xml:1: error: <machine> lacks the attribute 'version'\n"},
-    {MACHINE(""), "m.xml:1: error: <machine> lacks <base>\n"},
+    {"<machine><base/></machine>", "m.xml:1: error: <machine> needs the attribute 'version'\n"},
+    {MACHINE(""), "m.xml:1: error: <machine> needs <base>\n"},
     {MACHINE("<base/>\n<base/>"), "m.xml:3: error: <machine> has a second <base>\n"},
     {MACHINE("<base/><pairs/><pairs/>"), "m.xml:2: error: <machine> has a second <pairs>\n"},
     {MACHINE("<base/><controler/>"),
      "m.xml:2: error: unknown element <controler> in <machine>; did you mean <controller>?\n"},
     {BASE("<conveyor/>"), "m.xml:2: error: unknown element <conveyor> in <base>\n"},
-    {BASE("<pair a='b' b='c'/>"), "m.xml:2: error: element <pair> does not belong in <base>\n"},
+    {BASE("<pair a='b' b='c'/>"), "m.xml:2: error: element <pair> is not allowed in <base>\n"},
     {BASE(AXIS_X " direcion='0 0 1'/>"),
      "m.xml:2: error: unknown attribute 'direcion' of <axis>; did you mean 'direction'?\n"},
     {BASE(AXIS_X " colour='red'/>"), "m.xml:2: error: unknown attribute 'colour' of <axis>\n"},
     {BASE("<axis name='X' type='linear' direction='1 0 0'/>"),
-     "m.xml:2: error: <axis> lacks the attribute 'rate_max'\n"},
+     "m.xml:2: error: <axis> needs the attribute 'rate_max'\n"},
     {BASE(AXIS_X " home='ten'/>"), "m.xml:2: error: home=\"ten\" of <axis> is not a number\n"},
     {BASE(AXIS_X " home='1,5'/>"), "m.xml:2: error: home=\"1,5\" of <axis> is not a number: write a decimal point\n"},
     {BASE(AXIS_X " home='nan'/>"), "m.xml:2: error: home=\"nan\" of <axis> is not a number\n"},
@@ -61,48 +61,52 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: number=\"-5\" of <mcode> must be a whole number, 0 or more\n"
      "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off, ignore, spindle-on or spindle-off\n"},
     {MACHINE("<controller dialect='fanuc'><variable value='1'/></controller><base/>"),
-     "m.xml:2: error: <variable> lacks the attribute 'name'\n"},
+     "m.xml:2: error: <variable> needs the attribute 'name'\n"},
     {MACHINE("<controller dialect='fanuc'><variable name='#1' value='1'/>\n<variable name='# 1'/></controller><base/>"),
      "m.xml:3: error: #1 is given twice\n"},
     {MACHINE("<controller dialect='fanuc'><variable name='#1' value=''/></controller><base/>"),
-     "m.xml:2: error: value of <variable> is empty: what does #1 hold?\n"},
+     "m.xml:2: error: value of <variable> is empty: give the value of #1\n"},
     {MACHINE("<controller dialect='fanuc'><variable name='500' value='1'/>\n<variable name='#0500' value='1'/>\n"
 	     "<variable name='#5OO' value='1'/></controller><base/>"),
-     "m.xml:2: error: name=\"500\" of <variable> is no name, such as #500\n"
-     "m.xml:3: error: name=\"#0500\" of <variable> is no name, such as #500\n"
-     "m.xml:4: error: name=\"#5OO\" of <variable> is no name, such as #500\n"},
+     "m.xml:2: error: name=\"500\" of <variable> is not a name, such as #500\n"
+     "m.xml:3: error: name=\"#0500\" of <variable> is not a name, such as #500\n"
+     "m.xml:4: error: name=\"#5OO\" of <variable> is not a name, such as #500\n"},
     {MACHINE("<controller dialect='klartext'><variable name='Q1' type='REAL' value='1'/></controller><base/>"),
-     "m.xml:2: error: <variable> of this control has a name and a value, and neither type nor size\n"},
+     "m.xml:2: error: <variable> of this control has only a name and a value, no type and no size\n"},
     {MACHINE("<controller><variable name='#1' value='1'/></controller><base/>"),
-     "m.xml:2: error: <variable>: LinuxCNC takes its values from the program alone\n"},
+     "m.xml:2: error: <variable>: only the program determines the value of LinuxCNC\n"},
     {MACHINE("<controller dialect='sinumerik'><variable name='_A' type='REAL' value='x'/>\n"
 	     "<variable name='_B' type='AXIS' value='Q'/>\n<variable name='_C' size='3'/>\n"
 	     "<variable name='_D' type='INT' size='3,'/>\n<variable name='_E' type='INT' size='1,2,3,4'/></controller><base/>"),
-     "m.xml:2: error: value=\"x\" of <variable> is no number\n"
-     "m.xml:3: error: value=\"Q\" of <variable> is no letter of an axis\n"
-     "m.xml:4: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"
-     "m.xml:5: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"
-     "m.xml:6: error: size of <variable>: one to three whole numbers, beside a type: size=\"10\", size=\"3,4\"\n"},
+     "m.xml:2: error: value=\"x\" of <variable> is not a number\n"
+     "m.xml:3: error: value=\"Q\" of <variable> is not an axis letter\n"
+     "m.xml:4: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
+     "size=\"3,4\"\n"
+     "m.xml:5: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
+     "size=\"3,4\"\n"
+     "m.xml:6: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
+     "size=\"3,4\"\n"},
     {MACHINE("<controller dialect='sinumerik'><variable name='_F' type='FRAME'/></controller><base/>"),
      "m.xml:2: error: type=\"FRAME\" of <variable> must be REAL, INT, BOOL, CHAR, STRING or AXIS\n"},
     {BASE("<body name='b' mesh='b.stl' units='feet'/>"),
      "m.xml:2: error: units=\"feet\" of <body> must be mm, inch, cm or m\n"},
-    {BASE("steel"), "m.xml:2: error: <base> holds text; only elements belong there\n"},
+    {BASE("steel"), "m.xml:2: error: <base> contains text; only elements are allowed here\n"},
     {"<machine version='1' xmlns='http://example.org/'><base/></machine>",
-     "m.xml:1: error: <machine> declares a namespace; these files use none\n"
-     "m.xml:1: error: element <base> is in a namespace; these files use none\n"
-     "m.xml:1: error: <machine> lacks <base>\n"},
+     "m.xml:1: error: <machine> declares a namespace; fivecheck files use none\n"
+     "m.xml:1: error: element <base> is in a namespace; fivecheck files use none\n"
+     "m.xml:1: error: <machine> needs <base>\n"},
     /* its meaning */
     {BASE("<body name='b' mesh=''/>"), "m.xml:2: error: mesh=\"\" of <body> is empty\n"},
     {BASE("<body name='' mesh='b.stl'/>"), "m.xml:2: error: name=\"\" of <body> is empty\n"},
-    {BASE("<body name='a&#9;b' mesh='b.stl'/>"), "m.xml:2: error: name=\"a?b\" of <body> holds a control character\n"},
+    {BASE("<body name='a&#9;b' mesh='b.stl'/>"),
+     "m.xml:2: error: name=\"a?b\" of <body> contains a control character\n"},
     {BASE("<body name='a&#155;b' mesh='b.stl'/>"),
-     "m.xml:2: error: name=\"a??b\" of <body> holds a control character\n"},
+     "m.xml:2: error: name=\"a??b\" of <body> contains a control character\n"},
     {BASE("<body name='b' mesh='b.stl'/>\n<body name='b' mesh='c.stl'/>"),
-     "m.xml:3: error: the name 'b' is taken: another body has it (m.xml:2)\n"},
+     "m.xml:3: error: another body already has the name 'b' (m.xml:2)\n"},
     {BASE("<body name='holder' mesh='b.stl'/>\n<body name='Z' mesh='c.stl'/>"),
-     "m.xml:2: error: a body cannot be named 'holder': in a <pair> that word names an axis, the base or a role\n"
-     "m.xml:3: error: a body cannot be named 'Z': in a <pair> that word names an axis, the base or a role\n"},
+     "m.xml:2: error: a body cannot be named 'holder': in a <pair> this word is an axis, the base or a role\n"
+     "m.xml:3: error: a body cannot be named 'Z': in a <pair> this word is an axis, the base or a role\n"},
     {BASE("<body name='b' mesh='b.stl' location='0 2e7 0'/>"),
      "m.xml:2: error: location=\"0 2e7 0\" of <body> is beyond 10 km: check the units\n"},
     {BASE("<body name='b' mesh='b.stl' rotation='0 0 1e300'/>"),
@@ -115,7 +119,7 @@ static const struct xml_case bad[] = {
     {BASE("<axis name='U' type='rotary' direction='1 0 0' location='0 0 0' rate_max='1'/>"),
      "m.xml:2: error: axis U cannot be rotary: A B C are rotary, X Y Z U V W are linear\n"},
     {BASE("<axis name='B' type='rotary' direction='0 1 0' rate_max='1'/>"),
-     "m.xml:2: error: axis B is rotary and lacks the attribute 'location', a point on its axis\n"},
+     "m.xml:2: error: rotary axis B needs the attribute 'location', a point on its axis\n"},
     {BASE(AXIS_X " wrap='shortest'/>"), "m.xml:2: error: axis X is linear: only a rotary axis can have wrap\n"},
     {BASE(AXIS_X " half_turn='positive'/>"),
      "m.xml:2: error: axis X is linear: only a rotary axis can have half_turn\n"},
@@ -128,9 +132,9 @@ static const struct xml_case bad[] = {
     {BASE(AXIS_X " limit_min='5' limit_max='5'/>"),
      "m.xml:2: error: limit_min=\"5\" of axis X is not less than limit_max=\"5\"\n"},
     {BASE(AXIS_X " limit_min='5' limit_max='9'/>"),
-     "m.xml:2: error: 0, the default home, lies outside the limits of axis X: give it a home\n"},
+     "m.xml:2: error: 0, the default home, is outside the limits of axis X: give this axis a home\n"},
     {BASE(AXIS_C " limit_max='90' home='90.000002'/>"),
-     "m.xml:2: error: home=\"90.000002\" of axis C lies outside its limits\n"},
+     "m.xml:2: error: home=\"90.000002\" of axis C is outside its limits\n"},
     {BASE(AXIS_X " home='1e8'/>"), "m.xml:2: error: home=\"1e8\" of <axis> is beyond 10 km: check the units\n"},
     {BASE("<spindle location='0 0 0' direction='0 0 1'/>" AXIS_X
 	  ">\n<spindle location='0 0 0' direction='0 0 1'/></axis>"),
@@ -156,7 +160,7 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller dialect='klartext' frames_outlive_cycle800='no'/><base/>"),
      "m.xml:2: error: frames_outlive_cycle800 of <controller>: Heidenhain Klartext has no such parameter\n"},
     {MACHINE("<controller dialect='klartext' increments_after_shift='traverse'/><base/>"),
-     "m.xml:2: error: increments_after_shift of <controller>: Heidenhain Klartext knows \"stay\" alone\n"},
+     "m.xml:2: error: increments_after_shift of <controller>: Heidenhain Klartext supports only \"stay\"\n"},
     {MACHINE("<controller dialect='haas' increments_after_shift='stay'/><base/>"),
      "m.xml:2: error: increments_after_shift of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
@@ -164,20 +168,20 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller><tool_change X='1'/></controller><base/>"),
      "m.xml:2: error: <tool_change> has a position for X, but the machine has no axis X\n"},
     {MACHINE("<controller><tool_change order='X'/></controller><base>" AXIS_X "/></base>"),
-     "m.xml:2: error: <tool_change> gives no position\n"},
+     "m.xml:2: error: <tool_change> has no position\n"},
     {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
      "m.xml:3: error: <tool_change> is given twice\n"},
     {MACHINE("<controller cutter_comp_start='A'/><base/>"),
-     "m.xml:2: error: cutter_comp_start of <controller>: LinuxCNC always starts cutter compensation in one way\n"},
-    {MACHINE("<controller preset='ngc'/><base/>"), "m.xml:2: error: preset of <controller>: LinuxCNC has none\n"},
+     "m.xml:2: error: cutter_comp_start of <controller>: LinuxCNC has only one way to start cutter compensation\n"},
+    {MACHINE("<controller preset='ngc'/><base/>"), "m.xml:2: error: preset of <controller>: LinuxCNC has no presets\n"},
     {MACHINE("<controller dialect='fanuc' preset='ngc'/><base/>"),
-     "m.xml:2: error: preset=\"ngc\" of <controller>: those of Fanuc are 16i, 0i-MB, 0i-D, 0i-F or 30i-B\n"},
+     "m.xml:2: error: preset=\"ngc\" of <controller>: the presets of Fanuc are 16i, 0i-MB, 0i-D, 0i-F or 30i-B\n"},
     {MACHINE("<controller cutter_comp_d='radius'/><base/>"),
-     "m.xml:2: error: cutter_comp_d of <controller>: D of LinuxCNC is the number of a tool\n"},
+     "m.xml:2: error: cutter_comp_d of <controller>: in LinuxCNC, D is the number of a tool\n"},
     {MACHINE("<controller unidirectional_overrun='1'/><base/>"),
      "m.xml:2: error: unidirectional_overrun of <controller>: LinuxCNC has no G60\n"},
     {MACHINE("<controller dialect='fanuc' unidirectional_overrun='0'/><base/>"),
-     "m.xml:2: error: unidirectional_overrun of <controller> must be more than 0\n"},
+     "m.xml:2: error: unidirectional_overrun of <controller> must be greater than 0\n"},
     {MACHINE("<controller cutter_comp_corner='linear'/><base/>"),
      "m.xml:2: error: cutter_comp_corner of <controller>: LinuxCNC always rounds outside corners\n"},
     {MACHINE("<controller cutter_comp_idle_blocks='3'/><base/>"),
@@ -185,22 +189,22 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller m6_with_move='after'/><base/>"),
      "m.xml:2: error: m6_with_move of <controller>: LinuxCNC changes the tool before a block moves\n"},
     {MACHINE("<controller m6_with_t='own'/><base/>"),
-     "m.xml:2: error: m6_with_t of <controller>: LinuxCNC loads the T beside M6\n"},
+     "m.xml:2: error: m6_with_t of <controller>: LinuxCNC loads the tool of the T beside M6\n"},
     {MACHINE("<controller colon='program'/><base/>"),
-     "m.xml:2: error: colon of <controller>: LinuxCNC has no program numbers behind ':'\n"},
+     "m.xml:2: error: colon of <controller>: LinuxCNC has no program numbers after ':'\n"},
     {MACHINE("<controller dialect='fanuc' arc_radius_tolerance='0'/><base/>"),
-     "m.xml:2: error: arc_radius_tolerance of <controller> must be more than 0\n"},
+     "m.xml:2: error: arc_radius_tolerance of <controller> must be greater than 0\n"},
     {MACHINE("<controller g53_with_g91='absolute'/><base/>"),
-     "m.xml:2: error: g53_with_g91 of <controller>: LinuxCNC refuses G53 while G91 is in force\n"},
+     "m.xml:2: error: g53_with_g91 of <controller>: LinuxCNC refuses G53 while G91 is active\n"},
     {MACHINE("<controller length_after_reference='keeps'/><base/>"),
      "m.xml:2: error: length_after_reference of <controller>: LinuxCNC keeps the length offset\n"},
     {MACHINE("<controller length_offset_moves='no'/><base/>"),
      "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis when the length offset changes\n"},
     {MACHINE("<controller><reference number='5'/></controller><base/>"),
      "m.xml:2: error: number=\"5\" of <reference> is not between 1 and 4\n"
-     "m.xml:2: error: <reference> gives no position\n"},
+     "m.xml:2: error: <reference> has no position\n"},
     {MACHINE("<controller><tool_change X='1' order='Z'/></controller><base>" AXIS_X "/></base>"),
-     "m.xml:2: error: order of <tool_change> names 'Z', but <tool_change> gives no position for it\n"},
+     "m.xml:2: error: order of <tool_change> names 'Z', but <tool_change> has no position for it\n"},
     {MACHINE("<controller><tool_change X='1' order='XX'/></controller><base>" AXIS_X "/></base>"),
      "m.xml:2: error: order of <tool_change> names X twice\n"},
     {MACHINE("<controller><tool_change X='1' order=''/></controller><base>" AXIS_X "/></base>"),
@@ -208,10 +212,10 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller><tool_change X='1'/>\n<tool_change X='2'/></controller><base>" AXIS_X "/></base>"),
      "m.xml:3: error: <tool_change> is given twice\n"},
     {MACHINE("<controller path_tolerance='0'/><base/>"),
-     "m.xml:2: error: path_tolerance of <controller> must be more than 0\n"},
+     "m.xml:2: error: path_tolerance of <controller> must be greater than 0\n"},
     {MACHINE(
 	 "<controller><mcode number='6' action='ignore'/><mcode number='10000' action='ignore'/></controller><base/>"),
-     "m.xml:2: error: M6 has a fixed meaning that cannot be changed\n"
+     "m.xml:2: error: M6 has a fixed meaning and cannot be redefined\n"
      "m.xml:2: error: number=\"10000\" of <mcode> is not between 0 and 9999\n"},
     {MACHINE(
 	 "<controller><mcode number='50' action='ignore'/>\n<mcode number='50' action='tcp-on'/></controller><base/>"),
@@ -225,7 +229,7 @@ static const struct xml_case bad[] = {
     {MACHINE("<base/><pairs><pair a='b' b='c' clearance='-1'/></pairs>"),
      "m.xml:2: error: clearance=\"-1\" of <pair> is negative\n"},
     {MACHINE("<base/><pairs><pair a='b' b='c'/></pairs>"),
-     "m.xml:2: error: <pair> says nothing: give it a check or a clearance\n"},
+     "m.xml:2: error: <pair> needs a check or a clearance\n"},
     {MACHINE("<base/><pairs><pair a='b' b='b' check='always'/></pairs>"), "m.xml:2: error: <pair> names 'b' twice\n"},
     {MACHINE("<base/><pairs><pair a='b' b='W' check='always'/></pairs>"),
      "m.xml:2: error: b=\"W\" of <pair>: the machine has no axis W\n"},
@@ -233,7 +237,7 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: adjacent_within=\"-1\" of <pairs> is negative\n"},
     {MACHINE("<base/><setup version='7'/>"), "m.xml:2: error: version=\"7\" of <setup> must be 1\n"},
     {MACHINE("<base/><setup><fixture name='f' mesh='f.stl'/></setup>"),
-     "m.xml:2: error: the machine has no <workholding> for a <fixture>\n"},
+     "m.xml:2: error: the machine has no <workholding>, which a <fixture> needs\n"},
 };
 
 START_TEST(faults)
@@ -268,9 +272,9 @@ START_TEST(unknown_names_in_pairs)
 	ck_assert(machine_check_rules(machine, NULL, &messages.diag));
 	ck_assert_str_eq(
 	    strbuf_text(&messages.text),
-	    "m.xml:3: warning: <pair>: the machine has no body 'sadle', and no setup was given that could have one\n"
-	    "m.xml:4: warning: <pair>: the machine has no body 'vise', and no setup was given that could have one\n"
-	    "m.xml:5: warning: <pair>: the machine has no body 'qqqqqq', and no setup was given that could have one\n");
+	    "m.xml:3: warning: <pair>: the machine has no body 'sadle', and there is no setup that could have one\n"
+	    "m.xml:4: warning: <pair>: the machine has no body 'vise', and there is no setup that could have one\n"
+	    "m.xml:5: warning: <pair>: the machine has no body 'qqqqqq', and there is no setup that could have one\n");
 	strbuf_clear(&messages.text);
 	write_text("s.xml", "<setup version='1'><fixture name='vise' mesh='v.stl'/></setup>");
 	setup = setup_load("s.xml", machine, &messages.diag);

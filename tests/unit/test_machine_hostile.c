@@ -22,7 +22,7 @@ START_TEST(refuses_giants)
 
 	memset(bytes, ' ', size);
 	write_bytes("m.xml", bytes, size);
-	assert_refused("m.xml", "m.xml: error: larger than 4 MiB: this is no machine, setup or waivers file\n");
+	assert_refused("m.xml", "m.xml: error: larger than 4 MiB: this is not a machine, setup or waivers file\n");
 	memcpy(bytes, "<machine version='1' name='", 27);
 	memset(bytes + 27, 'x', size - 28);
 	memcpy(bytes + size - 31, "'><base/></machine>", 19);
@@ -42,7 +42,7 @@ START_TEST(refuses_foreign_bytes)
 	write_bytes("m.xml", utf16, sizeof(utf16));
 	assert_refused("m.xml", "m.xml: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
 	write_bytes("m.xml", "<m\0/>", 5);
-	assert_refused("m.xml", "m.xml: error: there are NUL bytes in it: this is no text, or not UTF-8\n");
+	assert_refused("m.xml", "m.xml: error: the file has NUL bytes: it is not text, or not UTF-8\n");
 	write_text("m.xml", ebcdic);
 	assert_refused("m.xml", "m.xml:1: error: this is not XML: it does not start with '<'\n");
 }
@@ -65,7 +65,7 @@ START_TEST(refuses_quickly)
 		strbuf_addf(&text, "<offset number='1' length='1'/>");
 	strbuf_addf(&text, "</setup></machine>");
 	write_text("m.xml", strbuf_text(&text));
-	assert_refused("m.xml", "m.xml:1: error: <setup> holds more than 20000 elements\n");
+	assert_refused("m.xml", "m.xml:1: error: <setup> has more than 20000 elements\n");
 	strbuf_release(&text);
 }
 END_TEST
@@ -118,7 +118,7 @@ START_TEST(stops_telling_after_twenty)
 		lines += *at == '\n';
 	ck_assert_uint_eq(lines, 21);
 	ck_assert_ptr_nonnull(
-	    strstr(strbuf_text(&messages.text), "m.xml: note: there are more errors than these 20\n"));
+	    strstr(strbuf_text(&messages.text), "m.xml: note: more than 20 errors; the others are not listed\n"));
 	strbuf_release(&messages.text);
 	strbuf_release(&text);
 }

@@ -256,42 +256,42 @@ START_TEST(messages)
 	struct machine machine = rig_trunnion();
 
 	expect_message(&machine, euler_normal(10, 20), true, 0,
-		       "G53.1 turns to C10 A20; the other solution, C-170 A-20, is farther for C");
+		       "G53.1 turns to C10 A20; the other solution, C-170 A-20, needs a longer move of C");
 	expect_message(
 	    &machine, euler_normal(90, 20), false, 0,
-	    "G53.1 could turn to C-90 A-20 or to C90 A20, which are as near: turn the rotary axes towards the "
-	    "one that is meant, in a block before");
+	    "G53.1 could turn to C-90 A-20 or to C90 A20, which are equally near: turn the rotary axes towards the "
+	    "intended position in a block before");
 	rig_find(&machine, SLOT_A)->limit_min = radians(-20);
 	rig_find(&machine, SLOT_A)->limit_max = radians(10);
 	expect_message(&machine, euler_normal(10, 20), true, 0,
-		       "G53.1 turns to C-170 A-20; the other solution, C10 A20, lies outside the limits");
+		       "G53.1 turns to C-170 A-20; the other solution, C10 A20, is outside the limits");
 	rig_find(&machine, SLOT_A)->limit_min = radians(-10);
 	expect_message(&machine, euler_normal(10, 20), false, 0,
-		       "within the limits of their travel, the rotary axes cannot stand the tool on this plane");
+		       "within their limits, the rotary axes cannot turn the tool perpendicular to this plane");
 	/* Half a turn of C, either way. */
 	rig_find(&machine, SLOT_A)->limit_min = radians(-90);
 	expect_message(
 	    &machine, euler_normal(0, 20), false, 0,
-	    "G53.1 could turn to C180 A-20 or to C-180 A-20, which are as near: turn the rotary axes towards "
-	    "the one that is meant, in a block before, or give half_turn to axis C in the machine file");
+	    "G53.1 could turn to C180 A-20 or to C-180 A-20, which are equally near: turn the rotary axes towards the "
+	    "intended position in a block before, or give half_turn to axis C in the machine file");
 	/* The machine file knows which. */
 	rig_find(&machine, SLOT_C)->half_turn = -1;
 	expect_message(&machine, euler_normal(0, 20), true, 0,
-		       "G53.1 turns to C-180 A-20; the other solution, C0 A20, lies outside the limits");
+		       "G53.1 turns to C-180 A-20; the other solution, C0 A20, is outside the limits");
 	rig_find(&machine, SLOT_C)->half_turn = 1;
 	expect_message(&machine, euler_normal(0, 20), true, 0,
-		       "G53.1 turns to C180 A-20; the other solution, C0 A20, lies outside the limits");
+		       "G53.1 turns to C180 A-20; the other solution, C0 A20, is outside the limits");
 	rig_find(&machine, SLOT_C)->half_turn = 0;
 	rig_find(&machine, SLOT_C)->limit_min = radians(-100);
 	expect_message(&machine, euler_normal(0, 20), true, 0,
-		       "G53.1 turns to C180 A-20; the other solution, C0 A20, lies outside the limits");
+		       "G53.1 turns to C180 A-20; the other solution, C0 A20, is outside the limits");
 	machine = rig_three_axes();
 	expect_message(&machine, (vec3){0, 0, 1}, false, 0,
 		       "G53.1 needs one or two rotary axes between the workpiece and the tool; this machine has 0");
 	machine.workholding.link = rig_axis(&machine, SLOT_A, 0, rig_minus_x, rig_origin);
 	expect_message(&machine, euler_normal(0, 35), true, 0, "G53.1 turns to A35");
 	expect_message(&machine, euler_normal(1, 35), false, 0,
-		       "the rotary axes of this machine cannot stand the tool on this plane");
+		       "the rotary axes of this machine cannot turn the tool perpendicular to this plane");
 }
 END_TEST
 

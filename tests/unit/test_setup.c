@@ -231,8 +231,7 @@ START_TEST(empty_setup_and_bare_tool)
 	s = setup_load("s.xml", machine, &messages.diag);
 	ck_assert_ptr_nonnull(s);
 	ck_assert_str_eq(strbuf_text(&messages.text),
-			 "s.xml:2: warning: tool 4 has neither holder nor shank nor cutter: "
-			 "nothing of it is checked\n");
+			 "s.xml:2: warning: tool 4 has no holder, shank or cutter, so nothing of it is checked\n");
 	ck_assert_uint_eq(s->body_count, 0);
 	ck_assert_double_eq(s->lengths[0].length, 100);
 	setup_free(s);

@@ -14,36 +14,36 @@ static const struct xml_case bad[] = {
     {TOOL("5", "60", "<cutter mesh='c.stl' flute_length='4'/>"),
      "s.xml:2: error: <cutter> takes its tip from its mesh: remove tip, angle, corner and flute_length\n"},
     {"<machine version='1'/>", "s.xml:1: error: this is a machine file, but a setup file is needed here\n"},
-    {"<setup/>", "s.xml:1: error: <setup> lacks the attribute 'version'\n"},
+    {"<setup/>", "s.xml:1: error: <setup> needs the attribute 'version'\n"},
     {"<setup version='1.0'/>",
-     "s.xml:1: error: version \"1.0\" of the setup file is not supported; this program reads version 1\n"},
+     "s.xml:1: error: version \"1.0\" of the setup file is not supported; fivecheck reads version 1\n"},
     {SETUP("<fixtur name='f' mesh='f.stl'/>"),
      "s.xml:2: error: unknown element <fixtur> in <setup>; did you mean <fixture>?\n"},
-    {SETUP("<section length='1' diameter='1'/>"), "s.xml:2: error: element <section> does not belong in <setup>\n"},
+    {SETUP("<section length='1' diameter='1'/>"), "s.xml:2: error: element <section> is not allowed in <setup>\n"},
     {SETUP("<work_offset name='G60'/>"),
      "s.xml:2: error: name=\"G60\" of <work_offset> must be G54 to G59, G59.1, G59.2, G59.3, G54.1 P1 to P300 (or "
      "G154 P1 to P99, G110 to G129), G54.4 P1 to P7, G505 to G599 or #0 to #9999\n"},
     {SETUP("<work_offset name='G154 P7'/>\n<work_offset name='G116'/>"),
-     "s.xml:3: error: work offset G54.1 P7 is given twice (the other in line 2)\n"},
+     "s.xml:3: error: work offset G54.1 P7 is given twice (also in line 2)\n"},
     {SETUP("<work_offset name='G54.1P9'/>\n<work_offset name='G54 P9'/>"),
-     "s.xml:3: error: work offset G54.1 P9 is given twice (the other in line 2)\n"},
+     "s.xml:3: error: work offset G54.1 P9 is given twice (also in line 2)\n"},
     {SETUP("<work_offset name='G54' D='1'/>"), "s.xml:2: error: unknown attribute 'D' of <work_offset>\n"},
     {SETUP("<work_offset name='G54' X='1' B='0'/>"),
      "s.xml:2: error: work offset G54 has a value for B, but the machine has no axis B\n"},
     {SETUP("<work_offset name='G54'/>\n<work_offset name='G54'/>"),
-     "s.xml:3: error: work offset G54 is given twice (the other in line 2)\n"},
+     "s.xml:3: error: work offset G54 is given twice (also in line 2)\n"},
     {SETUP("<work_offset name='G54' C='1e8'/>"),
      "s.xml:2: error: C=\"1e8\" of <work_offset> is beyond 10 million degrees\n"},
     {SETUP("<fixture name='bed' mesh='f.stl'/>"),
-     "s.xml:2: error: the name 'bed' is taken: another body has it (m.xml:1)\n"},
+     "s.xml:2: error: another body already has the name 'bed' (m.xml:1)\n"},
     {SETUP("<fixture name='f' mesh='f.stl'/>\n<part name='f' mesh='g.stl'/>"),
-     "s.xml:3: error: the name 'f' is taken: another body has it (s.xml:2)\n"},
+     "s.xml:3: error: another body already has the name 'f' (s.xml:2)\n"},
     {SETUP("<part name='part' mesh='g.stl'/>"),
-     "s.xml:2: error: a body cannot be named 'part': in a <pair> that word names an axis, the base or a role\n"},
+     "s.xml:2: error: a body cannot be named 'part': in a <pair> this word is an axis, the base or a role\n"},
     {SETUP("<part name='T5 cutter' mesh='g.stl'/>\n<tool number='5' length='9'><cutter mesh='c.stl'/></tool>"),
-     "s.xml:3: error: the name 'T5 cutter' is taken: another body has it (s.xml:2)\n"},
+     "s.xml:3: error: another body already has the name 'T5 cutter' (s.xml:2)\n"},
     {TOOL("8", "9", "<cutter mesh='c.stl'/>"),
-     "s.xml:2: error: the name 'T8 cutter' is taken: another body has it (m.xml:1)\n"},
+     "s.xml:2: error: another body already has the name 'T8 cutter' (m.xml:1)\n"},
     {SETUP("<offset number='1' length='2'/>\n<offset number='1' length='2'/>"),
      "s.xml:3: error: <offset> 1 is given twice\n"},
     {SETUP("<offset number='1' length='2'/>\n<offset number='1' radius='2'/>"),
@@ -56,26 +56,26 @@ static const struct xml_case bad[] = {
     {"<setup version='1' initial_tool='3'/>", "s.xml:1: error: initial_tool=\"3\" of <setup>: there is no such tool\n"},
     {"<setup version='1' initial_tool='-1'/>",
      "s.xml:1: error: initial_tool=\"-1\" of <setup> must be a whole number, 0 or more\n"},
-    {SETUP("<tool number='1'/>"), "s.xml:2: error: <tool> lacks the attribute 'length'\n"},
+    {SETUP("<tool number='1'/>"), "s.xml:2: error: <tool> needs the attribute 'length'\n"},
     {TOOL("1", "0", ""), "s.xml:2: error: length=\"0\" of <tool> is not between 0 and 5000 mm\n"},
     {TOOL("1", "6000", ""), "s.xml:2: error: length=\"6000\" of <tool> is not between 0 and 5000 mm\n"},
     {TOOL("1.5", "10", ""), "s.xml:2: error: number=\"1.5\" of <tool> must be a whole number, 1 or more\n"},
     {SETUP("<tool number='1' length='9'><cutter mesh='c'/></tool>\n<tool number='1' length='9'><cutter "
 	   "mesh='c'/></tool>"),
-     "s.xml:3: error: tool 1 is given twice (the other in line 2)\n"},
+     "s.xml:3: error: tool 1 is given twice (also in line 2)\n"},
     {TOOL("1", "10", "<cutter>" SECTION("9.99999", "2") "</cutter>"),
      "s.xml:2: error: the sections of tool 1 add up to 9.99999 mm, but its length is 10 mm\n"},
     {TOOL("1", "10", "<holder mesh='h'/><cutter>" SECTION("11", "2") "</cutter>"),
      "s.xml:2: error: the sections of tool 1 are longer than the tool\n"},
     {TOOL("1", "10", "<holder mesh='h'/><shank>" SECTION("1", "2") "</shank><cutter mesh='c'/>"),
-     "s.xml:2: error: <shank> stands between two meshes: give it a mesh too\n"},
+     "s.xml:2: error: <shank> is between two meshes: give it a mesh too\n"},
     {TOOL("1", "10", "<cutter mesh='c'>" SECTION("10", "2") "</cutter>"),
      "s.xml:2: error: <cutter> has both a mesh and sections\n"},
     {TOOL("1", "10", "<cutter/>"), "s.xml:2: error: <cutter> needs sections, or a mesh\n"},
     {TOOL("1", "10", "<cutter mesh='c' tip='ball'/>"),
      "s.xml:2: error: <cutter> takes its tip from its mesh: remove tip, angle, corner and flute_length\n"},
     {TOOL("1", "10", "<cutter units='inch'>" SECTION("10", "2") "</cutter>"),
-     "s.xml:2: error: <cutter> has units, but no mesh that they are for\n"},
+     "s.xml:2: error: <cutter> has units, but no mesh to which they apply\n"},
     {TOOL("1", "10", "<holder tip='flat'>" SECTION("10", "2") "</holder>"),
      "s.xml:2: error: unknown attribute 'tip' of <holder>\n"},
     {TOOL("1", "10", "<cutter tip='round'>" SECTION("10", "2") "</cutter>"),
@@ -85,7 +85,7 @@ static const struct xml_case bad[] = {
     {TOOL("1", "10", "<cutter><section length='10' diameter='0'/></cutter>"),
      "s.xml:2: error: diameter=\"0\" of <section> is not between 0.001 and 5000 mm\n"},
     {TOOL("1", "10", "<cutter><section length='10' diameter='1' diameter_end='-1'/></cutter>"),
-     "s.xml:2: error: diameter_end=\"-1\" of <section> is not between 0.001 and 5000 mm, nor 0\n"},
+     "s.xml:2: error: diameter_end=\"-1\" of <section> is not between 0.001 and 5000 mm and not 0\n"},
     {TOOL("1", "10", "<cutter><section length='0.001' diameter='1'/></cutter>"),
      "s.xml:2: error: length=\"0.001\" of <section> is not between 0.01 and 5000 mm\n"},
     {TOOL("1", "4", "<cutter tip='ball'>" SECTION("4", "10") "</cutter>"),
@@ -93,11 +93,11 @@ static const struct xml_case bad[] = {
     {TOOL("1", "4", "<cutter tip='cone' angle='90'>" SECTION("4", "10") "</cutter>"),
      "s.xml:2: error: <cutter>: the cone tip is 5 mm high, but the last section is 4 mm long\n"},
     {TOOL("1", "4", "<cutter tip='cone'>" SECTION("4", "10") "</cutter>"),
-     "s.xml:2: error: <cutter> with tip=\"cone\" needs an angle, the full angle of the point\n"},
+     "s.xml:2: error: <cutter> with tip=\"cone\" needs an angle (full angle of the point)\n"},
     {TOOL("1", "4", "<cutter tip='cone' angle='180'>" SECTION("4", "10") "</cutter>"),
      "s.xml:2: error: angle=\"180\" of <cutter> is not between 1 and 179 degrees\n"},
     {TOOL("1", "4", "<cutter tip='bull'>" SECTION("4", "10") "</cutter>"),
-     "s.xml:2: error: <cutter> with tip=\"bull\" needs a corner, the radius of its rounded edge\n"},
+     "s.xml:2: error: <cutter> with tip=\"bull\" needs a corner (corner radius)\n"},
     {TOOL("1", "40", "<cutter tip='bull' corner='5.1'>" SECTION("40", "10") "</cutter>"),
      "s.xml:2: error: corner=\"5.1\" of <cutter> is not between 0 and the radius of its last section, 5 mm\n"},
     {TOOL("1", "4", "<cutter angle='118'>" SECTION("4", "10") "</cutter>"),
@@ -139,8 +139,8 @@ START_TEST(nowhere_to_stand)
 			 "<cutter mesh='c'/></tool>"));
 	ck_assert_ptr_null(setup_load("s.xml", bare, &messages.diag));
 	ck_assert_str_eq(strbuf_text(&messages.text),
-			 "s.xml:2: error: the machine has no <workholding> for a <fixture>\n"
-			 "s.xml:4: error: the machine has no <spindle> for a <tool>\n");
+			 "s.xml:2: error: the machine has no <workholding>, which a <fixture> needs\n"
+			 "s.xml:4: error: the machine has no <spindle>, which a <tool> needs\n");
 	strbuf_release(&messages.text);
 	machine_free(bare);
 }
@@ -164,7 +164,7 @@ START_TEST(bounds_the_triangles)
 	messages_init(&messages);
 	ck_assert_ptr_null(setup_load("s.xml", machine, &messages.diag));
 	ck_assert_str_eq(strbuf_text(&messages.text),
-			 "s.xml:1: error: the tools' sections make more than 10000000 triangles\n");
+			 "s.xml:1: error: the sections of the tools make more than 10000000 triangles\n");
 	strbuf_release(&messages.text);
 	strbuf_release(&text);
 }

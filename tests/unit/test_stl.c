@@ -161,10 +161,12 @@ START_TEST(binary_of_zeros)
 	mesh_release(&mesh);
 	memset(bytes + size - 17 * 50, 0, 17 * 50);
 	expect_error(bytes, size,
-		     "t.stl: error: the last 17 of its 40 triangles are zeros: it was not written or copied to its end\n");
+		     "t.stl: error: the last 17 of its 40 triangles are zeros: the file was not written or copied "
+		     "completely\n");
 	memset(bytes + 84, 0, size - 84);
 	expect_error(bytes, size,
-		     "t.stl: error: the last 40 of its 40 triangles are zeros: it was not written or copied to its end\n");
+		     "t.stl: error: the last 40 of its 40 triangles are zeros: the file was not written or copied "
+		     "completely\n");
 	free(bytes);
 	strbuf_release(&said);
 }
@@ -258,8 +260,8 @@ START_TEST(ascii_that_is_broken)
 		 "t.stl:2:1: error: \"?[31mfacets,\" where facet or endsolid is expected\n"},
 		{"solid\nface normal", "t.stl:2:1: error: \"face\" where facet or endsolid is expected\n"},
 		{"solidity\nfacet",
-		 "t.stl: error: is no STL file: neither ASCII (text that starts with \"solid\") nor binary "
-		 "(84 bytes of header, whose last 4 tell how many triangles of 50 bytes follow)\n"},
+		 "t.stl: error: is not an STL file: neither ASCII (text that starts with \"solid\") nor binary (a "
+		 "header of 84 bytes whose last 4 are the number of triangles, then 50 bytes per triangle)\n"},
 	};
 
 	for (size_t i = 0; i < COUNT(cases); i++)

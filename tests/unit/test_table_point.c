@@ -128,10 +128,10 @@ START_TEST(refused)
 	struct machine machine = rig_random_machine(&random, RIG_CB_HEAD);
 
 	assert_refused(&machine,
-		       "G254 works only where the rotary axes turn the table; on this machine C turns the spindle");
+		       "G254 works only if the rotary axes turn the table; on this machine C turns the spindle");
 	machine = rig_random_machine(&random, RIG_B_HEAD_C_TABLE);
 	assert_refused(&machine,
-		       "G254 works only where the rotary axes turn the table; on this machine B turns the spindle");
+		       "G254 works only if the rotary axes turn the table; on this machine B turns the spindle");
 	machine = rig_trunnion();
 	machine.workholding.present = false;
 	assert_refused(&machine, "tool centre point control needs a <workholding> in the machine file");

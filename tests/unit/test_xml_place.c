@@ -29,7 +29,7 @@ static const struct place_case cases[] = {
      "                                                          ^\n"},
     /* what the meaning of two elements makes a fault */
     {BASE("<body name='b' mesh='m'/>  <body name='b' mesh='m'/>"),
-     "m.xml:2:40: error: the name 'b' is taken: another body has it (m.xml:2)\n"
+     "m.xml:2:40: error: another body already has the name 'b' (m.xml:2)\n"
      "    <base><body name='b' mesh='m'/>  <body name='b' mesh='m'/></base>\n"
      "                                           ^\n"},
     /* another encoding than that of the terminal, line ends of other systems, characters that a terminal obeys */

@@ -387,7 +387,7 @@ size_t sensitivity_run(const struct sensitivity_study *study, const struct check
 	proven = mem_zalloc(pair_count, sizeof(*proven));
 	probe = run(&search, 0, largest_of(study->range));
 	if (probe.result != study->result)
-		diag_error(diag, (struct srcloc){0}, "%s could not be checked a second time%s%s", study->name,
+		diag_error(diag, (struct srcloc){0}, "%s could not be checked again%s%s", study->name,
 			   probe.why ? ": " : "; it may have changed", probe.why ? probe.why : "");
 	free(probe.why);
 	if (probe.result == study->result) {

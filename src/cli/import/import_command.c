@@ -261,7 +261,7 @@ static bool read_parts(const struct request *request, struct import_machine *mac
 
 	if (format == MESH_3MF && request->unit == UNIT_UNKNOWN) {
 		diag_error(request->diag, (struct srcloc){.file = request->file},
-			   "fivecheck does not read the unit of such a file: give --units=mm or --units=inch");
+			   "fivecheck cannot read the unit from this kind of file: give --units=mm or --units=inch");
 		return false;
 	}
 	good = (format != MESH_PLY || ply_check(request->file, request->diag)) &&

@@ -46,7 +46,7 @@ static bool take_words(struct request *request, const struct operands *operands)
 	const struct init_request *words = &request->words;
 
 	if (operands->count > 1) {
-		diag_error(request->diag, nowhere, "init takes one family, but '%s' was given, too",
+		diag_error(request->diag, nowhere, "init takes one family, but '%s' was given too",
 			   operands->items[1]);
 		return false;
 	}

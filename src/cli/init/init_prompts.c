@@ -47,7 +47,7 @@ static void add_axis(struct prompts *list, const struct machine_plan *plan, int 
 	    (struct prompt){PLAN_LIMITS, slot, "the travel in %s, or none if there is no limit",
 			      rotary ? "-120:30" : "-300:300", false});
 	add(list, !axis->has_home && without_zero,
-	    (struct prompt){PLAN_HOME, slot, "where programs start in %s (0 is outside of the travel)", "100",
+	    (struct prompt){PLAN_HOME, slot, "where programs start in %s (0 is outside the travel)", "100",
 			      false});
 	add(list, !axis->has_rate && plan->rapid == RAPID_DOGLEG,
 	    (struct prompt){PLAN_RATES, slot, "the rate of rapids in %s per minute", rotary ? "7200" : "30000",

@@ -32,7 +32,7 @@ static bool join_linear(struct machine_plan *plan, struct diag *diag)
 
 		if (machine_plan_chain_has(&plan->head, slot) != machine_plan_chain_has(&plan->table, slot))
 			continue;
-		diag_error(diag, nowhere, "--head and --table must share X, Y and Z among them, but %c is in %s",
+		diag_error(diag, nowhere, "--head and --table must share X, Y and Z, but %c is in %s",
 			   AXIS_LETTERS[slot], machine_plan_chain_has(&plan->head, slot) ? "both" : "neither");
 		return false;
 	}
@@ -62,7 +62,7 @@ static bool is_within(const struct machine_plan_axis *axis, char letter, double 
 {
 	if (!(axis->has_min && value < axis->min) && !(axis->has_max && value > axis->max))
 		return true;
-	diag_error(diag, nowhere, "the %s of %c, %g, is outside of its travel: --%s=%c=VALUE", option, letter, value,
+	diag_error(diag, nowhere, "the %s of %c, %g, is outside its travel: --%s=%c=VALUE", option, letter, value,
 		   option, letter);
 	return false;
 }
@@ -95,7 +95,7 @@ static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 			return false;
 		}
 		if (body->slot >= 0 && !machine_plan_has_axis(plan, body->slot)) {
-			diag_error(diag, nowhere, "--body: %s is mounted on %c, but the machine has no such axis",
+			diag_error(diag, nowhere, "--body: %s is on axis %c, which the machine does not have",
 				   body->path, AXIS_LETTERS[body->slot]);
 			return false;
 		}
@@ -195,7 +195,7 @@ static bool check_tool_change(const struct machine_plan *plan, struct diag *diag
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!plan->changes_anywhere || !plan->axes[slot].has_change)
 			continue;
-		diag_error(diag, nowhere, "--tool-change: none is given, and a place of %c as well",
+		diag_error(diag, nowhere, "--tool-change: both none and a position of %c are given",
 			   AXIS_LETTERS[slot]);
 		return false;
 	}
@@ -209,7 +209,7 @@ static bool check_answers(const struct machine_plan *plan, struct diag *diag)
 		const char *name = plan->answers[i].name;
 
 		if (!strcmp(name, "dialect") || !strcmp(name, "rapid")) {
-			diag_error(diag, nowhere, "--controller: %s has an option of its own, --%s=%s", name, name,
+			diag_error(diag, nowhere, "--controller: %s has its own option --%s=%s", name, name,
 				   plan->answers[i].value);
 			return false;
 		}

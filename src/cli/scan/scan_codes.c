@@ -181,7 +181,7 @@ static void add_row(struct strbuf *out, const struct dialect *dialect, const str
 	else if (code)
 		strbuf_addf(out, "%s\t%s\n", code_state_name(code->state), code->what);
 	else
-		strbuf_addf(out, "unknown\tno code of the %s dialect\n", dialect->name);
+		strbuf_addf(out, "unknown\tnot a code of the %s dialect\n", dialect->name);
 }
 
 void scan_codes_add(struct strbuf *out, struct scan_codes *codes)

@@ -31,8 +31,8 @@ bool catalog_tools_are_numbered(bool number_all, const char *path, struct diag *
 {
 	if (!number_all)
 		diag_error(diag, (struct srcloc){.file = path},
-			   "this is a catalogue, whose tools have no numbers: 'fivecheck import --number-tools' gives "
-			   "them numbers and writes a setup, to which the holders are added");
+			   "this is a catalogue, whose tools have no numbers: 'fivecheck import --number-tools' "
+			   "numbers them and writes a setup, to which you add the holders");
 	return number_all;
 }
 
@@ -64,32 +64,32 @@ static const char *judge(const struct catalog_tool *t)
 	const double radius = t->diameter / 2;
 
 	if (!(t->diameter > 0 && t->diameter <= TOOL_SIZE_MAX))
-		return "its cutting diameter is missing";
+		return "the cutting diameter is missing";
 	if (!(t->overall_length > 0 && t->overall_length <= TOOL_SIZE_MAX))
-		return "its overall length is missing";
+		return "the overall length is missing";
 	if (!(t->cutting_length >= TOOL_SECTION_MIN && t->cutting_length <= t->overall_length))
-		return "the length of its cutting edges is missing, or longer than the tool";
+		return "the length of the cutting edges is missing, or longer than the tool";
 	if (!(t->shank_diameter > 0 && t->shank_diameter <= TOOL_SIZE_MAX))
-		return "the diameter of its shank is missing";
+		return "the shank diameter is missing";
 	if (given(t->corner_radius) > radius + ROUNDED || given(t->chamfer_width) >= radius)
-		return "its corner is larger than half of its diameter";
+		return "the corner is larger than half the diameter";
 	if (given(t->corner_radius) > 0 && given(t->chamfer_width) > 0)
-		return "its corner has both a radius and a chamfer";
+		return "the corner has both a radius and a chamfer";
 	/* At other angles the side along which the width is measured matters, and catalogues do not give it. */
 	if (given(t->chamfer_width) > 0 && !(fabs(t->chamfer_angle - 45) <= ROUNDED))
-		return "the chamfer of its corner is not said to be one of 45 degrees";
+		return "the angle of the corner chamfer is not given as 45 degrees";
 	if (given(t->chamfer_width) > t->cutting_length)
-		return "the chamfer of its corner is higher than its cutting edges";
+		return "the corner chamfer is higher than the cutting edges";
 	if (t->shape == CATALOG_DRILL && !(t->point_angle >= 1 && t->point_angle <= 179))
-		return "its point angle is missing, or not between 1 and 179 degrees";
+		return "the point angle is missing, or not between 1 and 179 degrees";
 	if (t->shape == CATALOG_BALL_MILL && given(t->corner_radius) > 0 && fabs(t->corner_radius - radius) > ROUNDED)
-		return "it is a ball nose mill, but its radius is not half of its diameter";
+		return "the radius of the ball nose mill is not half its diameter";
 	if (given(t->neck_diameter) > fmax(t->diameter, t->shank_diameter) + ROUNDED)
-		return "its neck is thicker than cutter and shank";
+		return "the neck is thicker than cutter and shank";
 	if (given(t->neck_diameter) > 0 && given(t->neck_end) > t->overall_length + ROUNDED)
-		return "its neck is longer than the tool";
+		return "the neck is longer than the tool";
 	if (t->shape == CATALOG_BALL_MILL && t->cutting_length < radius - ROUNDED)
-		return "its cutting edges end within its ball";
+		return "the cutting edges end within the ball";
 	return NULL;
 }
 
@@ -146,10 +146,11 @@ static void warn(const struct tool_outline *tool, const struct catalog_tool *t, 
 	const bool sharp = t->shape == CATALOG_MILL && !(given(t->corner_radius) > 0) && !(given(t->chamfer_width) > 0);
 
 	diag_warning(diag, t->at,
-		     "tool %ld: nothing is known of its holder, and its length of %g mm ends with its shank: add the "
-		     "holder and correct the length%s",
+		     "tool %ld: the holder is not known, and the length of %g mm ends with the shank: add the holder "
+		     "and correct the length%s",
 		     tool->number, tool->length,
-		     sharp ? "; its corner is taken as sharp, as the catalogue gives neither a radius nor a chamfer"
+		     sharp ? "; the corner is assumed to be sharp, because the catalogue has neither a radius nor a "
+			     "chamfer"
 			   : "");
 }
 

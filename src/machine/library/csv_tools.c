@@ -100,8 +100,9 @@ static bool find_columns(struct reading *r)
 		int column = find_column(r->table.cells[i]);
 
 		if (column < 0 && is_nearly_known(r->table.cells[i]))
-			good = fault(r, "the name of a column has a unit in it; write the name alone, and the "
-					"unit into a column units");
+			good = fault(r,
+				     "the name of a column contains a unit; write only the name, and the unit into a "
+				     "column units");
 		else if (column < 0)
 			strbuf_addf(&unused, "%s%.40s", unused.length ? ", " : "", r->table.cells[i]);
 		else if (r->place[column] >= 0)
@@ -110,7 +111,7 @@ static bool find_columns(struct reading *r)
 			r->place[column] = (int)i;
 	}
 	if (good && unused.length)
-		diag_note(r->diag, r->table.at, "columns that are not used: %s", strbuf_text(&unused));
+		diag_note(r->diag, r->table.at, "unused columns: %s", strbuf_text(&unused));
 	strbuf_release(&unused);
 	return good;
 }
@@ -217,12 +218,12 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 	const bool any = !*type;
 
 	if (is_type(type, "bull") && !(corner > 0))
-		return fault(r, "a bull nose mill needs its corner_radius; a flat one would cut more than it does");
+		return fault(r, "a bull nose mill needs a corner_radius; a flat mill in its place would cut more");
 	if (is_type(type, "flat") && corner > 0)
-		return fault(r, "a flat mill has no corner_radius; one that has is of the type bull");
+		return fault(r, "a flat mill has no corner_radius; with a corner_radius the type is bull");
 	if (is_type(type, "ball") && corner > 0 && fabs(corner - tool->diameter / 2) > TOOL_SUM_TOLERANCE)
-		return fault(r, "the corner_radius of a ball mill is half of its diameter; one with another is of the "
-				"type bull");
+		return fault(r,
+			     "the corner_radius of a ball mill must be half its diameter; otherwise the type is bull");
 	tool->has_tip = true;
 	tool->tip = TIP_FLAT;
 	if (is_type(type, "ball") || is_type(type, "probe") || (any && corner > 0 && corner >= tool->diameter / 2)) {
@@ -234,18 +235,19 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 		tool->tip = TIP_CONE;
 		tool->angle = point;
 	} else if (!is_type(type, "chamfer") && !is_type(type, "flat") && !any) {
-		diag_error(r->diag, r->table.at, "type '%.40s' is none of flat, ball, bull, drill, chamfer and probe",
+		diag_error(r->diag, r->table.at, "type '%.40s' must be flat, ball, bull, drill, chamfer or probe",
 			   type);
 		return false;
 	}
 	/* Only these have a point: with another type one of the two cells is wrong. */
 	if (point > 0 && tool->tip != TIP_CONE && !is_type(type, "chamfer"))
-		return fault(r, "only a drill or a chamfer mill has a point_angle: correct the type, or leave the cell "
-				"empty");
+		return fault(r,
+			     "only a drill or a chamfer mill has a point_angle: correct the type, or leave the cell "
+			     "empty");
 	if (tool->tip == TIP_CONE && !(tool->angle > 0 && tool->angle < radians(180)))
-		return fault(r, "a drill needs its point_angle, between 0 and 180 degrees");
+		return fault(r, "a drill needs a point_angle between 0 and 180 degrees");
 	if (tool->corner > tool->diameter / 2)
-		return fault(r, "the corner_radius is larger than half of the diameter");
+		return fault(r, "the corner_radius is larger than half the diameter");
 	return true;
 }
 
@@ -256,8 +258,9 @@ static bool add_chamfer(struct reading *r, const struct row *row, struct tool_ou
 	double rise;
 
 	if (!(point > 0 && point < radians(180)) || tip >= tool->diameter)
-		return fault(r, "a chamfer mill needs its point_angle, between 0 and 180 degrees, and a tip_diameter "
-				"below its diameter");
+		return fault(r,
+			     "a chamfer mill needs a point_angle between 0 and 180 degrees and a tip_diameter below "
+			     "its diameter");
 	rise = (tool->diameter - tip) / 2 / math_tan(point / 2);
 	if (rise > top)
 		return fault(r, "the point of the chamfer mill is higher than its flutes");
@@ -277,7 +280,9 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	/* A thin stem of a probe may be as thick as its ball: it cuts nothing. */
 	if (isnan(row->value[COLUMN_FLUTES]) &&
 	    row->value[COLUMN_SHANK] > (tool->kind == TOOL_PROBES ? tool->diameter : 0))
-		return fault(r, "the tool has a shank_diameter, but no flute_length that says where the shank begins");
+		return fault(r,
+			     "the tool has a shank_diameter, but no flute_length, so it is not known where the shank "
+			     "begins");
 	if (is_type(cell_of(r, COLUMN_TYPE), "chamfer")) {
 		if (!add_chamfer(r, row, tool, flutes))
 			return false;
@@ -286,8 +291,8 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	}
 	if (isnan(row->value[COLUMN_FLUTES]) && tool->kind == TOOL_TURNS)
 		diag_warning(r->diag, r->table.at,
-			     "tool %ld: its flute_length is not given, so all of it below the holder counts as cutter, "
-			     "which may touch the part while it cuts; give flute_length",
+			     "tool %ld has no flute_length, so everything below the holder counts as cutter, which may "
+			     "touch the part while it cuts; give flute_length",
 			     tool->number);
 	if (flutes < stickout)
 		tool_profile_add(&tool->shank, flutes, shank / 2, stickout, shank / 2);
@@ -295,8 +300,8 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 		tool_profile_add(&tool->holder, stickout, holder / 2, tool->length, holder / 2);
 	else
 		diag_warning(r->diag, r->table.at,
-			     "tool %ld: nothing is known of its holder; it is taken to be as thick as the %s up to the "
-			     "gauge line, so give stickout and holder_diameter",
+			     "tool %ld: the holder is not known; it is assumed to be as thick as the %s up to the "
+			     "gauge line; give stickout and holder_diameter",
 			     tool->number, flutes < stickout ? "shank" : "cutter");
 	return true;
 }
@@ -313,7 +318,7 @@ static bool add_tool(struct reading *r, const struct row *row)
 	bool good;
 
 	if (!(tool.diameter > 0) || !(tool.length > 0))
-		return fault(r, "the tool needs a length and a diameter above 0");
+		return fault(r, "the tool needs a length and a diameter greater than 0");
 	good = set_tip(r, row, &tool) && add_pieces(r, row, &tool) &&
 	       tool_library_add(r->tools, &tool, r->table.at, r->diag);
 	tool_outline_release(&tool);

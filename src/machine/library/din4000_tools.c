@@ -79,7 +79,7 @@ static bool read_number(const char *text, double *value)
 /* The size is that of the first code with a value above 0. */
 static const char *read_size(const struct record *record, const char *const codes[3], double *size)
 {
-	static const char not_a_number[] = "one of its sizes is not a number";
+	static const char not_a_number[] = "a dimension is not a number";
 
 	for (int i = 0; i < 3 && codes[i]; i++) {
 		double value;
@@ -87,7 +87,7 @@ static const char *read_size(const struct record *record, const char *const code
 		if (!read_number(value_of(record, codes[i]), &value))
 			return not_a_number;
 		if (value < 0)
-			return "one of its sizes is negative";
+			return "a dimension is negative";
 		if (value > 0) {
 			*size = value;
 			break;
@@ -117,7 +117,7 @@ static const char *read_sizes(const struct record *record, struct catalog_tool *
 		{&tool->shank_diameter, {"C3"}},
 		{&tool->shank_length, {"C4"}},
 	};
-	const char *why = record->doubtful ? "one of its codes has two values, or it has too many codes" : NULL;
+	const char *why = record->doubtful ? "a code has two values, or there are too many codes" : NULL;
 
 	for (size_t i = 0; !why && i < sizeof(rows) / sizeof(*rows); i++)
 		why = read_size(record, rows[i].codes, rows[i].size);
@@ -126,7 +126,7 @@ static const char *read_sizes(const struct record *record, struct catalog_tool *
 		double value;
 
 		if (*text && (!read_number(text, &value) || fabs(value) > 0))
-			why = "it has a profile, a step or a thread";
+			why = "the tool has a profile, a step or a thread";
 	}
 	return why;
 }
@@ -147,7 +147,7 @@ static bool add_tool(struct tool_library *tools, const struct record *record, st
 {
 	const char *nsm = value_of(record, "NSM"), *bld = value_of(record, "BLD"), *name = value_of(record, "J23");
 	struct catalog_tool tool = catalog_tool_empty(record->at);
-	const char *why = "its class is none of DIN 4000-82, pictures 1, 2 and 6 (mills), and DIN 4000-81, picture 1 "
+	const char *why = "the class is none of DIN 4000-82, pictures 1, 2 and 6 (mills), and DIN 4000-81, picture 1 "
 			  "(drills)";
 
 	tool.name = *name ? name : *value_of(record, "J22") ? value_of(record, "J22") : value_of(record, "J21");
@@ -208,7 +208,7 @@ static bool read_xml(struct reading *r)
 		arena_release(&r->arena);
 	}
 	if (good && !foreign_child(root, "Tool"))
-		xml_error(&r->xml, root, NULL, "there is no <Tool> in it");
+		xml_error(&r->xml, root, NULL, "the file has no <Tool>");
 	return good && !r->xml.errors;
 }
 

@@ -176,11 +176,11 @@ static const char *add_taper(struct tool_outline *tool, const struct geometry *g
 	double flat, low;
 
 	if (!(g->taper_angle >= 1 && g->taper_angle <= 80) || !(g->flutes > 0) || round < 0)
-		return "its angle TA is missing, or not between 1 and 80 degrees, or its flutes LCF are missing";
+		return "the angle TA is missing, or not between 1 and 80 degrees, or the flute length LCF is missing";
 	flat = r - round * (1 - math_sin(angle)) / math_cos(angle);
 	low = round * (1 - math_sin(angle));
 	if (flat < -ROUNDED || low > g->flutes)
-		return "its corner radius RE is larger than its tip";
+		return "the corner radius RE is larger than the tip";
 	flat = fmax(flat, 0);
 	if (round > 0)
 		tool_profile_add_arc(&tool->cutter, 0, flat, low, flat + round * math_cos(angle), round, flat, true);
@@ -203,7 +203,7 @@ static const char *add_dovetail(struct tool_outline *tool, const struct geometry
 	const double r = g->diameter / 2, top = r - g->flutes * math_tan(radians(g->taper_angle));
 
 	if (!(g->taper_angle >= 1 && g->taper_angle <= 80) || !(g->flutes > 0) || g->corner > 0 || !(top > 0))
-		return "its angle TA is missing, or not between 1 and 80 degrees, or its corners are rounded";
+		return "the angle TA is missing, or not between 1 and 80 degrees, or the corners are rounded";
 	tool_profile_add(&tool->cutter, 0, r, g->flutes, top);
 	return NULL;
 }
@@ -225,7 +225,7 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 	if (is_tapered_face(g, shape))
 		return add_taper(tool, g);
 	if (g->greatest > g->diameter + ROUNDED)
-		return "its greatest diameter DCX is larger than DC";
+		return "the greatest diameter DCX is larger than DC";
 	tool->has_tip = shape < SHAPE_CHAMFER;
 	switch (shape) {
 	case SHAPE_CYLINDER:
@@ -236,24 +236,24 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		break;
 	case SHAPE_BULL:
 		if (fabs(g->taper_angle) > 0)
-			return "its sides are tapered";
+			return "the sides are tapered";
 		tool->tip = g->corner > 0 ? TIP_BULL : TIP_FLAT;
 		tool->corner = g->corner;
 		break;
 	case SHAPE_POINT:
 		if (!(g->point_angle >= 1 && g->point_angle <= 179))
-			return "its point angle SIG is missing, or not between 1 and 179 degrees";
+			return "the point angle SIG is missing, or not between 1 and 179 degrees";
 		tool->tip = TIP_CONE;
 		tool->angle = g->point_angle * math_acos(-1) / 180;
 		break;
 	case SHAPE_CHAMFER:
 		return add_cone(tool, g, g->taper_angle,
-				"its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than "
-				"it");
+				"the angle TA is missing, or not between 1 and 89 degrees, or the tip is thicker than "
+				"the tool");
 	case SHAPE_SINK:
 		return add_cone(tool, g, g->point_angle / 2,
-				"its angle SIG is missing, or not between 2 and 178 degrees, or its tip is thicker "
-				"than it");
+				"the angle SIG is missing, or not between 2 and 178 degrees, or the tip is thicker "
+				"than the tool");
 	case SHAPE_TAPER:
 		return add_taper(tool, g);
 	case SHAPE_DOVETAIL:
@@ -326,15 +326,15 @@ static const char *judge(const struct geometry *g, enum shape shape, const struc
 	const bool rounded = shape != SHAPE_TAPER && g->corner > g->diameter / 2;
 
 	if (!(g->diameter > 0))
-		return "it has no diameter DC";
+		return "the diameter DC is missing";
 	if (!(g->below_holder > 0))
-		return "it has no length below the holder LB";
+		return "the length below the holder LB is missing";
 	if (g->flutes < 0 || g->corner < 0 || rounded || g->shank_diameter < 0 ||
 	    g->shoulder_diameter < 0)
-		return "its sizes contradict each other";
+		return "the dimensions contradict each other";
 	return tool->length >= TOOL_SECTION_MIN && tool->length <= TOOL_SIZE_MAX ?
 		       NULL :
-		       "its length up to the gauge line is not between 0.01 and 5000 mm";
+		       "the length up to the gauge line is not between 0.01 and 5000 mm";
 }
 
 static bool add_tool(struct reading *r, const json_t *item, const struct type_row *type, const char *name, long number)
@@ -359,7 +359,7 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 	tool.diameter = g.diameter;
 	why = why ? why : good ? judge(&g, type->shape, &tool) : NULL;
 	if (!good)
-		fault(r, "the segments of shaft or holder are not as they should be");
+		fault(r, "the segments of shaft or holder are invalid");
 	else if (why)
 		leave_out(r, name, why);
 	else
@@ -367,8 +367,8 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 	if (good && !why && known_to < tool.length - TOOL_SECTION_MIN)
 		diag_warning(
 		    r->diag, (struct srcloc){.file = r->path},
-		    "tool %ld: nothing is known of its holder between %g and %g mm above the tip; it is taken to be as "
-		    "thick as the cutter there, so add the holder",
+		    "tool %ld: the holder between %g and %g mm above the tip is not known; it is assumed to be as "
+		    "thick as the cutter; add the holder",
 		    number, known_to, tool.length);
 	tool_outline_release(&tool);
 	return good;
@@ -382,12 +382,12 @@ static bool read_tool(struct reading *r, const json_t *item)
 	const struct type_row *row = type ? find_type(type) : NULL;
 
 	if (!type)
-		return fault(r, "it has no type");
+		return fault(r, "the type is missing");
 	name = name ? name : "";
 	if (!row)
-		leave_out(r, name, "a setup has no such type of tool");
+		leave_out(r, name, "a setup does not have this type of tool");
 	else if (!json_is_integer(number) || json_integer_value(number) < 1)
-		leave_out(r, name, "its post-process properties give it no number");
+		leave_out(r, name, "the post-process properties have no tool number");
 	else
 		return !tool_library_wants(r->tools, (long)json_integer_value(number)) ||
 		       add_tool(r, item, row, name, (long)json_integer_value(number));
@@ -401,7 +401,7 @@ static bool read_list(struct reading *r, const json_t *root)
 
 	if (!json_is_array(list)) {
 		diag_error(r->diag, (struct srcloc){.file = r->path},
-			   "this is JSON, but no tool library of Fusion 360, which has a list of tools in \"data\"");
+			   "this JSON file is not a Fusion 360 tool library, which has a list of tools in \"data\"");
 		return false;
 	}
 	json_array_foreach (list, i, item) {

@@ -114,21 +114,21 @@ static void read_value(struct reading *r, const struct step_entity *entity, stru
 	double value;
 
 	if (is_among(name, of_inserts, sizeof(of_inserts) / sizeof(*of_inserts)))
-		leave_out(r, "its edges are inserts", "");
+		leave_out(r, "the cutting edges are inserts", "");
 	for (size_t i = 0; i < sizeof(rows) / sizeof(*rows); i++) {
 		if (strcasecmp(name, rows[i].symbol) != 0 && strcasecmp(name, rows[i].name) != 0)
 			continue;
 		if (!(unit > 0) || angle != rows[i].angle || !decimal_read(text, strlen(text), &value) ||
 		    !isfinite(value) || value < 0)
-			leave_out(r, "this value of it is no length in mm or inch, or no angle in degrees: ", name);
+			leave_out(r, "a value is not a length in mm or inch, or not an angle in degrees: ", name);
 		else if (!isnan(*rows[i].size) && fabs(*rows[i].size - unit * value) > 0)
-			leave_out(r, "it has two values of: ", name);
+			leave_out(r, "two values of the same property: ", name);
 		else
 			*rows[i].size = unit * value;
 		return;
 	}
 	if (unit > 0 && !is_among(name, harmless, sizeof(harmless) / sizeof(*harmless)))
-		leave_out(r, "its shape is not known, as it has this property: ", name);
+		leave_out(r, "the shape is not known because of the property: ", name);
 }
 
 /* --------------------------------------------------------------------- items */
@@ -167,28 +167,28 @@ static void read_items(struct reading *r, struct catalog_tool *tool)
 			is_tool |= !strcmp(kind, "tool item");
 			if (!strcmp(kind, "adaptive item") || !strcmp(kind, "cutting item") ||
 			    !strncmp(kind, "assembl", 7))
-				leave_out(r, "it is no tool by itself, but of the kind: ", kind);
+				leave_out(r, "not a complete tool, but of the kind: ", kind);
 		}
 	}
 	if (items != 1)
-		leave_out(r, "the file does not describe one product", "");
+		leave_out(r, "the file does not describe exactly one product", "");
 	if (!is_tool)
-		leave_out(r, "the file does not say that it is a tool item", "");
+		leave_out(r, "the file does not say that the product is a tool item", "");
 }
 
 /* Leaves out tools with sizes that a plain mill or drill does not have. */
 static void judge(struct reading *r, const struct catalog_tool *tool, const struct limits *l)
 {
 	if (fabs(l->largest_diameter - tool->diameter) > 0.001)
-		leave_out(r, "its greatest diameter DCX is not its diameter DC", "");
+		leave_out(r, "the greatest diameter DCX differs from the diameter DC", "");
 	if (l->body_diameter > fmax(tool->diameter, tool->shank_diameter))
-		leave_out(r, "its body is thicker than cutter and shank", "");
+		leave_out(r, "the body is thicker than cutter and shank", "");
 	if (tool->shape == CATALOG_MILL && fabs(l->edge_angle - 90) > 0.001)
-		leave_out(r, "its cutting edges (KAPR) are not parallel to its axis", "");
+		leave_out(r, "the cutting edges (KAPR) are not parallel to the axis", "");
 	if (tool->shape == CATALOG_MILL && fabs(l->lead_angle) > 0.001)
-		leave_out(r, "its cutting edges (PSIR) are not parallel to its axis", "");
+		leave_out(r, "the cutting edges (PSIR) are not parallel to the axis", "");
 	if (fabs(l->taper) > 0)
-		leave_out(r, "its body is tapered", "");
+		leave_out(r, "the body is tapered", "");
 }
 
 bool iso13399_tools_read(struct tool_library *tools, const char *text, const char *path, struct diag *diag)

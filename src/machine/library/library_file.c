@@ -79,8 +79,9 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	if (vericut_text_refuse(path, text, diag))
 		return false;
 	diag_error(diag, (struct srcloc){.file = path},
-		   "this is no tool library: those of Fusion 360 (.json) and VERICUT (.tls), a CSV file with a line of "
-		   "column names, a tool table (T1 P1 Z0 D6) and a listing of offsets (G10 L10 P1 R0.) can be read");
+		   "this is not a tool library. Supported are libraries of Fusion 360 (.json) and VERICUT (.tls), a "
+		   "CSV file with a line of column names, a tool table (T1 P1 Z0 D6) and a listing of offsets (G10 L10 "
+		   "P1 R0.)");
 	return false;
 }
 
@@ -92,8 +93,8 @@ static bool is_no_text(const struct file_bytes *file, const char *path, struct d
 	if (!advice)
 		return false;
 	if (!strncmp(file->bytes, "PK\003\004", 4))
-		advice = "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which "
-			 "can be read";
+		advice = "this is a zip archive: unpack it; a Fusion 360 .tools file contains tools.json, which can be "
+			 "read";
 	diag_error(diag, (struct srcloc){.file = path}, "%s", advice);
 	return true;
 }
@@ -108,7 +109,7 @@ static bool has_nul(const struct file_bytes *file, const char *path, struct diag
 		return false;
 	for (; *bytes; bytes++)
 		line += *bytes == '\n';
-	diag_error(diag, (struct srcloc){.file = path, .line = line}, "there is a NUL byte in it: this is no text");
+	diag_error(diag, (struct srcloc){.file = path, .line = line}, "the file has a NUL byte: it is not a text file");
 	return true;
 }
 

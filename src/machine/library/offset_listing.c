@@ -80,7 +80,7 @@ static bool length_of(const struct reading *r, const struct line *line, char let
 {
 	if (fabs(given(line, letter)) > 0 && !line->has_point[letter - 'A']) {
 		diag_error(r->diag, r->at,
-			   "%c has no decimal point: what such a number means depends on a parameter of the control",
+			   "%c has no decimal point, and a parameter of the control decides what that means",
 			   letter);
 		return false;
 	}
@@ -115,9 +115,9 @@ static bool take_register(struct reading *r, const struct line *line, int which)
 	double value;
 
 	if (number < 0 || !is_given(line, 'R'))
-		return fault(r, "G10 of an offset needs its number in P and its value in R");
+		return fault(r, "G10 for an offset needs P (number) and R (value)");
 	if (has_axis(line))
-		return fault(r, "G10 of an offset has its value in R: axes beside it are not read");
+		return fault(r, "G10 for an offset has its value in R; axis words are not supported");
 	if (!length_of(r, line, 'R', &value))
 		return false;
 	row = row_of(r, number);
@@ -174,8 +174,9 @@ static bool take_values(struct reading *r, const struct line *line, struct work_
 		if (!length_of(r, line, letter, &value))
 			return false;
 		if (!offset && fabs(value) > 0)
-			return fault(r, "the common offset of all work offsets (P0) is not 0: a setup has none; add it "
-					"to each of them");
+			return fault(r,
+				     "the common offset of all work offsets (P0) is not 0, which a setup cannot have; "
+				     "add it to each work offset");
 		if (offset && offset->value[slot].given)
 			return fault(r, "this work offset is given twice");
 		/* Listings have a 0 for every axis that the control knows, even if the machine does not have it. */
@@ -192,8 +193,7 @@ static bool take_work_offset(struct reading *r, const struct line *line, bool ex
 	bool good;
 
 	if (fabs(given(line, 'R')) > 0)
-		return fault(r, "R turns the work offset about Z: an offset of a setup is not turned; write "
-					"such a turn into the program");
+		return fault(r, "R rotates the work offset about Z, which a setup cannot have; program this rotation");
 	good = name_offset(r, line, extended, &name) &&
 	       take_values(r, line, name.length ? tool_library_work_offset(r->tools, strbuf_text(&name)) : NULL);
 
@@ -212,7 +212,7 @@ static bool take_g(struct reading *r, struct line *line, double code)
 	else if (code > 20.5 && code < 21.5)
 		r->unit = 1;
 	else if (!(code > 89.5 && code < 90.5))
-		return fault(r, "a listing of offsets has the codes G10, G20, G21 and G90 only");
+		return fault(r, "a listing of offsets can have only the codes G10, G20, G21 and G90");
 	return true;
 }
 
@@ -240,13 +240,13 @@ static bool take_words(struct reading *r, const struct text_lines *lines, struct
 		if (word.letter == 'G')
 			continue;
 		if (!isnan(line->value[i]))
-			return fault(r, "a letter stands twice in the line");
+			return fault(r, "a letter occurs twice in the line");
 		if (!is_frame(word.letter) && !strchr("LPRXYZABCUVW", word.letter))
-			return fault(r, "a listing of offsets has the words L, P, R and those of axes only");
+			return fault(r, "a listing of offsets can have only the words L, P, R and axis words");
 		line->value[i] = word.value;
 		line->has_point[i] = word.has_point;
 	}
-	return found == 0 || *at == '%' || *at == ':' || fault(r, "this is no line of a listing of offsets");
+	return found == 0 || *at == '%' || *at == ':' || fault(r, "this is not a line of a listing of offsets");
 }
 
 /* Does the line contain only its number, the program's number, or the end of the program? */
@@ -268,7 +268,7 @@ static bool read_line(struct reading *r, const struct text_lines *lines)
 	if (!take_words(r, lines, &line))
 		return false;
 	if (!line.writes)
-		return is_empty(&line) || fault(r, "the line lacks G10");
+		return is_empty(&line) || fault(r, "G10 is missing in this line");
 	mode = whole(&line, 'L', 1, 20);
 	if (mode == 2 || mode == 20)
 		return take_work_offset(r, &line, mode == 20);

@@ -54,7 +54,7 @@ static bool read_numbers(struct setup_description *described, const struct libra
 	if (!*at && tools->wanted_count)
 		return true;
 	description_fault(&described->file, library->at, "numbers",
-			  "numbers=\"%s\" of <tools> must be numbers of tools, and ranges of them, as in \"1 3 10-20\"",
+			  "numbers=\"%s\" of <tools> must be tool numbers and ranges of them, such as \"1 3 10-20\"",
 			  description_quote(&described->file, library->at, "numbers").text);
 	return false;
 }
@@ -69,9 +69,9 @@ static void check_used(struct setup_description *described, const struct library
 		if (!range->used)
 			description_fault(
 			    &described->file, library->at, "numbers",
-			    "%s has no tool %ld%s that can be taken over; 'fivecheck import' says what it has",
+			    "%s has no usable tool %ld%s; 'fivecheck import' lists its tools",
 			    library->path, range->first,
-			    range->last > range->first ? ", nor those behind it in the range" : "");
+			    range->last > range->first ? " or any other tool of the range" : "");
 	}
 }
 
@@ -102,7 +102,7 @@ static void set_values(struct setup_description *described, struct tool_descript
 	if (other > 0 && diameter > 0 && fabs(other - diameter) > TOOL_SUM_TOLERANCE)
 		diag_warning(diag, description_place(file, values->at),
 			     "the table has the diameter %.9g mm for tool %ld, but its cutter has %.9g mm; cutter "
-			     "compensation is computed with the cutter's",
+			     "compensation uses the cutter's",
 			     other, tool->number, diameter);
 }
 
@@ -201,7 +201,7 @@ static bool is_within(struct setup_description *described, const struct library_
 	if (path_sandbox_holds(root, library->path))
 		return true;
 	description_fault(&described->file, library->at, "href",
-			  "the tools of %s are outside of the input root %s, or a symbolic link leads outside",
+			  "the tools of %s are outside the input root %s, or a symbolic link leads outside",
 			  library->path, root);
 	return false;
 }

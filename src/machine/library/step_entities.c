@@ -102,7 +102,7 @@ static bool read_entity(struct scan *scan, struct step_entity *entity)
 	skip_to(scan, ")");
 	entity->end = scan->at;
 	if (!*scan->at)
-		return fault(scan, "the file ends inside of an entity");
+		return fault(scan, "the file ends inside an entity");
 	scan->at++;
 	skip_space(scan);
 	if (*scan->at != ';')

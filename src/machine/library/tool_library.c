@@ -174,7 +174,7 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
 	}
 	if (!(outline->length >= SAME_HEIGHT && outline->length <= TOOL_SIZE_MAX)) {
 		diag_error(diag, at,
-			   "tool %ld has the length %g mm from its gauge line to its tip; it must be between %g and %g",
+			   "tool %ld has the length %g mm from gauge line to tip; it must be between %g and %g",
 			   outline->number, outline->length, SAME_HEIGHT, TOOL_SIZE_MAX);
 		return false;
 	}
@@ -201,7 +201,7 @@ bool tool_library_add_offset(struct tool_library *tools, const struct length_off
 	struct setup_description *setup = &tools->setup;
 
 	if (offset->number < 1 || offset->number > TOOL_NUMBER_MAX) {
-		diag_error(diag, at, "the number %ld of an offset is not between 1 and %d", offset->number,
+		diag_error(diag, at, "the offset number %ld is not between 1 and %d", offset->number,
 			   TOOL_NUMBER_MAX);
 		return false;
 	}

@@ -45,7 +45,7 @@ static bool take(const struct reading *r, const struct letter_word *word, struct
 	switch (word->letter) {
 	case 'T':
 		if (!(word->value >= 1 && word->value <= TOOL_NUMBER_MAX) || floor(word->value) < word->value)
-			return fault(r, "T is not the whole number of a tool, 1 or more");
+			return fault(r, "T must be a tool number, 1 or more");
 		offset->number = (long)word->value;
 		return true;
 	case 'Z':
@@ -63,9 +63,10 @@ static bool take(const struct reading *r, const struct letter_word *word, struct
 		break;
 	}
 	if (!strchr("XYABCUVW", word->letter))
-		return fault(r, "a line of a tool table has only T, P, D, I, J, Q and the letters of axes");
+		return fault(r, "a line of a tool table can have only T, P, D, I, J, Q and axis letters");
 	if (fabs(word->value) > 0) {
-		diag_error(r->diag, r->at, "the tool has an offset in %c: a setup has offsets along the tool (Z) only",
+		diag_error(r->diag, r->at,
+			   "the tool has an offset in %c, but a setup can have only offsets along the tool (Z)",
 			   word->letter);
 		return false;
 	}
@@ -83,7 +84,7 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 
 	while ((found = letter_word_next(&at, end, &word)) > 0) {
 		if (strchr(letters, word.letter))
-			return fault(r, "a letter stands twice in this line");
+			return fault(r, "a letter occurs twice in this line");
 		if (!take(r, &word, &offset))
 			return false;
 		/* There are fewer letters than places. */
@@ -91,11 +92,12 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 	}
 	if (found < 0)
 		return fault(r,
-			     "a line of a tool table has letters, each with a number, and a comment after a semicolon");
+			     "a line of a tool table must have letters, each with a number, and may end with a comment "
+			     "after a semicolon");
 	if (!count)
 		return true;
 	if (!offset.number)
-		return fault(r, "the line names no tool T");
+		return fault(r, "T is missing in this line");
 	return tool_library_add_offset(r->tools, &offset, r->at, r->diag);
 }
 

@@ -66,9 +66,9 @@ bool vericut_text_refuse(const char *path, const char *text, struct diag *diag)
 			continue;
 		version = version_of(text, &length);
 		diag_error(diag, (struct srcloc){.file = path},
-			   "this is %s of VERICUT in its text form, %s%.*s: the grammar of that form is not published, "
-			   "so it is not read. Open it in VERICUT 7 or later and save it under a new name: then it is "
-			   "XML, which can be imported",
+			   "this is %s of VERICUT in text form, %s%.*s, a format that is not published and cannot be "
+			   "read. Open it in VERICUT 7 or later and save it under a new name: it is then XML, which "
+			   "can be imported",
 			   kinds[i].what, length ? "of version " : "of version 6 or before",
 			   (int)(length < 20 ? length : 20), version);
 		return true;

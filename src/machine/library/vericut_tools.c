@@ -111,7 +111,7 @@ static enum taken read_apt(struct reading *r, const xmlNode *apt, struct tool_ou
 	double d, corner, angle, height, flutes, shank, unit = r->xml.unit;
 
 	if (!type) {
-		xml_error(&r->xml, apt, NULL, "<Apt> lacks its Type");
+		xml_error(&r->xml, apt, NULL, "<Apt> has no Type");
 		return FAULTY;
 	}
 	if (!read_value(r, apt, "D", &d) || !read_value(r, apt, "R", &corner) ||
@@ -306,12 +306,12 @@ static void tell_left_out(const struct reading *r)
 
 	if (r->unnumbered)
 		diag_warning(r->diag, at,
-			     "tools left out because their ID is no number: %zu; --number-tools gives them numbers in "
-			     "the order of the library",
+			     "tools left out because their ID is not a number: %zu; --number-tools numbers them in the "
+			     "order of the library",
 			     r->unnumbered);
 	if (r->unknown_shape)
 		diag_warning(r->diag, at,
-			     "tools left out because a setup cannot have their shape, such as inserts or models: %zu",
+			     "tools left out because a setup cannot have their shape (such as inserts or models): %zu",
 			     r->unknown_shape);
 }
 

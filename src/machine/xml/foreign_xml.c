@@ -85,7 +85,7 @@ bool foreign_number(struct xml_reader *xml, const xmlNode *node, const char *att
 	size_t length;
 
 	if (!text) {
-		xml_error(xml, node, NULL, "<%s> lacks the attribute '%s'", (const char *)node->name, attribute);
+		xml_error(xml, node, NULL, "<%s> needs the attribute '%s'", (const char *)node->name, attribute);
 		return false;
 	}
 	text += strspn(text, space);

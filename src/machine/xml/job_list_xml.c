@@ -62,11 +62,12 @@ static void check_name(struct xml_reader *xml, const xmlNode *node, const struct
 {
 	if (!is_plain(name))
 		xml_error(xml, node, "name",
-			  "name=\"%s\" of <job> may have letters, digits, '.', '_' and '-' only, and no '.' first",
+			  "name=\"%s\" of <job> can have only letters, digits, '.', '_' and '-', and must not begin "
+			  "with '.'",
 			  xml_quote(name).text);
 	for (size_t i = 0; i + 1 < list->count; i++)
 		if (list->items[i].name && !strcmp(list->items[i].name, name))
-			xml_error(xml, node, "name", "two jobs have the name \"%s\" (the other in line %ld)", name,
+			xml_error(xml, node, "name", "two jobs have the name \"%s\" (also in line %ld)", name,
 				  list->items[i].line);
 }
 

@@ -65,14 +65,14 @@ static void read_stock_shape(struct xml_reader *xml, const xmlNode *node, struct
 		   cylinder = xml_attribute(xml, node, "cylinder");
 
 	if (mesh + box + cylinder != 1)
-		xml_error(xml, node, NULL, "<stock> needs one of mesh, box and cylinder");
+		xml_error(xml, node, NULL, "<stock> needs exactly one of mesh, box and cylinder");
 	body->shape = box ? STOCK_BOX : cylinder ? STOCK_CYLINDER : STOCK_MESH;
 	if (box)
 		body->size = xml_point(xml, node, "box");
 	if (cylinder)
 		xml_two_lengths(xml, node, "cylinder", &body->size.x, &body->size.z);
 	if (!mesh && xml_attribute(xml, node, "units"))
-		xml_error(xml, node, "units", "<stock> has units, but no mesh that they are for");
+		xml_error(xml, node, "units", "<stock> has units, but no mesh to which they apply");
 }
 
 static void read_stock(struct xml_reader *xml, const xmlNode *node, void *context)
@@ -215,7 +215,7 @@ static void read_library(struct xml_reader *xml, const xmlNode *node, void *cont
 	library->unit = xml_file_units(xml, node, xml->unit);
 	library->numbers = xml_name(xml, node, "numbers", &described->arena);
 	if (library->path && strstr(library->path, "://"))
-		xml_error(xml, node, "href", "href of <tools> must be the name of a file, not an address");
+		xml_error(xml, node, "href", "href of <tools> must be a file name, not an address");
 	xml_read_nothing(xml, node);
 }
 

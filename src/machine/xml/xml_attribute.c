@@ -45,7 +45,7 @@ void xml_require(struct xml_reader *xml, const xmlNode *node, ...)
 	va_start(names, node);
 	while ((name = va_arg(names, const char *)))
 		if (!xml_attribute(xml, node, name))
-			xml_error(xml, node, NULL, "<%s> lacks the attribute '%s'", (const char *)node->name, name);
+			xml_error(xml, node, NULL, "<%s> needs the attribute '%s'", (const char *)node->name, name);
 	va_end(names);
 }
 
@@ -306,7 +306,7 @@ const char *xml_label(struct xml_reader *xml, const xmlNode *node, const char *n
 	}
 	for (const char *at = text; *at; at++) {
 		if (xml_is_control(at)) {
-			complain(xml, node, name, "holds a control character");
+			complain(xml, node, name, "contains a control character");
 			return NULL;
 		}
 	}

@@ -57,12 +57,12 @@ static void report_unknown(struct xml_reader *xml, const xmlNode *node, const st
 	struct spelling meant;
 
 	if (node->ns) {
-		xml_error(xml, node, NULL, "element <%s> is in a namespace; these files use none",
+		xml_error(xml, node, NULL, "element <%s> is in a namespace; fivecheck files use none",
 			  xml_quote(name).text);
 		return;
 	}
 	if (belongs_elsewhere(xml, name)) {
-		xml_error(xml, node, NULL, "element <%s> does not belong in <%s>", name, parent);
+		xml_error(xml, node, NULL, "element <%s> is not allowed in <%s>", name, parent);
 		return;
 	}
 	spelling_init(&meant, name);
@@ -95,7 +95,7 @@ void xml_read_children(struct xml_reader *xml, const xmlNode *node, const struct
 	bool stray = false;
 
 	if (node->nsDef)
-		xml_error(xml, node, "xmlns", "<%s> declares a namespace; these files use none",
+		xml_error(xml, node, "xmlns", "<%s> declares a namespace; fivecheck files use none",
 			  (const char *)node->name);
 	xml_attributes_end(xml, node);
 	for (const xmlNode *at = node->children; at && !xml_is_full(xml); at = at->next) {
@@ -118,10 +118,11 @@ void xml_read_children(struct xml_reader *xml, const xmlNode *node, const struct
 			child->read(xml, at, context);
 	}
 	if (stray)
-		xml_error(xml, node, NULL, "<%s> holds text; only elements belong there", (const char *)node->name);
+		xml_error(xml, node, NULL,
+			  "<%s> contains text; only elements are allowed here", (const char *)node->name);
 	for (const struct xml_child *child = children; child->name; child++)
 		if (child->required && !seen[child - children])
-			xml_error(xml, node, NULL, "<%s> lacks <%s>", (const char *)node->name, child->name);
+			xml_error(xml, node, NULL, "<%s> needs <%s>", (const char *)node->name, child->name);
 }
 
 void xml_read_nothing(struct xml_reader *xml, const xmlNode *node)
@@ -150,7 +151,7 @@ static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 	size_t count = 0;
 
 	if (depth > DEPTH_MAX) {
-		xml_error(xml, node, NULL, "elements are nested more than %d deep", DEPTH_MAX);
+		xml_error(xml, node, NULL, "elements are nested deeper than %d levels", DEPTH_MAX);
 		return false;
 	}
 	for (const xmlAttr *attribute = node->properties; attribute; attribute = attribute->next) {
@@ -167,7 +168,7 @@ static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 		if (child->type != XML_ELEMENT_NODE)
 			continue;
 		if (++count > CHILDREN_MAX) {
-			xml_error(xml, node, NULL, "<%s> holds more than %d elements",
+			xml_error(xml, node, NULL, "<%s> has more than %d elements",
 				  xml_quote((const char *)node->name).text, CHILDREN_MAX);
 			return false;
 		}
@@ -199,7 +200,7 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 	version = own ? xml_attribute(xml, node, "version") : NULL;
 	if (version && strcmp(version, "1") != 0) {
 		xml_error(xml, node, "version",
-			  "version \"%s\" of the %s file is not supported; this program reads version 1",
+			  "version \"%s\" of the %s file is not supported; fivecheck reads version 1",
 			  xml_quote(version).text, root);
 		return false;
 	}

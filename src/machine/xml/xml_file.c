@@ -95,7 +95,7 @@ static char *read_all(struct xml_reader *xml, int fd, size_t *length)
 		have += (size_t)got;
 	}
 	if (have > FILE_SIZE_MAX) {
-		xml_error_at(xml, 0, "larger than %zu MiB: this is no machine, setup or waivers file",
+		xml_error_at(xml, 0, "larger than %zu MiB: this is not a machine, setup or waivers file",
 			     FILE_SIZE_MAX / 1024 / 1024);
 		free(bytes);
 		return NULL;
@@ -157,14 +157,14 @@ static void judge_doctype(void *context, const xmlChar *name, const xmlChar *pub
 	(void)public_id;
 	(void)system_id;
 	if (!capture->xml->foreign || !parser->input || *parser->input->cur != '>')
-		stop_parser(parser, "document type declarations (<!DOCTYPE ...>) are not allowed; remove it");
+		stop_parser(parser, "document type declarations (<!DOCTYPE ...>) are not allowed; remove them");
 }
 
 /* Called for entities that XML does not define itself. */
 static xmlEntity *refuse_entity(void *context, const xmlChar *name)
 {
 	(void)name;
-	stop_parser(context, "entities other than those of XML itself (&lt; &amp; ...) are not known; write the text");
+	stop_parser(context, "only the entities of XML itself are known (&lt; &amp; ...); write the text");
 	return NULL;
 }
 

@@ -106,7 +106,8 @@ static void report(struct xml_reader *xml, struct srcloc loc, const char *excerp
 	if (xml->errors <= ERRORS_MAX)
 		diag_report(xml->diag, DIAG_ERROR, loc, excerpt, format, args);
 	if (xml->errors == ERRORS_MAX + 1)
-		diag_note(xml->diag, (struct srcloc){.file = xml->path}, "there are more errors than these %d",
+		diag_note(xml->diag, (struct srcloc){.file = xml->path},
+			  "more than %d errors; the others are not listed",
 			  ERRORS_MAX);
 }
 

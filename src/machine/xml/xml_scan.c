@@ -102,7 +102,7 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 		return false;
 	}
 	if (memchr(bytes, '\0', length)) {
-		xml_error_at(xml, 0, "there are NUL bytes in it: this is no text, or not UTF-8");
+		xml_error_at(xml, 0, "the file has NUL bytes: it is not text, or not UTF-8");
 		return false;
 	}
 	if (looking_at(&scan, "\xef\xbb\xbf"))
@@ -110,7 +110,7 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 	while (scan.at < scan.end && strchr(" \t\r\n", *scan.at))
 		step(&scan);
 	if (scan.at == scan.end) {
-		xml_error_at(xml, 0, "the file is empty: there is no element in it");
+		xml_error_at(xml, 0, "the file is empty: it has no element");
 		return false;
 	}
 	if (*scan.at != '<') {

@@ -22,7 +22,7 @@ const MORE = [
 	{option: 'include=DIR', words: 'look for subprograms in DIR after the folder of the program; may be given several times', text: true},
 	{option: 'max-blocks=N', words: 'give up after N blocks in loops and subprograms (100000000)', number: true},
 	{option: 'fail-on=KIND,...', words: 'findings of these kinds fail the run, others only warn: collision, clearance, limit, start-overlap, rapid-contact, gouge, warning or none; warning: warnings fail, too; none: nothing fails', text: true},
-	{option: 'duplicates=error|last', words: 'a word that stands twice in a block is an error (the default), or the last one counts', choices: [['', 'error'], ['last', 'last']]},
+	{option: 'duplicates=error|last', words: 'a word that occurs twice in a block is an error (the default), or the last one counts', choices: [['', 'error'], ['last', 'last']]},
 	{option: 'sensitivity=DX,DY,DZ,DL', words: 'report how far, up to these values, work offsets and tool lengths may be wrong before the verdict changes', text: true},
 	{option: 'block-delete', words: 'skip blocks that begin with /'},
 	{option: 'parse-only', words: 'interpret the programs and check axis limits, but not collisions'},
