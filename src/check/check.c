@@ -253,7 +253,7 @@ static void say_no_motion(const struct checker *c)
 			   "subprograms; was it written and copied completely?");
 	else
 		diag_warning(c->diag, place, "the program moves no axis%s",
-			     c->options->method == CHECK_NOTHING ? "" : "; only the start pose was checked");
+			     c->options->method == CHECK_NOTHING ? "" : "; only the start position was checked");
 }
 
 /* Checks the remaining steps when the program has ended or has stopped at a fault within a block. */

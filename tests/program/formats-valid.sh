@@ -92,7 +92,7 @@ fi
 cat >expected <<'ROWS'
 collision collision head (Z) meets table (C)|a%20b%2Cc%3Ad%25.nc|2|1|34
 incomplete incomplete the machine has no B axis|bad.nc|1|4|7
-incomplete incomplete cannot open nowhere.nc: No such file or directory|nowhere.nc|null|null|null
+incomplete incomplete cannot open: No such file or directory|nowhere.nc|null|null|null
 ROWS
 if command -v jq >/dev/null; then
 	jq -r '.runs[0] as $run | $run.results[] | select(.ruleId != "limit" and .ruleId != "caution") | "\(.ruleId) \(

@@ -208,7 +208,7 @@ START_TEST(read_error)
 
 	case_init(&c);
 	ck_assert(!case_run_stream(&c, in));
-	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc: error: cannot read the program: Input/output error\n");
+	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc: error: cannot read: Input/output error\n");
 	fclose(in);
 	case_release(&c);
 }

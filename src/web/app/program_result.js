@@ -30,8 +30,6 @@ export class ProgramResult {
 		this.findings = element('ul', {className: 'findings'});
 		this.more = element('div', {});
 		this.doubts = element('ul', {className: 'doubts'});
-		/** No block was checked. */
-		this.still = false;
 		/** The options of its check. @type {string[]} */
 		this.used = [];
 		this.card = element('article', {className: 'program', dataset: {path, ...(job ? {job} : {})}}, element(job ? 'h4' : 'h3', {}, nameOf(path)), this.verdict, this.doubts, this.progress,
@@ -53,7 +51,6 @@ export class ProgramResult {
 			return;
 		for (const caution of event.cautions ?? [])
 			isDoubt(caution) ? this.doubts.append(element('li', {className: 'message'}, caution)) : this.onMessage(caution);
-		this.still = event.checked === 0;
 		this.tell(event.verdict);
 	}
 
@@ -64,8 +61,6 @@ export class ProgramResult {
 	tell(verdict) {
 		this.card.dataset.verdict = verdict;
 		this.verdict.textContent = VERDICTS[verdict].text;
-		if (verdict === 'clear' && this.still)
-			this.verdict.textContent = 'Clear where the machine stands: the program has no block, so no motion was checked.';
 		if (verdict === 'passed' && this.used[0] === 'method parse-only')
 			this.verdict.textContent = 'Passed: within the axis limits. No collision was checked.';
 		if (verdict === 'found' && !this.findings.querySelector('.collision'))
