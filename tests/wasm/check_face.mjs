@@ -210,8 +210,8 @@ tests['a session tells how near the bodies are'] = () => {
 	assert.ok(apart.nearest.distance > 0 && apart.nearest.distance < 0.2, String(apart.nearest.distance));
 	const {on_a, on_b, distance} = apart.nearest;
 	assert.ok(Math.abs(Math.hypot(...on_a.map((v, i) => v - on_b[i])) - distance) < 1e-6);
-	assert.throws(() => session.pose({Q: 1}), /no position of an axis/);
-	assert.throws(() => session.pose({X: NaN}), /no position of an axis/);
+	assert.throws(() => session.pose({Q: 1}), /is not a position of an axis/);
+	assert.throws(() => session.pose({X: NaN}), /is not a position of an axis/);
 };
 
 tests['a job gets the parts that it needs, and all where that is not sure'] = () => {
