@@ -51,10 +51,13 @@ static bool take(struct section *section, const char *block, long line)
 
 static struct rest_of_file found(const struct section *section)
 {
-	if (!section->motion)
-		return (struct rest_of_file){0};
-	return section->number ? (struct rest_of_file){.program = section->number}
-			       : (struct rest_of_file){.motion = section->motion};
+	struct rest_of_file rest = {0};
+
+	if (section->motion && section->number)
+		rest.program = section->number;
+	else
+		rest.motion = section->motion;
+	return rest;
 }
 
 struct rest_of_file rest_of_file_find(struct reader *reader, bool (*heads_main)(const char *text),
