@@ -249,8 +249,8 @@ static void say_no_motion(const struct checker *c)
 
 	if (!c->summary.blocks)
 		diag_error(c->diag, place,
-			   "no block of the program is carried out: the file is empty, or has only comments or "
-			   "subprograms; was it written and copied completely?");
+			   "no block of the program is carried out: the file is empty, or has only comments, "
+			   "subprograms or deleted blocks (/); was it written and copied completely?");
 	else
 		diag_warning(c->diag, place, "the program moves no axis%s",
 			     c->options->method == CHECK_NOTHING ? "" : "; only the start position was checked");

@@ -50,7 +50,7 @@ struct pending_batch {
 
 /*
  * The number of batches that are being checked, wait for the check, or wait for their results to be taken. Measured:
- * with 12, a program of 34,000 blocks takes a fifth more time, because fresh memory is dear; one of 800,000 takes 3
+ * with 12, a program of 34,000 blocks takes a fifth more time, because new memory costs time; one of 800,000 takes 3
  * percent less.
  */
 enum { PENDING = 4 };
