@@ -6,7 +6,7 @@ import tempfile
 import fixtures
 from bench import same, test, true
 from jobs_page import ADVICE
-from page_bench import VERDICTS, drop
+from page_bench import VERDICTS, drop, wait_for
 
 SAID = "[...document.querySelectorAll('.program .verdict')].map((e) => e.textContent)"
 
@@ -90,7 +90,7 @@ def no_storage(bench):
     """If the browser forbids storage, as in some private windows, the page works and shows no message about it."""
     page = bench.open(before="""for (const name of ['localStorage', 'sessionStorage', 'indexedDB', 'caches'])
         Object.defineProperty(window, name, {get() { throw new DOMException('denied', 'SecurityError'); }});
-        if (window === top) navigator.serviceWorker.register = () => (window.asked = true, Promise.reject(new DOMException('denied', 'SecurityError')));""")
+        if (window === top && navigator.serviceWorker) navigator.serviceWorker.register = () => (window.asked = true, Promise.reject(new DOMException('denied', 'SecurityError')));""")
     bench.works(page)
     page.run("await new Promise((done) => { const look = () => window.asked ? done() : requestAnimationFrame(look); look(); })")
     page.run("await until('report-shown', 2)")
@@ -135,7 +135,7 @@ def meanwhile(bench):
     page.navigate(bench.site.address + "learn.html")
     page.run("await until('posed', 1)")
     page.run("void history.back()")
-    page.wait_for("document.querySelector('#check') && location.pathname === '/' && document.readyState === 'complete'")
+    wait_for(page, "document.querySelector('#check') && location.pathname === '/' && document.readyState === 'complete'")
     bench.example(page, "cb-head", page.run("counts['example-open']") + 1)
     page.run("document.querySelector('#check').click()")
     page.reload()

@@ -218,11 +218,11 @@ def lacking(bench):
     bench.check(page)
     same("no verdict", [verdict in ("clear", "found") for _, verdict in page.run(VERDICTS)], [False, False])
     true("its reason", "fivecheck.wasm cannot be loaded: the server answers 404" in page.run("document.querySelector('.program').textContent"))
-    bench.site.missing = {"/examples/examples/b-head-c-table/setup.xml"}
+    bench.site.missing = {"/examples/b-head-c-table.zip"}
     bench.check(page, 2)
     bench.verdicts(page)
     bench.example(page, "b-head-c-table", 2)
-    true("a file of an example", "setup.xml cannot be loaded" in page.run("document.querySelector('#job').textContent"))
+    true("a file of an example", "b-head-c-table.zip cannot be loaded" in page.run("document.querySelector('#job').textContent"))
     same("nothing is half there", page.run("document.querySelector('#check').disabled"), True)
     bench.site.missing = set()
     page.close()

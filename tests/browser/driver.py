@@ -210,13 +210,6 @@ class Page:
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
 
-    def wait_for(self, script):
-        """Waits until an expression is true, also while one page replaces another."""
-        while True:
-            with contextlib.suppress(BrowserError):
-                if self.run(f"await new Promise((done) => requestAnimationFrame(() => done({script})))"):
-                    return
-
     def frames(self):
         """Waits until two frames have been drawn."""
         self.run("await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")

@@ -7,6 +7,7 @@ import tempfile
 
 import fixtures
 from bench import PHONE, WEAK_TEXT, same, test, true
+from page_bench import wait_for
 
 RED = """(() => {
     const canvas = document.querySelector('.stage canvas'), gl = canvas.getContext('webgl2'), w = canvas.width, h = canvas.height;
@@ -245,7 +246,7 @@ def learn_dropped(bench):
         with open(broken, "wb") as file:
             file.write(b"PK")
         page.drop(640, 400, [broken])
-        page.wait_for("/job.zip cannot be read: it has no end: is it whole?/.test(document.querySelector('#machine-name').textContent)")
+        wait_for(page, "/job.zip cannot be read: it has no end: is it whole?/.test(document.querySelector('#machine-name').textContent)")
         true("the machine before stands", "What stands below is" in page.run("document.querySelector('#machine-name').textContent"))
     bench.done(page)
 

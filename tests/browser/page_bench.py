@@ -1,4 +1,5 @@
 """What the tests of the page share: a server for its folder, the page in a browser, the contents of its cards."""
+import contextlib
 import functools
 import http.server
 import json
@@ -9,6 +10,7 @@ import threading
 
 import fixtures
 from bench import same
+from driver import BrowserError
 
 
 class Site:
@@ -90,6 +92,14 @@ def drop(page, *paths):
     else:
         page.choose("#choose", list(paths))
     page.run(f"await until('files-shown', {shown + 1})")
+
+
+def wait_for(page, script):
+    """Waits until an expression is true, also while one page replaces another."""
+    while True:
+        with contextlib.suppress(BrowserError):
+            if page.run(f"await new Promise((done) => requestAnimationFrame(() => done({script})))"):
+                return
 
 
 class Bench:

@@ -6,6 +6,7 @@
 import {Files} from './files.js';
 import {fetched} from './modules.js';
 import {element} from './page.js';
+import {filesInZip} from './zip_files.js';
 
 /** Bytes that are enough to determine the kind of a file, and the part of an XML file with the names of other files. */
 const HEAD = 65536, MOST = 1 << 24;
@@ -74,22 +75,23 @@ export async function jobFile(path, blob) {
 	return {path, blob, role, text: XML.includes(role) ? await headOf(blob, MOST) : head};
 }
 
-/** A file of an example of the page. @param {string} path */
-export async function exampleFile(path) {
-	return jobFile(path, await (await fetched(`examples/${path}`, path)).blob());
+/** The files of an example of the page, which come in one archive. @param {string} name */
+export async function exampleFiles(name) {
+	const archive = `${name}.zip`, files = await filesInZip('', await (await fetched(`examples/${archive}`, archive)).blob());
+	return Promise.all(files.map(([path, blob]) => jobFile(path, blob)));
 }
 
 /**
- * The files of each example of the page.
+ * The names of the examples of the page.
  * @param {HTMLElement} place where it is told if they cannot be loaded
- * @returns {Promise<Record<string, string[]>>}
+ * @returns {Promise<string[]>}
  */
 export async function examplesOf(place) {
 	try {
 		return await (await fetched('examples/index.json', 'index.json')).json();
 	} catch (error) {
 		place.append(element('span', {className: 'lack'}, `The examples cannot be loaded (${/** @type {Error} */ (error).message}); your own files work all the same.`));
-		return {};
+		return [];
 	}
 }
 

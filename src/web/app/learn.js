@@ -4,7 +4,7 @@ import {Client} from './client.js';
 import {takeDrops, unpacked} from './dropped.js';
 import {Editor} from './editor.js';
 import {FIRST_PROGRAMS} from './first_programs.js';
-import {exampleFile, examplesOf, isClutter, jobFile, missingFiles, withMeshes} from './job_files.js';
+import {exampleFiles, examplesOf, isClutter, jobFile, missingFiles, withMeshes} from './job_files.js';
 import {Jog} from './jog.js';
 import {keepOffline} from './offline.js';
 import {byId, element} from './page.js';
@@ -87,14 +87,13 @@ class LearnPage {
 
 	async offerExamples() {
 		const examples = await examplesOf(byId('examples'));
-		for (const [name, paths] of Object.entries(examples)) {
+		for (const name of examples) {
 			const button = element('button', {type: 'button', dataset: {example: name}, ariaPressed: 'false'}, name);
-			button.addEventListener('click', () => this.told(this.openExample(name, paths)));
+			button.addEventListener('click', () => this.told(this.openExample(name)));
 			byId('examples').append(button);
 		}
-		const [first] = Object.entries(examples);
-		if (first)
-			await this.told(this.openExample(...first));
+		if (examples.length)
+			await this.told(this.openExample(examples[0]));
 		document.dispatchEvent(new Event('fivecheck-ready'));
 	}
 
@@ -106,9 +105,9 @@ class LearnPage {
 		this.loading--;
 	}
 
-	/** @param {string} name @param {string[]} paths */
-	async openExample(name, paths) {
-		await this.open(name, await Promise.all(paths.filter((path) => !path.endsWith('.nc')).map(exampleFile)));
+	/** @param {string} name */
+	async openExample(name) {
+		await this.open(name, (await exampleFiles(name)).filter(({role}) => role !== 'program'));
 	}
 
 	/** @param {string} name of the example, or '' @param {JobFile[]} files */

@@ -6,7 +6,7 @@ import {Checks} from './checks.js';
 import {Client} from './client.js';
 import {takeDrops, unpacked} from './dropped.js';
 import {watchNumbers} from './fields.js';
-import {atHome, exampleFile, examplesOf, inOrder, isClutter, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
+import {atHome, exampleFiles, examplesOf, inOrder, isClutter, jobFile, nameOf, sameBytes, twins, withLibraries} from './job_files.js';
 import {MachineForm} from './machine_form.js';
 import {keepOffline} from './offline.js';
 import {byId, element, reveal} from './page.js';
@@ -68,22 +68,21 @@ class Page {
 	}
 
 	async offerExamples() {
-		const examples = await examplesOf(byId('examples'));
-		for (const [name, paths] of Object.entries(examples)) {
+		for (const name of await examplesOf(byId('examples'))) {
 			const button = element('button', {type: 'button', dataset: {example: name}}, name, element('small', {}, EXAMPLES[name] ?? ''));
-			button.addEventListener('click', () => this.openExample(paths));
+			button.addEventListener('click', () => this.openExample(name));
 			byId('examples').append(button);
 		}
 		document.dispatchEvent(new Event('fivecheck-ready'));
 	}
 
-	/** @param {string[]} paths */
-	async openExample(paths) {
+	/** @param {string} name */
+	async openExample(name) {
 		this.opening = true;
 		this.client.prepare();
 		this.setFiles([]);
 		try {
-			this.setFiles(await Promise.all(paths.map(exampleFile)));
+			this.setFiles(await exampleFiles(name));
 		} catch (error) {
 			byId('job').replaceChildren(element('span', {className: 'lack'}, String(error)));
 		}
