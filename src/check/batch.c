@@ -4,6 +4,7 @@
 
 #include "base/mem.h"
 #include "base/minmax.h"
+#include "base/prefetch.h"
 #include "geom/tolerance.h"
 #include "scene/pairs.h"
 
@@ -32,6 +33,9 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 	copy->motion.span.path = path_copies_add(&batch->paths, &step->span);
 	copy->block = block;
 	copy->number = number;
+	/* A later step. Another thread has read its memory, in an earlier batch. */
+	if (batch->step_count + 1 < batch->step_capacity)
+		prefetch_for_writing(copy + 2, sizeof(*copy));
 }
 
 /* Slots without an axis keep the values of the first step. */
