@@ -37,12 +37,29 @@ look 'G21 G90\nG54.1 P3\nM30\n'
 look 'G21 G90\nG65 P100\nM30\n'
 look 'G0 G90 SUPA Z0\n'
 look 'IF R1==1 GOTOB END_\n'
+look 'G71\nG0 X1\n'
+look 'G21 G90\nG0 X=0\n'
+look 'G21 G90\nS1=500 M3\n'
+look 'G21 G90\nT1 D1\n'
+look 'G21 G90\nT1 M06 D1\n'
+look 'G21 G90\nDEF BOOL FOUND\n'
+look 'G21 G90\nATRANS X5\n'
+look 'G21 G90\nROT RPL=45\n'
+look 'G21 G90\nPOCKET3(50,0,1)\n'
+look 'G21 G90\nG1 X5 RND=2 F100\n'
+look 'G21 G90\nFFWON\n'
+look 'G21 G90\nG500\n'
 # No signs: words in comments, and text that only resembles a sign.
 look 'G21 G90\n#<_supa>=5\n#<go_gotof>=1\nM2\n'
 look '%\nO1\nPOPEN\nDPRNT[SUPA*GOTOF]\nPCLOS\nG21 G90\nM30\n%\n'
 look '(PROC PART, X=IC(5), MSG, CR=5)\nG21 G90\nG0 X1.\nM30\n'
 look 'PROCESS SHEET 5\nPROC 10 DEEP HOLES\n%\nG21 G90\n#1=ACOS[0.5] (GOTOF)\n#<_cr>=5\nG43.41\nM30\n%\n'
 sed 's|<base>|<controller dialect="klartext"/><base>|' m.xml >klartext.xml
+look '%\nO1\nG21 G90\nPOPEN\nDPRNT[X=#1*Y1=#2]\nPCLOS\nIF[#1EQ1]THEN#2=3\n#1=5\nM30\n%\n'
+look '%\nO1\nG21 G90\nG71 I5. J0. L3\nT1 M6\nG41 D1 X5.\nM30\n%\n'
+printf '0 BEGIN PGM P MM\n1 TRANS DATUM AXIS X+1\n2 Q1 = 5\n3 QS1 = "X=5"\n4 CONTOUR DEF P1 = LBL 1 I2 = LBL 2\n5 END PGM P MM\n' >p.h
+fivecheck -q --parse-only klartext.xml p.h >said 2>&1
+echo "klartext $?"
 printf '0 BEGIN PGM P MM\n1 * - MILL / DM=8 CR=0 TL=50\n2 L X+1 R0 FMAX\n3 END PGM P MM\n' >p.h
 fivecheck -q --parse-only klartext.xml p.h >said 2>&1
 echo "klartext $?"

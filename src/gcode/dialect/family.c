@@ -1,6 +1,7 @@
 #include "gcode/dialect/family.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "control/dialects.h"
@@ -21,7 +22,11 @@ enum match {
 	MATCH_CALL,	/* at the start of the line, with a parenthesis that is no comment */
 	MATCH_FIRST_CALL,	/* no other parenthesis precedes it */
 	MATCH_R_PARAMETER,
-	MATCH_PROC
+	MATCH_PROC,
+	MATCH_ASSIGNED_ADDRESS,
+	MATCH_FRAME,
+	MATCH_UNITS,
+	MATCH_TOOL_EDGE
 };
 
 /* Controls that read each other's programs, and the dialects for them; there may be none. */
@@ -61,10 +66,31 @@ static const struct sign {
 	{&sinumerik, ";$PATH", ";$PATH", MATCH_START, true},
 	{&sinumerik, "TRAORI", "TRAORI", MATCH_ALL, true},
 	{&sinumerik, "TRAFOOF", "TRAFOOF", MATCH_ALL, true},
+	{&sinumerik, "CYCLE6", "CYCLE6..", MATCH_START, true},
+	{&sinumerik, "CYCLE7", "CYCLE7..", MATCH_START, true},
 	{&sinumerik, "CYCLE8", "CYCLE8..", MATCH_START, true},
+	{&sinumerik, "CYCLE9", "CYCLE9..", MATCH_START, true},
+	{&sinumerik, "POCKET3(", "POCKET3()", MATCH_CALL, true},
+	{&sinumerik, "POCKET4(", "POCKET4()", MATCH_CALL, true},
+	{&sinumerik, "HOLES1(", "HOLES1()", MATCH_CALL, true},
+	{&sinumerik, "HOLES2(", "HOLES2()", MATCH_CALL, true},
 	{&sinumerik, "MCALL", "MCALL", MATCH_START, true},
 	{&sinumerik, "DEFREAL", "DEF REAL", MATCH_START, true},
 	{&sinumerik, "DEFINT", "DEF INT", MATCH_START, true},
+	{&sinumerik, "DEFBOOL", "DEF BOOL", MATCH_START, true},
+	{&sinumerik, "DEFCHAR", "DEF CHAR", MATCH_START, true},
+	{&sinumerik, "DEFSTRING", "DEF STRING", MATCH_START, true},
+	{&sinumerik, "DEFAXIS", "DEF AXIS", MATCH_START, true},
+	{&sinumerik, "DEFFRAME", "DEF FRAME", MATCH_START, true},
+	{&sinumerik, "FFWON", "FFWON", MATCH_ALL, true},
+	{&sinumerik, "FFWOF", "FFWOF", MATCH_ALL, true},
+	{&sinumerik, "SOFT", "SOFT", MATCH_ALL, true},
+	{&sinumerik, "BRISK", "BRISK", MATCH_ALL, true},
+	{&sinumerik, "ORIWKS", "ORIWKS", MATCH_ALL, true},
+	{&sinumerik, "ORIMKS", "ORIMKS", MATCH_ALL, true},
+	{&sinumerik, "COMPCAD", "COMPCAD", MATCH_ALL, true},
+	{&sinumerik, "COMPOF", "COMPOF", MATCH_ALL, true},
+	{&sinumerik, "", "TRANS, ROT, SCALE or MIRROR", MATCH_FRAME, true},
 	{&sinumerik, "SUPA", "SUPA", MATCH_ADDRESS, true},
 	{&sinumerik, "", "PROC", MATCH_PROC, true},
 	{&sinumerik, "MSG(", "MSG()", MATCH_CALL, true},
@@ -84,8 +110,23 @@ static const struct sign {
 	{&sinumerik, "$AA_", "$AA_", MATCH_ANYWHERE, true},
 	{&sinumerik, "$TC_", "$TC_", MATCH_ANYWHERE, true},
 	{&sinumerik, "", "R parameters", MATCH_R_PARAMETER, true},
+	{&sinumerik, "RND=", "RND=", MATCH_ADDRESS, true},
+	{&sinumerik, "CHF=", "CHF=", MATCH_ADDRESS, true},
+	{&sinumerik, "CHR=", "CHR=", MATCH_ADDRESS, true},
+	{&sinumerik, "SPOS=", "SPOS=", MATCH_ADDRESS, true},
+	{&sinumerik, "", "an address with '=', such as X=5", MATCH_ASSIGNED_ADDRESS, true},
 	{&okuma, ".MIN%", "$NAME.MIN%", MATCH_ANYWHERE, true},
 	{&okuma, "CALLO", "CALL O", MATCH_START, true},
+	{&sinumerik, "", "G70 or G71 without further words", MATCH_UNITS, false},
+	{&sinumerik, "G500", "G500", MATCH_G, false},
+	{&sinumerik, "G505", "G505", MATCH_G, false},
+	{&sinumerik, "G601", "G601", MATCH_G, false},
+	{&sinumerik, "G641", "G641", MATCH_G, false},
+	{&sinumerik, "G642", "G642", MATCH_G, false},
+	{&sinumerik, "G645", "G645", MATCH_G, false},
+	{&sinumerik, "G700", "G700", MATCH_G, false},
+	{&sinumerik, "G710", "G710", MATCH_G, false},
+	{&sinumerik, "", "T with D", MATCH_TOOL_EDGE, false},
 	{&linuxcnc, "", "an O-word", MATCH_O_CALL, false},
 	{&linuxcnc, "#<", "#<name>", MATCH_ANYWHERE, false},
 	{&fanuc, "G5P10000", "G5 P10000", MATCH_G, false},
@@ -181,6 +222,69 @@ static bool is_proc(const char *line)
 			    starts_with(at, "DISPLOF") || starts_with(at, "SBLOF"));
 }
 
+/*
+ * "X=5", "S1=500". Others are a text in brackets (DPRNT[X=#1]), a parameter (#1=, Q1=), a comparison (==), and a
+ * contour of Klartext (I2 = LBL 5).
+ */
+static bool assigns_address(const char *block)
+{
+	const char *end = block + strcspn(block, "[");
+
+	for (const char *at = strchr(block, '='); at && at < end && at[1] != '='; at = strchr(at + 1, '=')) {
+		const char *letter = at - 1;
+
+		while (letter > block && isdigit((unsigned char)*letter))
+			letter--;
+		if (letter >= block && strchr(letter < at - 1 ? "MS" : "ABCFIJKMSUVWXYZ", *letter) &&
+		    (letter == block || isdigit((unsigned char)letter[-1]) || letter[-1] == '.'))
+			return true;
+	}
+	return false;
+}
+
+/* "TRANS", "ATRANS X5", "ROT RPL=45". Klartext has TRANS DATUM. */
+static bool is_frame(const char *block)
+{
+	static const char *const names[] = {"TRANS", "ROT", "SCALE", "MIRROR"};
+
+	block += *block == 'A';
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+		const char *rest = block + strlen(names[i]);
+
+		if (starts_with(block, names[i]) &&
+		    (*rest == '\0' || strchr("XYZ", *rest) || starts_with(rest, "RPL=")))
+			return true;
+	}
+	return false;
+}
+
+/*
+ * G70 and G71 switch to inches and millimetres. As cycles of other controls they have further words. "%PART G71" is
+ * the head of a Heidenhain program in DIN/ISO.
+ */
+static bool switches_units(const char *block)
+{
+	return *block != '%' && (has_code(block, "G70") || has_code(block, "G71")) && !strpbrk(block, "PQIJLUWR");
+}
+
+/* "T1 D1", "T1 M6 D1": a tool and its cutting edge. */
+static bool selects_edge(const char *block)
+{
+	bool tool = false, edge = false;
+
+	while (*block) {
+		const size_t digits = strspn(block + 1, "0123456789");
+
+		if (digits == 0 || (*block != 'T' && *block != 'D' && *block != 'M') ||
+		    (*block == 'M' && strtol(block + 1, NULL, 10) != 6))
+			return false;
+		tool = tool || *block == 'T';
+		edge = edge || *block == 'D';
+		block += 1 + digits;
+	}
+	return tool && edge;
+}
+
 /* "o<name> call", "o100 if [...]" */
 static bool is_o_word(const char *block)
 {
@@ -229,6 +333,14 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 		return assigns_r(words);
 	case MATCH_PROC:
 		return is_proc(line);
+	case MATCH_ASSIGNED_ADDRESS:
+		return assigns_address(words);
+	case MATCH_FRAME:
+		return is_frame(words);
+	case MATCH_UNITS:
+		return switches_units(words);
+	case MATCH_TOOL_EDGE:
+		return selects_edge(words);
 	case MATCH_PROGRAM_NUMBER:
 		return line_shape_is_program_number(block);
 	}
