@@ -7,6 +7,7 @@
 #include "check/batch_run.h"
 #include "check/checker.h"
 #include "check/measure/path_record.h"
+#include "gcode/interp.h"
 
 /*
  * Steps in a batch. A batch is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts.
@@ -248,9 +249,7 @@ static void say_no_motion(const struct checker *c)
 	const struct srcloc place = {c->file, 0, 0};
 
 	if (!c->summary.blocks)
-		diag_error(c->diag, place,
-			   "no block of the program is carried out: the file is empty, or has only comments, "
-			   "subprograms or deleted blocks (/); was it written and copied completely?");
+		diag_error(c->diag, place, INTERP_NO_BLOCK);
 	else
 		diag_warning(c->diag, place, "the program moves no axis%s",
 			     c->options->method == CHECK_NOTHING ? "" : "; only the start position was checked");

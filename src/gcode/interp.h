@@ -25,6 +25,11 @@ void interp_free(struct interp *interp);
  */
 bool interp_run(struct interp *interp, FILE *in, const char *name);
 
+/* The error if interp_run has sent no block: the file is what is left of a program that was not written completely. */
+#define INTERP_NO_BLOCK \
+	"no block of the program is carried out: the file is empty, or has only comments, subprograms or deleted " \
+	"blocks (/); was it written and copied completely?"
+
 /* Lines of the program itself that have been read so far. */
 long interp_lines(const struct interp *interp);
 

@@ -35,6 +35,10 @@ status fivecheck scan c.ngc 2>&1
 status fivecheck scan --dialect=haas b.nc -o out 2>&1
 cat out
 status fivecheck scan a.nc b.nc 2>&1
+# A file without a block is not readable.
+: >zero.nc
+printf '%%\n(a comment)\n%%\n' >comment.nc
+status fivecheck scan --dialect=fanuc zero.nc comment.nc b.nc 2>&1
 status fivecheck scan --dialect=mine a.nc 2>&1
 status fivecheck scan 2>&1
 status fivecheck scan --dialect=haas nowhere.nc 2>&1

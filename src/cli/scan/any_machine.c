@@ -7,10 +7,11 @@
 #include "geom/tolerance.h"
 #include "geom/xform.h"
 
-static bool hear_nothing(void *context, const struct canon_event *event)
+static bool count_blocks(void *context, const struct canon_event *event)
 {
-	(void)context;
-	(void)event;
+	long *blocks = context;
+
+	*blocks += event->kind == CANON_BLOCK;
 	return true;
 }
 
@@ -93,10 +94,11 @@ static bool table_point(void *context, struct srcloc loc, axis_values *place)
 
 bool any_machine_read(const struct gcode_config *config, FILE *in, const char *name, struct diag *diag)
 {
-	static const struct canon_sink sink = {NULL, hear_nothing};
 	static const struct kinematics kinematics = {
 	    .tcp = switch_tcp, .orient = orient, .orientations = orientations, .direction = direction,
 	    .turn = turn, .great_circle = great_circle, .retract = retract, .table_point = table_point};
+	long blocks = 0;
+	const struct canon_sink sink = {&blocks, count_blocks};
 	struct interp *interp;
 	bool good;
 
@@ -104,5 +106,7 @@ bool any_machine_read(const struct gcode_config *config, FILE *in, const char *n
 	interp = interp_new(config, &kinematics, &sink, diag);
 	good = interp_run(interp, in, name);
 	interp_free(interp);
-	return good;
+	if (good && !blocks)
+		diag_error(diag, (struct srcloc){name, 0, 0}, INTERP_NO_BLOCK);
+	return good && blocks > 0;
 }

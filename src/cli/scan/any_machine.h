@@ -8,7 +8,10 @@
 #include "base/diag.h"
 #include "gcode/config.h"
 
-/* Reads the program from its beginning, without output of its moves. False: it has faults, which were reported. */
+/*
+ * Reads the program from its beginning, without output of its moves. False: it has faults, or no block is carried out;
+ * this was reported.
+ */
 bool any_machine_read(const struct gcode_config *config, FILE *in, const char *name, struct diag *diag);
 
 #endif
