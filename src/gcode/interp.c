@@ -224,7 +224,9 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 		break;
 	case READER_NUL_BYTE:
 		loc.column = (int)strlen(text) + 1;
-		diag_error(interp->diag, loc, "a NUL byte; is this an NC program?");
+		diag_error(interp->diag, loc,
+			   "a NUL byte: the file was not written completely, or is no NC program; write or copy it "
+			   "again");
 		break;
 	case READER_MIXED_ENDS:
 		loc.column = (int)strlen(text) + 1;

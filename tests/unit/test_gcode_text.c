@@ -144,7 +144,9 @@ static void expect_message(const char *bytes, size_t length, const char *message
 
 START_TEST(faulty_files)
 {
-	expect_message("G0 X1\nX2\0\nX3\n", 13, "p.nc:2:3: error: a NUL byte; is this an NC program?\n");
+	expect_message("G0 X1\nX2\0\nX3\n", 13,
+		       "p.nc:2:3: error: a NUL byte: the file was not written completely, or is no NC program; write or "
+		       "copy it again\n");
 	expect_message("\xff\xfeG\0", 4,
 		       "p.nc:1: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
 	expect_message("\0G\0001\0\n", 6,
