@@ -193,6 +193,36 @@ START_TEST(orientation_by_coordinates)
 }
 END_TEST
 
+/* If MD21104 is not known, only what both of its values mean alike is certain. */
+START_TEST(orientation_unknown)
+{
+	static const struct {
+		const char *modes;
+		bool certain;
+	} cases[] = {
+		{"ORIWKS ORIVECT", true}, {"ORIVECT", true},	     {"ORIMKS ORIAXES", true}, {"ORIWKS ORIAXES", false},
+		{"ORIAXES", false},	  {"ORIMKS ORIVECT", false}, {"ORIMKS", false},	       {"", false},
+	};
+
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		struct strbuf text = {0};
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		c.config.controller.orientation_interpolation = ORIENTATION_INTERPOLATION_UNKNOWN;
+		strbuf_addf(&text, "G500 F6 TRAORI %s\nX2\nX3 A20\n", cases[i].modes);
+		ck_assert_msg(case_run(&c, strbuf_text(&text)) == cases[i].certain, "%s: %s", cases[i].modes,
+			      strbuf_text(&c.messages));
+		if (!cases[i].certain)
+			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
+						     ":1: error: a parameter of the control (MD21104) decides how "
+						     "TRAORI turns the tool here: set orientation_interpolation="));
+		strbuf_release(&text);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* SD42110: a default feed of the control. The path is the same. */
 START_TEST(feed_missing)
 {
@@ -209,7 +239,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates,
+	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates, orientation_unknown,
 				      feed_missing};
 
 	return RUN_TESTS("gcode_sinumerik_table", tests);

@@ -245,25 +245,27 @@ bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direc
 	return true;
 }
 
-/* 840D sl, function manual F2, MD21104: with 0, ORIWKS and ORIMKS decide, and ORIAXES and ORIVECT have no effect. */
+/*
+ * 840D sl, function manual F2, MD21104: with 0, ORIWKS and ORIMKS decide, and ORIAXES and ORIVECT have no effect. If
+ * the machine file does not tell it, only modes that mean the same with both values are certain.
+ */
 static enum sinumerik_orientation_way way_in_force(const struct interp *interp)
 {
+	const enum orientation_interpolation answer = interp->config->controller.orientation_interpolation;
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const enum sinumerik_orientation_way programmed = sinumerik->orientation.way,
+					     by_coordinates = sinumerik->orientation.in_machine ? SINUMERIK_ORI_AXES
+												: SINUMERIK_ORI_VECTOR;
 
-	if (interp->config->controller.orientation_interpolation == ORIENTATION_INTERPOLATION_ORIWKS)
-		return sinumerik->orientation.in_machine ? SINUMERIK_ORI_AXES : SINUMERIK_ORI_VECTOR;
-	if (sinumerik->orientation.way)
-		return sinumerik->orientation.way;
-	if (sinumerik->orientation.in_machine)
+	if (answer == ORIENTATION_INTERPOLATION_ORIWKS)
+		return by_coordinates;
+	if (answer == ORIENTATION_INTERPOLATION_UNKNOWN)
+		return programmed == by_coordinates ? programmed : SINUMERIK_ORI_UNKNOWN;
+	if (programmed)
+		return programmed;
+	if (sinumerik->orientation.in_machine || answer == ORIENTATION_INTERPOLATION_AXES)
 		return SINUMERIK_ORI_AXES;
-	switch (interp->config->controller.orientation_interpolation) {
-	case ORIENTATION_INTERPOLATION_AXES:
-		return SINUMERIK_ORI_AXES;
-	case ORIENTATION_INTERPOLATION_VECTOR:
-		return SINUMERIK_ORI_VECTOR;
-	default:
-		return SINUMERIK_ORI_UNKNOWN;
-	}
+	return SINUMERIK_ORI_VECTOR;
 }
 
 bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
@@ -292,9 +294,9 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	case SINUMERIK_ORI_UNKNOWN:
 		return fault(
 		    &interp->at, column,
-		    "a parameter of the control (MD21104) decides how TRAORI turns the tool: ORIAXES or ORIVECT "
-		    "in the program says it, or orientation_interpolation=\"axes\", \"vector\" or \"oriwks\" of the "
-		    "machine's <controller>");
+		    "a parameter of the control (MD21104) decides how TRAORI turns the tool here: set "
+		    "orientation_interpolation=\"axes\", \"vector\" (MD21104=1) or \"oriwks\" (MD21104=0) in the "
+		    "machine file's <controller>");
 	default:
 		break;
 	}
