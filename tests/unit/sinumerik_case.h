@@ -7,6 +7,8 @@
 static const struct tool tools[] = {
 	{.number = 1, .name = "MILL10", .length = 100, .length_offset = 100, .diameter = 10},
 	{.number = 2, .name = "DRILL", .length = 50, .length_offset = 50, .diameter = 5},
+	{.number = 3, .name = "TWIN", .length = 50, .length_offset = 50, .diameter = 5},
+	{.number = 4, .name = "twin", .length = 60, .length_offset = 60, .diameter = 5},
 };
 static const struct tool_edge edges[] = {{1, 2, 90, 8}};
 static const struct work_offset offsets[] = {{.name = "G54", .value = {{10, 20, 30}}},

@@ -302,7 +302,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:11: error: the setup defines no tool named \"NONE\": add <tool number=\"\" "
 	 "name=\"NONE\" length=\"\"/> with what it is made of"},
 	{"TOOL CALL \"TWIN\" Z\n",
-	 "p.nc:2:11: error: the setup has two tools named \"TWIN\", T3 and T4"},
+	 "p.nc:2:11: error: the setup has two tools named \"TWIN\", T3 and T4, and the control decides which it loads: "
+	 "keep the one in the spindle, or give the other one another name"},
 	{"TOOL CALL 1 Y\n",
 	 "p.nc:2:13: error: another tool axis than Z is not supported yet"},
 	{"TOOL CALL 1.25 Z\n",

@@ -4,7 +4,7 @@
 
 static const struct refused_program programs[] = {
 	{"G500 R1=GETT(\"SAW\",1)\n", 1, 9,
-	 "the setup defines no tool of the name \"SAW\": add <tool number=\"\" name=\"SAW\" length=\"\"/> with what it is "
+	 "the setup defines no tool named \"SAW\": add <tool number=\"\" name=\"SAW\" length=\"\"/> with what it is "
 	 "made of"},
 	{"G500 R1=GETT(\"DRILL\",2)\n", 1, 22,
 	 "the number of a replacement tool must be a whole number from 1 to 1, not 2"},

@@ -390,8 +390,14 @@ static const struct refused_program programs[] = {
 	{"T1.5\n", 1, 1,
 	 "T must be a whole number that is not negative, not 1.5"},
 	{"T=\"NOSUCH\"\n", 1, 1,
-	 "the setup defines no tool of the name \"NOSUCH\": add <tool number=\"\" name=\"NOSUCH\" length=\"\"/> "
+	 "the setup defines no tool named \"NOSUCH\": add <tool number=\"\" name=\"NOSUCH\" length=\"\"/> "
 	 "with what it is made of"},
+	{"T=\"Twin\"\n", 1, 1,
+	 "the setup has two tools named \"Twin\", T3 and T4, and the control decides which it loads: keep the one in the "
+	 "spindle, or give the other one another name"},
+	{"R1=GETT(\"TWIN\",1)\n", 1, 4,
+	 "the setup has two tools named \"TWIN\", T3 and T4, and the control decides which it loads: keep the one in the "
+	 "spindle, or give the other one another name"},
 	{"M6\n", 1, 1,
 	 "M6 without a tool: write T first"},
 	{"T9 M6\n", 1, 4,

@@ -45,21 +45,32 @@ const struct tool *tool_table_find(const struct tool_table *table, int number)
 	return number > 0 ? table->any : NULL;
 }
 
-bool tool_table_lacks_name(const struct line_place *at, int column, const char *name)
+bool tool_table_find_name(const struct tool_table *table, const struct line_place *at, int column, const char *name,
+			  int (*compare)(const char *, const char *), const struct tool **found)
 {
-	return fault(at, column,
-		     "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
-		     "with what it is made of",
-		     name, name);
-}
+	const struct tool *first = NULL;
 
-const struct tool *tool_table_find_name(const struct tool_table *table, const char *name)
-{
 	for (size_t i = 0; i < table->tool_count; i++) {
-		if (!strcasecmp(table->tools[i].name, name))
-			return &table->tools[i];
+		const struct tool *tool = &table->tools[i];
+
+		if (!tool->name || compare(tool->name, name) != 0)
+			continue;
+		if (first)
+			return fault(at, column,
+				     "the setup has two tools named \"%s\", T%d and T%d, and the control decides which "
+				     "it loads: keep the one in the spindle, or give the other one another name",
+				     name, first->number, tool->number);
+		first = tool;
 	}
-	return NULL;
+	if (!first)
+		first = table->any;
+	if (!first)
+		return fault(at, column,
+			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
+			     "with what it is made of",
+			     name, name);
+	*found = first;
+	return true;
 }
 
 const struct length_offset *tool_table_length(const struct tool_table *table, int number)

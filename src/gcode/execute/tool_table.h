@@ -30,11 +30,14 @@ void tool_table_release(struct tool_table *table);
 /* The entry of tool T, and of length H; NULL: there is none. */
 const struct tool *tool_table_find(const struct tool_table *table, int number);
 
-/* The tool with this name, in upper or lower case; NULL: there is none. */
-const struct tool *tool_table_find_name(const struct tool_table *table, const char *name);
+/*
+ * Finds the tool with this name; `compare` is strcmp or strcasecmp. False, reported at the column: there is none, or
+ * there are several. On a control, tools of one name replace each other when one is worn, and no program tells which
+ * of them it loads.
+ */
+bool tool_table_find_name(const struct tool_table *table, const struct line_place *at, int column, const char *name,
+			  int (*compare)(const char *, const char *), const struct tool **found);
 
-/* Reports at the column that the setup has no tool with this name. Always false. */
-bool tool_table_lacks_name(const struct line_place *at, int column, const char *name);
 const struct length_offset *tool_table_length(const struct tool_table *table, int number);
 
 /* The entry of radius D; NULL: there is none. */

@@ -31,27 +31,11 @@ struct request {
 
 static bool find_by_name(struct lexer *lexer, const char *name, int column, int *number)
 {
-	struct interp *interp = lexer->context;
-	const struct tool *found = NULL;
+	const struct interp *interp = lexer->context;
+	const struct tool *found;
 
-	for (size_t i = 0; i < interp->config->tool_count; i++) {
-		const struct tool *tool = &interp->config->tools[i];
-
-		if (!tool->name || strcmp(tool->name, name) != 0)
-			continue;
-		if (found)
-			return fault(lexer->at, column, "the setup has two tools named \"%s\", T%d and T%d", name,
-				     found->number, tool->number);
-		found = tool;
-	}
-	if (!found)
-		found = interp->config->any_tool;
-	if (!found)
-		return fault(lexer->at, column,
-			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
-			     "with what it "
-			     "is made of",
-			     name, name);
+	if (!tool_table_find_name(&interp->tools, lexer->at, column, name, strcmp, &found))
+		return false;
 	*number = found->number;
 	return true;
 }

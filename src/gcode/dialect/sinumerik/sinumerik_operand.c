@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/units.h"
 #include "control/control_variable.h"
@@ -229,10 +230,10 @@ static bool tool_number(struct expr *expr, int column, double *value)
 		return false;
 	if (!interp->config->has_setup)
 		return fault(at, column, "the number of the tool \"%s\" is not known without a setup", name.bytes);
-	tool = tool_table_find_name(&interp->tools, name.bytes);
-	if (tool)
-		*value = tool->number;
-	return tool || tool_table_lacks_name(at, column, name.bytes);
+	if (!tool_table_find_name(&interp->tools, at, column, name.bytes, strcasecmp, &tool))
+		return false;
+	*value = tool->number;
+	return true;
 }
 
 /* A variable of DEF, a system variable, a function, or a constant. */

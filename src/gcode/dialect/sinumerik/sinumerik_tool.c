@@ -35,21 +35,18 @@ static bool number_name(struct interp *interp, const char *name, int column)
 
 static bool select_by_name(struct interp *interp, const char *name, int column)
 {
-	const struct tool *tool = tool_table_find_name(&interp->tools, name);
+	const struct tool *tool;
 
-	if (name[0] == '\0' || !strcmp(name, "0")) {
-		interp->state.selected = 0;
+	/* If the name is not found, M6 does not report it again. */
+	interp->state.selected = 0;
+	if (name[0] == '\0' || !strcmp(name, "0"))
 		return true;
-	}
-	if (tool) {
-		interp->state.selected = tool->number;
-		return true;
-	}
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
-	/* M6 does not report the error again. */
-	interp->state.selected = 0;
-	return tool_table_lacks_name(&interp->at, column, name);
+	if (!tool_table_find_name(&interp->tools, &interp->at, column, name, strcasecmp, &tool))
+		return false;
+	interp->state.selected = tool->number;
+	return true;
 }
 
 static bool select_tool(struct interp *interp, const struct sinumerik_block *block)
