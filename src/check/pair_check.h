@@ -30,22 +30,6 @@ struct pair_check_clearance {
 	bool so_far;	/* as in struct pair_clearance */
 };
 
-/* With options->least_clearances: what to measure in a block. Without it every block is measured. */
-enum measure_wish {
-	MEASURE_NOTHING,	/* report the smallest clearance of all steps so far */
-	MEASURE_CURVE,	/* measure a point of the curve, while effort lasts */
-	MEASURE_NEAREST	/* measure: the block lowered the smallest clearance of a pair */
-};
-
-/* What to measure in a batch. `wishes` and `effort` are used only with options->least_clearances. */
-struct measure_plan {
-	const double *most;	/* mm, above 0, for the block of each step: the cap of its clearance */
-	double largest;	/* mm: the largest initial value in `most` */
-	const enum measure_wish *wishes;	/* for the block of each step */
-	/* After this number of node pairs curve points are no longer measured, and the nearest blocks only roughly. */
-	long effort;
-};
-
 /* Whether the smallest clearance of a pair is measured. */
 struct pair_measuring {
 	double up_to;	/* mm above the required clearance; INFINITY: without a cap; 0: not measured */
@@ -126,16 +110,5 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 
 /* Measures the clearance at a position with the axes at rest, where the pair is known to be apart. */
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at);
-
-/* Is the clearance of this pair measured? Not if the pair may meet in some steps. */
-bool pair_check_has_clearance(const struct pair_check *check);
-
-/*
- * Measures the clearance of the pair in each block of the batch in which it is checked. Returns the number of node
- * pairs examined. If every block is measured, call it before pair_check_run, which then skips the proved steps;
- * otherwise call it after pair_check_run.
- */
-long pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
-			const struct measure_plan *plan, const struct check_options *options);
 
 #endif

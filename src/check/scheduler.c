@@ -23,35 +23,13 @@
 /* The cost of examining a box or a single step, besides the node pairs: as much as this number of node pairs. */
 #define EXAMINED_COST 10
 
-/*
- * If only least clearances are measured, the measurement may visit this number of node pairs plus a share of those that
- * the check itself visits, and SHORT_EFFORT more in a program with fewer than SHORT_PROGRAM steps before its first tool
- * change. After that the curve shows what the check has proved. So a short program gets a sharp curve, and for a long
- * one the curve costs little more than the check, however close its bodies stay to each other.
- */
-#define MEASURING_EFFORT 40000L
-#define SHORT_EFFORT 2000000L
-#define SHORT_PROGRAM 1000L
-#define MEASURING_SHARE 0.15
-
-/* The weight of the last batch in the running mean of the price of a measured block. */
-#define PRICE_SHARE 0.5
-
-/*
- * The blocks that are measured if only least clearances are measured: every block within this number of steps from the
- * start of the program, then every second one for as many steps, then every fourth one for twice as many, and so on.
- * They give the curve of a report.
- */
-#define SINGLE_STEPS 512L
-
 void scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
 		    const struct cancel *cancel, struct pair_measuring measuring)
 {
 	const long effort = options->effort ? options->effort : CHECK_EFFORT;
 
-	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1,
-					.spare_effort = MEASURING_EFFORT,
-					.short_effort = SHORT_EFFORT};
+	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1};
+	measured_blocks_init(&scheduler->blocks);
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->costs = mem_zalloc(scene->pair_count, sizeof(*scheduler->costs));
@@ -79,7 +57,7 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->turns);
 	free(scheduler->results);
 	free(scheduler->most);
-	free(scheduler->wishes);
+	measured_blocks_release(&scheduler->blocks);
 	free(scheduler->order);
 	*scheduler = (struct scheduler){0};
 }
@@ -193,7 +171,7 @@ static void do_task(void *context, int worker, size_t i)
 	long before = sweep.visits;
 
 	if (work->plan) {
-		task->visits = pair_check_measure(task->check, &sweep, work->batch, work->plan, work->options);
+		task->visits = pair_measure(task->check, &sweep, work->batch, work->plan, work->options);
 	} else {
 		task->examined = pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from,
 						task->to, work->options);
@@ -335,7 +313,7 @@ static size_t put_in_order(struct scheduler *scheduler, const struct batch *batc
 		struct pair_check *check = &scheduler->checks[i];
 
 		check->clearance_count = 0;
-		if (!pair_check_is_active(check, tool) || !pair_check_has_clearance(check))
+		if (!pair_check_is_active(check, tool) || !pair_measure_applies(check))
 			continue;
 		pair_check_prepare(check, options);
 		scheduler->order[count++].check = check;
@@ -372,52 +350,13 @@ static void lower_most(struct scheduler *scheduler, const struct batch *batch, s
 	}
 }
 
-/* The number of blocks of the batch whose number is a multiple of the stride. */
-static long blocks_at(const struct batch *batch, long stride)
+/* Selects the blocks to measure if only least clearances are measured. */
+static void select_blocks(struct scheduler *scheduler, const struct batch *batch)
 {
-	const long first = batch->steps[0].block, last = batch->steps[batch->step_count - 1].block;
-
-	return (last + 1) / stride - first / stride;
-}
-
-/* The smallest stride of measured blocks that the remaining effort allows in this batch. */
-static long affordable_stride(const struct scheduler *scheduler, const struct batch *batch)
-{
-	long stride = 1;
-
-	while (blocks_at(batch, stride) > 1 &&
-	       (double)blocks_at(batch, stride) * scheduler->block_price > (double)scheduler->spare_effort)
-		stride *= 2;
-	return stride;
-}
-
-/*
- * Selects the blocks to measure if only least clearances are measured: some at regular intervals, and those that
- * lowered the smallest clearance of a pair. Returns their number.
- */
-static long select_blocks(struct scheduler *scheduler, const struct batch *batch)
-{
-	long stride = affordable_stride(scheduler, batch), count = 0, last = -1;
-
-	scheduler->wishes =
-	    mem_grow(scheduler->wishes, &scheduler->wish_capacity, batch->step_count, sizeof(*scheduler->wishes));
-	for (size_t i = 0; i < batch->step_count; i++) {
-		while (batch->steps[i].number / SINGLE_STEPS >= stride)
-			stride *= 2;
-		scheduler->wishes[i] = (batch->steps[i].block + 1) % stride == 0 ? MEASURE_CURVE : MEASURE_NOTHING;
-	}
-	for (size_t k = 0; k < scheduler->count; k++) {
-		const long nearest = scheduler->checks[k].nearest_block;
-
-		for (size_t i = 0; i < batch->step_count && nearest >= 0; i++)
-			if (batch->steps[i].block == nearest)
-				scheduler->wishes[i] = MEASURE_NEAREST;
-	}
-	for (size_t i = 0; i < batch->step_count; i++) {
-		count += scheduler->wishes[i] != MEASURE_NOTHING && batch->steps[i].block != last;
-		last = batch->steps[i].block;
-	}
-	return count;
+	measured_blocks_select(&scheduler->blocks, batch, scheduler->work);
+	for (size_t k = 0; k < scheduler->count; k++)
+		measured_blocks_add_nearest(&scheduler->blocks, batch, scheduler->checks[k].nearest_block);
+	measured_blocks_count(&scheduler->blocks, batch);
 }
 
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
@@ -427,22 +366,15 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	size_t together = options->least_clearances ? 1 : count;
 	struct measure_plan measure = {0};
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .plan = &measure};
-	long before, blocks;
 
-	scheduler->spare_effort += (long)(MEASURING_SHARE * (double)scheduler->work);
-	if (batch->steps[batch->step_count - 1].number < SHORT_PROGRAM) {
-		scheduler->spare_effort += scheduler->short_effort;
-		scheduler->short_effort = 0;
-	}
-	before = scheduler->spare_effort;
-	blocks = select_blocks(scheduler, batch);
+	select_blocks(scheduler, batch);
 	scheduler->most =
 	    mem_grow(scheduler->most, &scheduler->most_capacity, batch->step_count, sizeof(*scheduler->most));
 	for (size_t i = 0; i < batch->step_count; i++)
 		scheduler->most[i] = options->block_clearance_cap;
 	measure.most = scheduler->most;
 	measure.largest = options->block_clearance_cap;
-	measure.wishes = scheduler->wishes;
+	measure.wishes = scheduler->blocks.wishes;
 	/*
 	 * The number of checks measured together does not depend on the number of threads, so the clearances do not,
 	 * either.
@@ -453,16 +385,14 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 		scheduler->task_count = 0;
 		for (size_t i = from; i < to; i++)
 			add_task(scheduler, scheduler->order[i].check, NULL, 0, batch->step_count);
-		measure.effort = scheduler->spare_effort / (long)(to - from);
+		measure.effort = scheduler->blocks.spare_effort / (long)(to - from);
 		do_tasks(scheduler, scheduler->threads, &work);
 		for (size_t i = 0; i < scheduler->task_count; i++)
-			scheduler->spare_effort -= scheduler->tasks[i].visits;
+			scheduler->blocks.spare_effort -= scheduler->tasks[i].visits;
 		for (size_t i = from; i < to && options->least_clearances; i++)
 			lower_most(scheduler, batch, scheduler->order[i].check, options);
 	}
-	if (blocks > 0)
-		scheduler->block_price += PRICE_SHARE * ((double)(before - scheduler->spare_effort) / (double)blocks -
-							 scheduler->block_price);
+	measured_blocks_done(&scheduler->blocks);
 	return is_complete(scheduler);
 }
 

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "check/measured_blocks.h"
 #include "check/pair_check.h"
 #include "check/shared_loop.h"
 #include "check/stats.h"
@@ -37,11 +38,8 @@ struct scheduler {
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
 	double *most;	/* measure_plan.most */
-	enum measure_wish *wishes;	/* measure_plan.wishes */
-	size_t most_capacity, wish_capacity;
-	long spare_effort;	/* node pairs that measuring may still examine (measure_plan) */
-	long short_effort;	/* as many more, if the program turns out to be short */
-	double block_price;	/* node pairs per measured block: a running mean */
+	size_t most_capacity;
+	struct measured_blocks blocks;
 	struct nearness *order;	/* the order in which pairs are measured if only the smallest clearance counts */
 };
 
@@ -64,7 +62,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 		   const struct check_options *options);
 
 /*
- * Measures the clearances in the batch's blocks with every active check (pair_check_measure). With
+ * Measures the clearances in the batch's blocks with every active check (pair_measure). With
  * options->least_clearances only the smallest one of each block is exact, others may stay at the cap; then call it
  * after scheduler_run, else before. False: interrupted.
  */
