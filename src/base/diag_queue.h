@@ -11,7 +11,8 @@ struct queued_diag;
 /* Report to `diag`. Not to be moved after diag_queue_init. */
 struct diag_queue {
 	struct diag diag;
-	long mark;	/* the number of new entries: the NC block being read, or 0 */
+	long mark;	/* of new entries: the NC block being read, or 0 */
+	long order;	/* of new entries: their place among those with the same mark; usually 0 */
 	struct queued_diag *items;
 	size_t count, capacity;
 };
@@ -19,7 +20,10 @@ struct diag_queue {
 void diag_queue_init(struct diag_queue *queue);
 void diag_queue_release(struct diag_queue *queue);
 
-/* Passes the entries with a mark up to `last` on to `out`, and keeps the rest. */
+/*
+ * Passes the entries with a mark up to `last` on to `out`, and keeps the rest. Entries are passed on by mark and order,
+ * those with the same ones as they came.
+ */
 void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last);
 
 #endif

@@ -18,6 +18,12 @@ static bool is_past_a_limit(const struct checker *c)
 	return false;
 }
 
+static void say_undecided(struct checker *c, size_t pair)
+{
+	c->failed = true;
+	checker_say_undecided(c, pair, c->block, 2 * c->number);
+}
+
 /* Checks a pair at the current position. step_class: the class of steps that this position counts as; 0: none. */
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
@@ -29,13 +35,13 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	enum pose_state state;
 
 	pair_check_prepare(check, c->options);
-	state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance,
-						  &contact, &c->log.diags.diag);
+	state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact, NULL);
 
 	c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
 	if (c->broken_off)
 		return;
-	c->failed |= state == POSE_FAILED;
+	if (state == POSE_FAILED)
+		say_undecided(c, check->pair);
 	if (state == POSE_UNKNOWN && check->unknown_block < 0)
 		check->unknown_block = c->block;
 	if ((state == POSE_CLEAR || state == POSE_UNKNOWN) && c->measures)
@@ -46,13 +52,12 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 			    &contact, NULL);
 	if (c->options->block_clearances && state == POSE_OVERLAP)
 		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
-	pair_check_found(check, c->block);
+	pair_check_leave_block(check, c->block);
 }
 
 /* The same for a body and the stock. */
 static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
 {
-	const struct scene_pair *pair = &c->scene->pairs[check->pair];
 	struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
 					 .block = c->block, .block_time = c->block_time,
 					 .order = 2 * c->number, .rank = (int)check->pair};
@@ -63,8 +68,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	if (c->broken_off || answer == QUERY_CLEAR)
 		return;
 	if (answer == QUERY_UNDECIDED) {
-		c->failed = true;
-		static_query_report_undecided(c->scene, pair, c->options->tolerance, &c->log.diags.diag);
+		say_undecided(c, check->pair);
 		return;
 	}
 	at.finding.of.pair.certain = stock_certainty_at(check, &c->position, (double)c->number);
@@ -72,7 +76,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 			    &contact, NULL);
 	if (c->options->block_clearances && check->steps == STEP_ANY && !(contact.distance > 0))
 		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
-	stock_pair_found(check, c->block);
+	stock_pair_leave_block(check, c->block);
 }
 
 /* The pairs to check at the current position. */
@@ -84,29 +88,29 @@ struct rest_query {
 };
 
 /*
- * Must this pair be checked? `steps`: the classes of steps in which it is checked; found_block: the block of its last
- * finding.
+ * Must this pair be checked? `steps`: the classes of steps in which it is checked; left_block: the last block
+ * that had a finding of it or was not decided.
  */
 static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
-			 bool past_limits_only, long found_block)
+			 bool past_limits_only, long left_block)
 {
 	/* Pairs that must stay apart while the spindle turns have just been checked. */
 	if (query->spindle_stops)
-		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && found_block != c->block;
+		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && left_block != c->block;
 	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
 }
 
 static void look_at_pair(struct checker *c, const struct rest_query *query, struct pair_check *check)
 {
 	if (pair_check_is_active(check, c->tool) &&
-	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->found_block))
+	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
 		check_pair_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 
 static void look_at_stock(struct checker *c, const struct rest_query *query, struct stock_pair *check)
 {
 	if (stock_pair_is_active(check, c->tool) &&
-	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->found_block))
+	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
 		check_stock_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 

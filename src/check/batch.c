@@ -23,7 +23,8 @@ void batch_clear(struct batch *batch)
 	path_copies_clear(&batch->paths);
 }
 
-void batch_add(struct batch *batch, const struct motion_step *step, long block, long number)
+void batch_add(struct batch *batch, const struct motion_step *step, long block, long number,
+	       long share)
 {
 	struct batch_step *copy;
 
@@ -33,6 +34,7 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 	copy->motion.span.path = path_copies_add(&batch->paths, &step->span);
 	copy->block = block;
 	copy->number = number;
+	copy->share = share;
 	/* A later step. Another thread has read its memory, in an earlier batch. */
 	if (batch->step_count + 1 < batch->step_capacity)
 		prefetch_for_writing(copy + 2, sizeof(*copy));

@@ -15,6 +15,7 @@ struct batch_step {
 	struct motion_step motion;	/* its path is a copy in the batch */
 	long block;
 	long number;	/* among all steps of the program, from 0 */
+	long share;	/* SHARE_BLOCKS: the number of its block's share */
 	bool beyond;	/* an axis is past a limit, or the path tolerance may take it past */
 };
 
@@ -48,7 +49,8 @@ void batch_release(struct batch *batch);
 void batch_clear(struct batch *batch);
 
 /* Copies a step and its path. */
-void batch_add(struct batch *batch, const struct motion_step *step, long block, long number);
+void batch_add(struct batch *batch, const struct motion_step *step, long block, long number,
+	       long share);
 
 /* Fills in chunks and pieces for this machine. Call it after the last batch_add, before they are used. */
 void batch_close(struct batch *batch, const struct machine *machine);

@@ -125,13 +125,13 @@ static void take_pending(struct checker *c)
 	c->broken_off = !pending->complete;
 	c->measuring += pending->measuring;
 	if (!c->broken_off) {
-		checker_take_results(c, pending->results, pending->result_count, &last);
+		last = checker_last_step(c, pending->results, pending->result_count, last);
 		c->broken_off = !stock_check_run(&c->stock, &pending->batch, last, pending->tool, c->options);
 	}
 	if (!c->broken_off) {
-		checker_take_results(c, c->stock.results, c->stock.result_count, &last);
-		checker_take_undecided(c, pending->results, pending->result_count, last);
-		checker_take_undecided(c, c->stock.results, c->stock.result_count, last);
+		last = checker_last_step(c, c->stock.results, c->stock.result_count, last);
+		checker_take_results(c, pending->results, pending->result_count, last);
+		checker_take_results(c, c->stock.results, c->stock.result_count, last);
 		c->broken_off = c->options->block_clearances && !measure_stock(c);
 	}
 	if (!c->broken_off && c->options->block_clearances)

@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "check/at_rest.h"
 #include "check/batch_run.h"
@@ -71,7 +72,7 @@ static void on_step(struct checker *c, const struct motion_step *step)
 			stock_check_jump(&c->stock);
 		}
 		c->skipped = false;
-		batch_add(&c->batch, step, c->block, c->number);
+		batch_add(&c->batch, step, c->block, c->number, c->share);
 	}
 	cutter_approach_step(&c->approach, step);
 	c->last = (struct place){step->file, step->line};
@@ -171,7 +172,7 @@ static void on_block(struct checker *c, const struct motion_block *block)
 	if (checker_has_enough(c) || (c->limit_found && !c->options->all) || c->options->times)
 		checker_process(c, c->options->times ? record : NULL);
 	else if (c->batch.step_count >= BATCH_STEPS || c->log.open.block_count >= BATCH_STEPS ||
-		 (ours && checker_ends_share(c, block->seconds)))
+		 (ours && c->options->shards > 1 && checker_ends_share(c, block->seconds)))
 		checker_begin(c);
 	checker_end_block(c, block->seconds);
 	start_block(c);
@@ -318,6 +319,7 @@ static void release(struct checker *c)
 	scheduler_release(&c->scheduler);
 	stock_check_release(&c->stock);
 	cutter_approach_release(&c->approach);
+	free(c->undecided);
 	batch_release(&c->batch);
 	block_log_release(&c->log);
 	file_names_release(&c->names);

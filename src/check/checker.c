@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include "base/mem.h"
 #include "check/step.h"
 #include "scene/static_query.h"
 
@@ -60,7 +61,7 @@ bool checker_owns(const struct checker *c)
 
 bool checker_ends_share(const struct checker *c, double seconds)
 {
-	return c->options->shards > 1 && c->share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;
+	return c->share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;
 }
 
 void checker_end_block(struct checker *c, double seconds)
@@ -142,56 +143,91 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	    step_may_leave_path(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
 }
 
-static void say_undecided(struct checker *c, const struct pair_check_result *result,
-			  const struct motion_step *motion, struct diag *diag)
+/*
+ * The messages that follow belong to this block, at this place in it (struct block_finding). Like messages of the
+ * interpreter they wait until the block is settled, because an earlier finding may end the check.
+ */
+static void begin_messages(struct checker *c, long block, long order)
 {
-	const struct scene_pair *pair = &c->scene->pairs[result->pair];
-	const bool box = motion->span.path->kind == PATH_BOX;
-
-	if (!box && !result->exhausted) {
-		static_query_report_undecided(c->scene, pair, c->options->tolerance, diag);
-		return;
-	}
-	diag_error(diag, (struct srcloc){motion->file, motion->line, 1},
-		   "'%s' and '%s' cannot be decided with reasonable effort: %s", c->scene->bodies[pair->a].body->name,
-		   c->scene->bodies[pair->b].body->name,
-		   box ? "too many axes move at once in this rapid, whose path is not known (rapid=\"any\"); set the "
-			 "kind of rapid in the machine file, or move fewer axes at once"
-		       : "they stay close together for too long. The check stops here; give a larger --tolerance, or "
-			 "split the move");
-	c->exhausted |= !box;
+	c->log.diags.mark = block;
+	c->log.diags.order = order;
 }
 
-/* Like errors of the interpreter, the error waits for its block: an earlier finding may end the check. */
+/* The messages that follow come from reading again. */
+static void end_messages(struct checker *c)
+{
+	c->log.diags.mark = c->block;
+	c->log.diags.order = 0;
+}
+
+void checker_say_undecided(struct checker *c, size_t pair, long block, long order)
+{
+	if (!c->undecided)
+		c->undecided = mem_zalloc(c->scene->pair_count, sizeof(*c->undecided));
+	if (c->undecided[pair])
+		return;
+	c->undecided[pair] = true;
+	begin_messages(c, block, order);
+	static_query_report_undecided(c->scene, &c->scene->pairs[pair], c->options->tolerance, &c->log.diags.diag);
+	end_messages(c);
+}
+
+static void say_exhausted(struct checker *c, const struct pair_check_result *result, const struct batch_step *step)
+{
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+	const struct motion_step *motion = &step->motion;
+
+	begin_messages(c, step->block, 2 * step->number + 1);
+	diag_error(&c->log.diags.diag, (struct srcloc){motion->file, motion->line, 1},
+		   "'%s' and '%s' cannot be decided with reasonable effort: %s", c->scene->bodies[pair->a].body->name,
+		   c->scene->bodies[pair->b].body->name,
+		   step_is_box(motion)
+			   ? "too many axes move at once in this rapid, whose path is not known (rapid=\"any\"); set "
+			     "the kind of rapid in the machine file, or move fewer axes at once"
+			   : "they stay close together for too long. The check stops here; give a larger --tolerance, "
+			     "or split the move");
+	end_messages(c);
+}
+
 static void report_undecided(struct checker *c, const struct pair_check_result *result)
 {
 	const struct batch_step *step = &c->settling->batch.steps[result->step];
-	struct diag_queue *queue = &c->log.diags;
-	const long reading = queue->mark;
 
-	queue->mark = step->block;
-	say_undecided(c, result, &step->motion, &queue->diag);
-	queue->mark = reading;
+	if (result->exhausted)
+		say_exhausted(c, result, step);
+	else
+		checker_say_undecided(c, result->pair, step->block, 2 * step->number + 1);
+	if (!pair_check_result_ends(result, &c->settling->batch, c->options))
+		return;
+	c->exhausted = true;
+	c->exhausted_step = step->number;
+	c->last_block = step->block;
 }
 
-void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count,
-			  size_t *last)
+size_t checker_last_step(const struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
+{
+	for (size_t i = 0; i < count; i++)
+		if (results[i].step < last && pair_check_result_ends(&results[i], &c->settling->batch, c->options))
+			last = results[i].step;
+	return last;
+}
+
+void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
 {
 	for (size_t i = 0; i < count; i++) {
-		if (results[i].answer != QUERY_CONTACT)
+		if (results[i].step > last)
 			continue;
-		add_contact(c, &results[i]);
-		if (!c->options->all && results[i].step < *last)
-			*last = results[i].step;
+		if (results[i].answer == QUERY_CONTACT)
+			add_contact(c, &results[i]);
+		else
+			report_undecided(c, &results[i]);
 	}
 }
 
-void checker_take_undecided(struct checker *c, const struct pair_check_result *results, size_t count,
-			    size_t last)
+/* Do this finding and all later ones come after the step that ended the check? */
+static bool is_too_late(const struct checker *c, const struct block_finding *finding)
 {
-	for (size_t i = 0; i < count; i++)
-		if (results[i].answer == QUERY_UNDECIDED && results[i].step <= last)
-			report_undecided(c, &results[i]);
+	return c->exhausted && finding->order > 2 * c->exhausted_step + 1;
 }
 
 void checker_hand_on_findings(struct checker *c)
@@ -201,7 +237,8 @@ void checker_hand_on_findings(struct checker *c)
 	struct finding finding;
 
 	block_log_sort(log);
-	while (!c->stopped && done < log->finding_count && block_log_finding(log, done, &finding)) {
+	while (!c->stopped && done < log->finding_count && !is_too_late(c, &log->findings[done]) &&
+	       block_log_finding(log, done, &finding)) {
 		const long block = log->findings[done].block;
 
 		diag_queue_deliver(&log->diags, c->diag, block);
@@ -214,5 +251,5 @@ void checker_hand_on_findings(struct checker *c)
 	}
 	block_log_drop_findings(log, done);
 	if (!c->stopped && (!c->found || c->options->all))
-		diag_queue_deliver(&log->diags, c->diag, c->settling->block);
+		diag_queue_deliver(&log->diags, c->diag, c->exhausted ? c->last_block : c->settling->block);
 }

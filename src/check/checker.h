@@ -114,8 +114,10 @@ struct checker {
 	atomic_long checked_line;	/* the line of `checked`, for all threads */
 	bool failed;	/* something was not checked or not decided, and this was reported */
 	bool found;	/* two bodies came too close; without `all` the check ends here */
+	bool *undecided;	/* pairs for which checker_say_undecided was called; NULL: none */
 	bool limit_found;	/* without `all` the check ends with this block */
-	bool exhausted;	/* one step needs more than options->effort: reported; the check ends with its batch */
+	bool exhausted;	/* a step needs more than options->effort: reported; the check ends with this step */
+	long exhausted_step;	/* its number among all steps of the program */
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* the batch was not checked to its end */
 	long last_block;	/* the check ends with it */
@@ -155,16 +157,17 @@ void checker_end_block(struct checker *c, double seconds);
 void checker_add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
 			 int step_class, const struct contact *found, const axis_values *tolerance);
 
-/*
- * Logs the contacts of the batch. Without `all`, *last becomes the first step with a contact; later steps do not
- * matter.
- */
-void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count,
-			  size_t *last);
+/* The step of the batch with which these results end the check, at the latest `last`. Later steps do not matter. */
+size_t checker_last_step(const struct checker *c, const struct pair_check_result *results, size_t count, size_t last);
 
-/* Reports what was not decided up to the step `last` of the batch. */
-void checker_take_undecided(struct checker *c, const struct pair_check_result *results, size_t count,
-			    size_t last);
+/* Logs the contacts, and reports what was not decided, up to the step `last` of the batch. */
+void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count, size_t last);
+
+/*
+ * Reports that the pair cannot be decided because of rounding, once for the whole program: the message names no block.
+ * `order` as in struct block_finding.
+ */
+void checker_say_undecided(struct checker *c, size_t pair, long block, long order);
 
 /* Reports the findings whose blocks are complete, and the diagnostics that came before them. */
 void checker_hand_on_findings(struct checker *c);

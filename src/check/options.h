@@ -24,8 +24,8 @@ enum check_method {
 #define CHECK_EFFORT 1000000000L
 
 /*
- * Shards of one program take turns: each checks this many blocks, or more, up to one that moves an axis; then the next
- * shard does.
+ * A share of a program is this many blocks, or more, up to one that moves an axis. Shards of one program take turns:
+ * after each share the next shard checks.
  */
 enum { SHARE_BLOCKS = 1024 };
 

@@ -32,7 +32,7 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 	check->tool = tool_of(scene, p);
 	check->steps = p->steps;
 	check->past_limits_only = p->status == PAIR_OUT_OF_REACH;
-	check->found_block = check->unknown_block = check->nearest_block = -1;
+	check->left_block = check->unknown_block = check->nearest_block = -1;
 	check->maybe_inside = starts_unseen(p->steps);
 	/* The clearance of a cutter's core is not reported. */
 	if (p->status != PAIR_CUTTING)
@@ -88,11 +88,11 @@ bool pair_check_watches(const struct pair_check *check, enum step_class class)
 	return (check->steps & (unsigned)class) != 0;
 }
 
-void pair_check_found(struct pair_check *check, long block)
+void pair_check_leave_block(struct pair_check *check, long block)
 {
-	check->found_block = block;
+	check->left_block = block;
 	check->maybe_inside = check->methods->block.maybe_inside = true;
-	/* The rest of the block is not checked. The strategy does not know of a finding at rest. */
+	/* The strategy does not know of a finding at rest. */
 	strategy_cap(&check->methods->strategy, check->scene->pairs[check->pair].clearance);
 	strategy_forget_position(&check->methods->strategy);
 }
@@ -113,6 +113,28 @@ void pair_check_jump(struct pair_check *check)
 		return;
 	check->methods->sampler.started = true;
 	strategy_forget_position(&check->methods->strategy);
+}
+
+int open_boxes_count(struct open_boxes *boxes, long share)
+{
+	if (boxes->share != share)
+		*boxes = (struct open_boxes){.share = share};
+	return boxes->count;
+}
+
+void open_boxes_add(struct open_boxes *boxes, const struct pair_check_result *result, const struct batch_step *step)
+{
+	if (result->answer == QUERY_UNDECIDED && result->exhausted && step_is_box(&step->motion) &&
+	    boxes->count < BOX_HALVINGS_MAX)
+		boxes->count++;
+}
+
+bool pair_check_result_ends(const struct pair_check_result *result, const struct batch *batch,
+			    const struct check_options *options)
+{
+	if (result->answer == QUERY_CONTACT)
+		return !options->all;
+	return result->exhausted && !step_is_box(&batch->steps[result->step].motion);
 }
 
 static void add_result(struct pair_check *check, size_t step, enum query_answer answer, bool exhausted,
@@ -224,7 +246,7 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 	if (!skipped)
 		skipped = skip_box(check, batch, i, to, BOX_PIECE, options);
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
-	    batch->steps[i].block == check->found_block)
+	    batch->steps[i].block == check->left_block)
 		return skipped;
 	return strategy_advance_chord(&check->methods->strategy, sweep, &batch->steps[i],
 				      count_alike(check, batch, i, to));
@@ -250,11 +272,14 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		if (skipped)
 			continue;
 
-		if (step->block == check->found_block || !applies(check, step)) {
+		if (step->block == check->left_block || !applies(check, step)) {
 			leave_out(check);
 			continue;
 		}
 		sweep->exhausted = false;
+		if (step_is_box(&step->motion))
+			strategy_limit_boxes(&check->methods->strategy,
+					     open_boxes_count(&check->open_boxes, step->share));
 		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
 				  ? check_maybe_inside(check, sweep, &step->motion, step->block, options, &contact)
 				  : pass(check, sweep, &step->motion, options, &contact);
@@ -265,11 +290,10 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		if (answer == QUERY_CLEAR)
 			continue;
 		add_result(check, i, answer, sweep->exhausted, &contact);
-		if (!options->all || answer == QUERY_UNDECIDED) {
-			strategy_forget_position(&check->methods->strategy);
+		pair_check_leave_block(check, step->block);
+		open_boxes_add(&check->open_boxes, &check->results[check->result_count - 1], step);
+		if (pair_check_result_ends(&check->results[check->result_count - 1], batch, options))
 			break;
-		}
-		pair_check_found(check, step->block);
 	}
 	return examined;
 }

@@ -12,15 +12,33 @@
 #include "check/sampled/sampler.h"
 #include "scene/scene.h"
 
+/*
+ * The rapids whose path is not known (PATH_BOX) and that were not decided in this share of the program. Each of them
+ * halves the effort for the next one of the same pair, so that a program with many of them ends in a reasonable time.
+ * They are counted anew in each share: the result must not depend on which shard checks which share.
+ */
+struct open_boxes {
+	long share;
+	int count;	/* at most BOX_HALVINGS_MAX */
+};
+
+enum { BOX_HALVINGS_MAX = 16 };
+
+/* Their number in this share. */
+int open_boxes_count(struct open_boxes *boxes, long share);
+
 /* A contact or an undecided step of a pair. */
 struct pair_check_result {
 	size_t pair;	/* of the scene */
 	size_t step;	/* of the batch */
 	enum query_answer answer;	/* CONTACT or UNDECIDED */
-	bool exhausted;	/* undecided because check_options.effort was used up */
+	bool exhausted;	/* undecided because the effort was used up */
 	struct contact contact;
 	bool certain;	/* with the stock: the contact holds for every possible remaining stock */
 };
+
+/* Counts the result of this step, if it is one of them. Call open_boxes_count before. */
+void open_boxes_add(struct open_boxes *boxes, const struct pair_check_result *result, const struct batch_step *step);
 
 /* The clearance of the pair in those steps of a block that are in the batch. */
 struct pair_check_clearance {
@@ -56,7 +74,8 @@ struct pair_check {
 	/* The state at the end of the last step. */
 	bool has_started;	/* the sampled methods have examined the start of the first step */
 	bool maybe_inside;	/* after a contact: one body may be inside the other, with the surfaces apart */
-	long found_block;	/* the last block with a finding of this pair; -1: none */
+	long left_block;	/* the last block that had a finding of this pair or was not decided; -1: none */
+	struct open_boxes open_boxes;
 	long unknown_block;	/* the first block in which one body may have been inside the other; -1: none */
 
 	/* The results of this batch. */
@@ -92,8 +111,16 @@ bool pair_check_is_active(const struct pair_check *check, int tool);
 /* Must the pair stay apart in steps of this class? */
 bool pair_check_watches(const struct pair_check *check, enum step_class class);
 
-/* The pair has a finding in this block already. */
-void pair_check_found(struct pair_check *check, long block);
+/* Leaves out the rest of this block: the pair has a finding in it, or was not decided. */
+void pair_check_leave_block(struct pair_check *check, long block);
+
+/*
+ * Does the check end with this result of the batch? Without options->all the first contact ends it. Always a step ends
+ * it that has used up check_options.effort, because the next one would probably do so, too. A rapid whose path is not
+ * known does not end it.
+ */
+bool pair_check_result_ends(const struct pair_check_result *result, const struct batch *batch,
+			    const struct check_options *options);
 
 /* The tool that one of the bodies belongs to has come into the spindle, or left it. */
 void pair_check_change_tool(struct pair_check *check);
@@ -102,8 +129,8 @@ void pair_check_change_tool(struct pair_check *check);
 void pair_check_jump(struct pair_check *check);
 
 /*
- * Checks the batch's steps from `from`, which must begin a chunk, to before `to`. Stores the results: with options->all
- * the first one of each block, else only the first one. Returns the number of boxes and single steps examined.
+ * Checks the batch's steps from `from`, which must begin a chunk, to before `to`. Stores the first result of each
+ * block, up to the first one that ends the check. Returns the number of boxes and single steps examined.
  */
 long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);

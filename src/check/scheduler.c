@@ -223,12 +223,27 @@ static void add_results(struct scheduler *scheduler, const struct pair_check *ch
 }
 
 /*
+ * A part of a divided check left out the rest of a block that it could not decide. The parts after it do not know this,
+ * nor that one body may be inside the other since then: checks the whole batch in one piece.
+ */
+static void run_undivided(struct scheduler *scheduler, struct pair_check *check, const struct batch *batch,
+			  const struct check_options *options)
+{
+	const long before = scheduler->sweeps[0].visits;
+
+	strategy_forget_position(&check->methods->strategy);
+	pair_check_run(check, &scheduler->sweeps[0], batch, 0, batch->step_count, options);
+	scheduler->work += scheduler->sweeps[0].visits - before;
+	add_results(scheduler, check);
+}
+
+/*
  * Collects the results and visits of all tasks. For a divided check, the results of the first part that has any are
  * used, and the state after the last part is kept.
  */
-static void gather(struct scheduler *scheduler)
+static void gather(struct scheduler *scheduler, const struct batch *batch, const struct check_options *options)
 {
-	const struct pair_check *met = NULL;
+	const struct pair_check *met = NULL, *again = NULL;
 
 	scheduler->result_count = 0;
 	scheduler->work = 0;
@@ -241,9 +256,12 @@ static void gather(struct scheduler *scheduler)
 		scheduler->visits[task->check - scheduler->checks] += task->visits;
 		scheduler->costs[task->check - scheduler->checks] += task->visits + EXAMINED_COST * task->examined;
 		scheduler->work += task->visits;
-		if (ran->result_count && (!met || met != task->check)) {
-			add_results(scheduler, ran);
+		if (ran->result_count && met != task->check) {
 			met = task->check;
+			if (task->copy && !pair_check_result_ends(&ran->results[0], batch, options))
+				again = task->check;
+			else
+				add_results(scheduler, ran);
 		}
 		if (!task->copy)
 			continue;
@@ -253,6 +271,9 @@ static void gather(struct scheduler *scheduler)
 		free(task->copy->methods);
 		free(task->copy->results);
 		free(task->copy);
+		/* Once its last part is gathered. */
+		if (again == task->check && task->to == batch->step_count)
+			run_undivided(scheduler, task->check, batch, options);
 	}
 }
 
@@ -276,7 +297,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 
 	plan(scheduler, batch, tool, options);
 	do_tasks(scheduler, scheduler_is_heavy(scheduler) ? scheduler->threads : 1, &work);
-	gather(scheduler);
+	gather(scheduler, batch, options);
 	return is_complete(scheduler);
 }
 

@@ -27,12 +27,12 @@ static bool proves(struct stock_pair *check, const struct batch_step *step, doub
 	return stock_sweep_proves(&check->sweep, &chord, &q, time_of(check, step, s));
 }
 
-bool stock_certainty_from(struct stock_pair *check, const struct batch *batch, size_t first, double s, size_t to)
+bool stock_certainty_from(struct stock_pair *check, const struct batch *batch, size_t first, double s)
 {
 	const long block = batch->steps[first].block;
 	int left = BLOCK_INSTANTS;
 
-	for (size_t i = first; i < to && batch->steps[i].block == block && left > 0; i++) {
+	for (size_t i = first; i < batch->step_count && batch->steps[i].block == block && left > 0; i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const int count = i == first ? STEP_INSTANTS : 1;
 

@@ -188,7 +188,7 @@ void stock_check_jump(struct stock_check *check)
 		check->pairs[i].clear_at_end = false;
 }
 
-static void add_results(struct stock_check *check, struct stock_pair *pair, const struct batch *batch, size_t to)
+static void add_results(struct stock_check *check, struct stock_pair *pair, const struct batch *batch)
 {
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + pair->result_count,
 				  sizeof(*check->results));
@@ -197,7 +197,7 @@ static void add_results(struct stock_check *check, struct stock_pair *pair, cons
 
 		*result = pair->results[i];
 		result->certain = result->answer == QUERY_CONTACT &&
-				  stock_certainty_from(pair, batch, result->step, result->contact.s, to);
+				  stock_certainty_from(pair, batch, result->step, result->contact.s);
 	}
 }
 
@@ -213,10 +213,11 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		stock_pair_run(pair, batch, last + 1, options);
 		if (pair->sweep.broken_off)
 			return false;
-		add_results(check, pair, batch, last + 1);
-		/* In this case nothing after the first contact matters. */
-		if (pair->result_count && !options->all)
-			last = pair->results[0].step;
+		add_results(check, pair, batch);
+		/* Nothing after a result that ends the check matters. */
+		if (pair->result_count &&
+		    pair_check_result_ends(&pair->results[pair->result_count - 1], batch, options))
+			last = pair->results[pair->result_count - 1].step;
 	}
 	return true;
 }

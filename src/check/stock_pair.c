@@ -69,9 +69,10 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		.steps = p->steps,
 		.feeds_too = (p->steps & STEP_FEED_TURNING) && scene->bodies[body].body->role == ROLE_CUTTER,
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
-		.found_block = -1,
+		.left_block = -1,
 		.unknown_block = -1,
 		.margin = MARGIN_SHARE * tolerance,
+		.effort = (options->effort ? options->effort : CHECK_EFFORT) / CELL_EFFORT,
 	};
 	check->bodies = scene_pair_bodies(scene, p);
 	if (!init_obstacle(check, scene, body, diag))
@@ -84,7 +85,7 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		.obstacle = &check->obstacle,
 		.clearance = p->clearance,
 		.least_way = LEAST_WAY_SHARE * tolerance,
-		.effort = (options->effort ? options->effort : CHECK_EFFORT) / CELL_EFFORT,
+		.effort = check->effort,
 		.cancel = cancel,
 	};
 	motion_budget_init(&check->budget, &p->chain);
@@ -108,9 +109,9 @@ bool stock_pair_watches(const struct stock_pair *check, enum step_class class)
 	return (check->steps & (unsigned)class) != 0;
 }
 
-void stock_pair_found(struct stock_pair *check, long block)
+void stock_pair_leave_block(struct stock_pair *check, long block)
 {
-	check->found_block = block;
+	check->left_block = block;
 	check->clear_at_end = false;
 }
 
@@ -271,7 +272,7 @@ static enum query_answer pass(struct stock_pair *check, const struct motion_step
 static bool applies(const struct stock_pair *check, const struct batch_step *step)
 {
 	return stock_pair_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond) &&
-	       step->block != check->found_block;
+	       step->block != check->left_block;
 }
 
 /* The number of steps from i on that need no check; 0: step i needs one. */
@@ -321,15 +322,19 @@ void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t 
 			continue;
 		}
 		check->sweep.exhausted = false;
+		check->sweep.effort = check->effort;
+		if (step_is_box(&step->motion))
+			check->sweep.effort >>= open_boxes_count(&check->open_boxes, step->share);
 		answer = pass(check, &step->motion, step->number, &contact);
 		if (check->open && check->asked && check->unknown_block < 0)
 			check->unknown_block = step->block;
 		if (answer == QUERY_CLEAR)
 			continue;
 		add_result(check, i, answer, &contact);
-		if (!options->all || answer == QUERY_UNDECIDED)
+		stock_pair_leave_block(check, step->block);
+		open_boxes_add(&check->open_boxes, &check->results[check->result_count - 1], step);
+		if (pair_check_result_ends(&check->results[check->result_count - 1], batch, options))
 			return;
-		stock_pair_found(check, step->block);
 	}
 }
 
@@ -339,5 +344,6 @@ enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *
 	const struct chord still = {.q0 = *q, .q1 = *q};
 
 	check->asked = true;
+	check->sweep.exhausted = false;
 	return answer_of(stock_sweep_chord(&check->sweep, &still, (double)number, contact));
 }

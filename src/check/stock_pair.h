@@ -22,7 +22,9 @@ struct stock_pair {
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	bool feeds_too;	/* a cutter that may not touch at a feed either (a rule of the user) */
 	bool open;	/* the body's mesh is open: it has no defined inside */
-	long found_block;	/* the last block with a finding of this pair; -1: none */
+	long left_block;	/* as in struct pair_check */
+	struct open_boxes open_boxes;
+	long effort;	/* cells: for a step */
 	long unknown_block;	/* the first block in which the stock may have been inside the body; -1: none */
 	struct body_pair bodies;
 	struct revolved revolved;	/* the surface of a tool's piece that is given by sections */
@@ -52,8 +54,7 @@ bool stock_pair_is_active(const struct stock_pair *check, int tool);
 bool stock_pair_watches(const struct stock_pair *check, enum step_class class);
 
 /*
- * Checks the batch's steps before `to`. Stores the results: with options->all the first one of each block, else only
- * the first one.
+ * Checks the batch's steps before `to`. Stores the first result of each block, up to the first one that ends the check.
  */
 void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
 		    const struct check_options *options);
@@ -66,7 +67,7 @@ enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep 
 enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *q, long number,
 				   struct contact *contact);
 
-/* The pair has a finding in this block already. */
-void stock_pair_found(struct stock_pair *check, long block);
+/* Leaves out the rest of this block: the pair has a finding in it, or was not decided. */
+void stock_pair_leave_block(struct stock_pair *check, long block);
 
 #endif

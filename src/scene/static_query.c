@@ -138,7 +138,7 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
 	}
 	if (answer == SWEEP_APART && pair->clearance > 0)
 		answer = still(sweep, &bodies, q, pair->clearance, tolerance, contact);
-	if (answer == SWEEP_UNDECIDED)
+	if (answer == SWEEP_UNDECIDED && diag)
 		static_query_report_undecided(scene, pair, tolerance, diag);
 	if (answer != SWEEP_APART)
 		return answer == SWEEP_UNDECIDED ? POSE_FAILED : POSE_NEAR;

@@ -12,12 +12,13 @@ enum pose_state {
 	POSE_NEAR,	/* apart, but within the clearance */
 	POSE_UNKNOWN,	/* as CLEAR, but one body may be inside the other: a mesh is open, or has no outside */
 	POSE_OVERLAP,	/* the surfaces meet, or one solid is inside the other */
-	POSE_FAILED	/* rounding exceeds the tolerance: reported */
+	POSE_FAILED	/* rounding exceeds the tolerance */
 };
 
 /*
  * The state of the pair at the axis positions q; tolerance (mm) as in sweep_chord. For NEAR and OVERLAP *contact is
- * filled in, with the point in a's mesh coordinates and, for OVERLAP, distance 0.
+ * filled in, with the point in a's mesh coordinates and, for OVERLAP, distance 0. FAILED is reported to diag, unless
+ * that is NULL.
  */
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);

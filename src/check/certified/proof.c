@@ -232,7 +232,7 @@ enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep,
 		.clearance = proof->target,
 		.tolerance = fmax(proof->tolerance, MEASURE_SHARE * beyond),
 		.any = beyond > 0,
-		.box_visits = BOX_VISITS,
+		.box_visits = BOX_VISITS >> proof->box_halvings,
 	};
 	enum query_answer answer = clearance_query_step(&query, step, contact);
 

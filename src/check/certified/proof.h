@@ -35,6 +35,7 @@ struct pair_proof {
 	struct kept_budgets budgets;	/* regions of joint space, in each of which D > t + e for the t of its time */
 	struct plane_cells planes;	/* gaps that hold near the positions where they were measured */
 	bool clear_at_end;	/* proved: the pair is apart at the end of the last piece of motion */
+	int box_halvings;	/* PATH_BOX: how often the effort of a sweep is halved */
 	bool position_known;	/* the current budget includes all motion up to the start of the next piece */
 };
 

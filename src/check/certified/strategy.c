@@ -108,6 +108,11 @@ double strategy_proven(const struct strategy *strategy)
 	return strategy->proof.target;
 }
 
+void strategy_limit_boxes(struct strategy *strategy, int halvings)
+{
+	strategy->proof.box_halvings = halvings;
+}
+
 void strategy_forget_position(struct strategy *strategy)
 {
 	pair_proof_forget_position(&strategy->proof);

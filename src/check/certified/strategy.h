@@ -52,6 +52,9 @@ void strategy_join(struct strategy *whole, struct strategy *part);
 /* mm: the smallest clearance proved so far; INFINITY: none was measured. */
 double strategy_proven(const struct strategy *strategy);
 
+/* Halves the effort for a step whose path is not known (PATH_BOX) this often. */
+void strategy_limit_boxes(struct strategy *strategy, int halvings);
+
 /* Call it if the next step does not begin where the last one ended, or if the pair is not apart there. */
 void strategy_forget_position(struct strategy *strategy);
 
