@@ -411,7 +411,7 @@ START_TEST(without_setup)
 	klartext_case(&c);
 	c.config.controller.tool_change.given = false;
 	ck_assert(!klartext_run(&c, "TOOL CALL 1 Z\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "<tool_change/> that it moves none"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "<tool_change/> if it moves none"));
 	case_release(&c);
 }
 END_TEST

@@ -17,8 +17,8 @@ static const struct klartext_fault faults[] = {
 	{"L Q5 FMAX\n",
 	 "p.nc:2:3: error: this is no word of a positioning block"},
 	{"L X+Q5 FMAX\n",
-	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one; if the control holds one from before, <variable "
-	 "name=\"Q5\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one; if the control holds one from "
+	 "before, set <variable name=\"Q5\" value=\"\"/> in the machine file's <controller>"},
 	{"L X+Q2000 FMAX\n",
 	 "p.nc:2:5: error: Q parameters go from Q0 to Q1999"},
 	{"L X+QL500 FMAX\n",
@@ -40,11 +40,11 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 FMAX M1 M3 M8 M9 M5 M13 M14 M4 M57\n",
 	 "p.nc:2:38: error: a block can have at most 8 M-functions"},
 	{"L X+1 FMAX M58\n",
-	 "p.nc:2:12: error: M58 is not known; if it moves no axis, <mcode number=\"58\" "
-	 "action=\"ignore\"/> in the machine's <controller> says so"},
+	 "p.nc:2:12: error: M58 is not known; if it moves no axis, set <mcode number=\"58\" action=\"ignore\"/> in "
+	 "the machine file's <controller>"},
 	{"L X+1 FMAX M92\n",
-	 "p.nc:2:3: error: from where M92 counts X the machine's builder has set: <reference number=\"1\" X=\"\"/> in the "
-	 "machine's <controller> says it, in machine coordinates"},
+	 "p.nc:2:3: error: the machine's builder decides from where M92 counts X: set <reference number=\"1\" "
+	 "X=\"\"/> in the machine file's <controller>, in machine coordinates"},
 	{"1 ; LAST LINE ~\nL X+1 FMAX\n",
 	 "p.nc:3:1: error: '~' has this line belong to the comment before it, but it reads like a block: take the '~' away, or "
 	 "begin the line with ';'"},
@@ -56,8 +56,8 @@ static const struct klartext_fault faults[] = {
 	{"CC X+1 Y+1\nC X+1 Y+1 DR+ F100 M92\n",
 	 "p.nc:3:20: error: M92 belongs to straight lines (L)"},
 	{"L X+1 FMAX M101\n",
-	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet; if it may be left out, "
-	 "<mcode number=\"101\" action=\"ignore\"/> in the machine's <controller> says so"},
+	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet; if it may be left "
+	 "out, set <mcode number=\"101\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"L X+1 FU0.1\n",
 	 "p.nc:2:7: error: a feed per revolution (FU, M136) without a spindle speed (S)"},
 	{"L X+1 FT5\n",
@@ -77,11 +77,11 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 F100 FZ0.1\n",
 	 "p.nc:2:12: error: F stands twice in the block"},
 	{"L X+1 FMAX M118 X1 Y1\n",
-	 "p.nc:2:12: error: M118: handwheel moves during the program are not supported; if they may be left out, <mcode "
-	 "number=\"118\" action=\"ignore\"/> in the machine's <controller> says so"},
+	 "p.nc:2:12: error: M118: handwheel moves during the program are not supported; if they may be left out, "
+	 "set <mcode number=\"118\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"M124 T0.01\n",
-	 "p.nc:2:1: error: M124: contour filter is not supported yet; if it may be left out, "
-	 "<mcode number=\"124\" action=\"ignore\"/> in the machine's <controller> says so"},
+	 "p.nc:2:1: error: M124: contour filter is not supported yet; if it may be left out, set <mcode "
+	 "number=\"124\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"L X+1 F AUTO\n",
 	 "p.nc:2:7: error: F AUTO, but TOOL CALL has given no F"},
 	{"L X+1 PR+5 FMAX\n",
@@ -128,8 +128,8 @@ static const struct klartext_fault faults[] = {
 	{"LBL 1\nLBL 1\nCALL LBL 1\n",
 	 "p.nc:4:10: error: LBL 1 stands more than once in the program"},
 	{"CALL PGM nowhere.h\n",
-	 "p.nc:2:10: error: there is no file of the program nowhere.h; if the machine's builder made it and it moves no "
-	 "axis, <macro program=\"NOWHERE\" action=\"none\"/> in the machine's <controller> says so"},
+	 "p.nc:2:10: error: there is no file of the program nowhere.h; if the machine's builder made it and it "
+	 "moves no axis, set <macro program=\"NOWHERE\" action=\"none\"/> in the machine file's <controller>"},
 	{"CALL LBL 1\nM30\nLBL 1\nL X+1 FMAX\n",
 	 "p.nc:6:1: error: the program ends inside of the subprogram LBL 1: its LBL 0 is missing"},
 	{"LBL 1\nCALL LBL 1\nLBL 0\n",
@@ -165,8 +165,8 @@ static const struct klartext_fault faults[] = {
 	{"FN 19: PLC=+10/+Q3\n",
 	 "p.nc:2:4: error: FN 19: what the machine's PLC does is not known here"},
 	{"SEL PGM \"nowhere.h\"\nCALL SELECTED PGM\n",
-	 "p.nc:3:15: error: there is no file of the program nowhere.h; if the machine's builder made it and it moves no "
-	 "axis, <macro program=\"NOWHERE\" action=\"none\"/> in the machine's <controller> says so"},
+	 "p.nc:3:15: error: there is no file of the program nowhere.h; if the machine's builder made it and it "
+	 "moves no axis, set <macro program=\"NOWHERE\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF 12.0\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 12 has not named a program"},
 	{"CYCL DEF 12.0\nCYCL DEF 12.1 nowhere.h\n",
@@ -188,8 +188,8 @@ static const struct klartext_fault faults[] = {
 	{"QS1 = \"A\"\nQ1 = QS1 + 1\n",
 	 "p.nc:3:6: error: a string (QS) in a formula is not supported yet"},
 	{"QS1 = QS2\n",
-	 "p.nc:2:7: error: QS2 has no value that is known here; if the control holds one from before, <variable "
-	 "name=\"QS2\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:2:7: error: QS2 has no value that is known here; if the control holds one from before, set "
+	 "<variable name=\"QS2\" value=\"\"/> in the machine file's <controller>"},
 	{"QS1 = SUBSTR ( SRC_QS2 BEG0 LEN4 )\n",
 	 "p.nc:2:7: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings are "
 	 "not supported yet"},
@@ -220,8 +220,8 @@ static const struct klartext_fault faults[] = {
 	{"QS1 = \"" "0123456789012345678901234567890123456789012345678901234567890123456789" "\"\nQS2 = QS1 || QS1\n",
 	 "p.nc:3:1: error: a string of more than 127 characters is not supported"},
 	{"Q1 = Q2\n",
-	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one; if the control holds one from before, <variable "
-	 "name=\"Q2\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one; if the control holds one from "
+	 "before, set <variable name=\"Q2\" value=\"\"/> in the machine file's <controller>"},
 	{"Q1 = -8 ^ 0.5\n",
 	 "p.nc:2:9: error: a negative number to a power that is not whole"},
 	{"Q1 = -5 % 3\n",
@@ -255,7 +255,7 @@ static const struct klartext_fault faults[] = {
 	 "program, assign the value by FN 0 behind it"},
 	{"FN 18: SYSREAD Q1 = ID50 NR2 IDX3\nL X+Q1 FMAX\n",
 	 "p.nc:3:5: error: Q1 was read from a table of the control (FN 18), and what that holds is not known here: "
-	 "<variable name=\"ID50 NR2 IDX3\" value=\"\"/> in the machine's <controller> says it"},
+	 "set <variable name=\"ID50 NR2 IDX3\" value=\"\"/> in the machine file's <controller>"},
 	{"FN 18: SYSREAD Q1 = ID20 NR1\nL X+Q1 FMAX\n",
 	 "p.nc:3:5: error: Q1 was read from the control (FN 18, ID20 NR1), and that value is not known here: to check the "
 	 "program, assign the value by FN 0 behind it, or name the tool by initial_tool of the <setup>"},
@@ -315,22 +315,22 @@ static const struct klartext_fault faults[] = {
 	{"TOOL CALL 1 Z Q\n",
 	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, FU, FZ, DL, DR and DR2"},
 	{"TOOL DEF 1 L50\n",
-	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them "
-	 "the control takes depends on whether its tool table is active; make them agree, or say tool_def=\"ignored\" in "
-	 "the machine's <controller> if the table counts"},
+	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them the control "
+	 "takes depends on whether its tool table is active; make them agree, or set tool_def=\"ignored\" in the "
+	 "machine file's <controller> if the table counts"},
 	{"TOOL DEF 1 X50\n",
 	 "p.nc:2:12: error: TOOL DEF has a number, L and R"},
 	{"TOOL FOO\n",
 	 "p.nc:2:6: error: TOOL needs CALL or DEF"},
 	{"M6\n",
-	 "p.nc:2:1: error: M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, m6=\"ignored\" of the "
-	 "machine's <controller> says so"},
+	 "p.nc:2:1: error: M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, set "
+	 "m6=\"ignored\" in the machine file's <controller>"},
 	{"L X+1 FMAX\nCALL LBL 1 REP 2\nL X+3 FMAX\nM30\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
 	 "p.nc:3:10: error: REP repeats the section from the label to this block, but the label stands behind it: a "
 	 "subprogram is called without REP, once for each time that it runs"},
 	{"TOOL CALL 1 Z\nL X+1 FMAX\nM6\n",
-	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, "
-	 "m6=\"ignored\" of the machine's <controller> says so; else write M6 right behind TOOL CALL"},
+	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, set "
+	 "m6=\"ignored\" in the machine file's <controller>; else write M6 right behind TOOL CALL"},
 	{"F100\nC X+1 Y+1 DR+\n",
 	 "p.nc:3:3: error: no CC has given the centre"},
 	{"F100\nCR X+10 Y+0 R4 DR+\n",
@@ -358,11 +358,11 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:20: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
 	 "coordinates of the block belong before M118"},
 	{"CALL LBL QS1\n",
-	 "p.nc:2:10: error: QS1 has no value that is known here; if the control holds one from before, <variable "
-	 "name=\"QS1\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:2:10: error: QS1 has no value that is known here; if the control holds one from before, set "
+	 "<variable name=\"QS1\" value=\"\"/> in the machine file's <controller>"},
 	{"FN 9: IF Q1 IS UNDEFINED GOTO LBL 1\nLBL 1\n",
-	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one; if the control holds one from before, <variable "
-	 "name=\"Q1\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one; if the control holds one from "
+	 "before, set <variable name=\"Q1\" value=\"\"/> in the machine file's <controller>"},
 	{"Q1=5\nFN 9: IF Q1 IS GOTO LBL 1\nLBL 1\n",
 	 "p.nc:3:16: error: IS needs DEFINED or UNDEFINED"},
 	{"FN 0: Q1 SET 5\n",

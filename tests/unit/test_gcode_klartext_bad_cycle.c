@@ -63,8 +63,9 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 14.0\nCYCL DEF 14.1 \"A\"\n",
 	 "p.nc:3:15: error: CYCL DEF 14.1 needs the numbers of labels, as in LABEL1 /2"},
 	{"CYCL DEF 25 CONTOUR TRAIN\n",
-	 "p.nc:2:10: error: CYCL DEF 25: contour train is not followed; if it stays near the place where it is called, <macro "
-	 "program=\"25\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},
+	 "p.nc:2:10: error: CYCL DEF 25: contour train is not followed; if it stays near the place where it is "
+	 "called, set <macro program=\"25\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's "
+	 "<controller> to say how far it moves"},
 	{"TOOL CALL 1 Z DL+0.1\nTOOL CALL S500\n",
 	 "p.nc:3:11: error: TOOL CALL without the oversize (DL, DR) that the one before has given: whether it still counts is not "
 	 "known here; write it, too"},
@@ -118,15 +119,15 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 220 POLAR PATTERN Q200=2\n",
 	 "p.nc:2:10: error: CYCL DEF 220 lacks Q216"},
 	{"CYCL DEF 259 FOO\n",
-	 "p.nc:2:10: error: CYCL DEF 259 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-	 "<macro program=\"259\" action=\"none\"/> in the machine's <controller> says so"},
+	 "p.nc:2:10: error: CYCL DEF 259 is not known: it may be a cycle of the machine's builder; if it moves no "
+	 "axis, set <macro program=\"259\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF 413 DATUM\n",
-	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the program runs; if it stays near "
-	 "its place, <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it "
-	 "moves"},
+	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the program runs; if "
+	 "it stays near its place, set <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
+	 "machine file's <controller> to say how far it moves"},
 	{"CYCL DEF 385 OEM\n",
-	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-	 "<macro program=\"385\" action=\"none\"/> in the machine's <controller> says so"},
+	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder; if it moves no "
+	 "axis, set <macro program=\"385\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF X\n",
 	 "p.nc:2:10: error: CYCL DEF needs the number of a cycle"},
 	{"CYCL FOO\n",
@@ -177,9 +178,9 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:4:11: error: a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one table, "
 	 "TNC:\\A.D"},
 	{"TCH PROBE 413\n",
-	 "p.nc:2:11: error: touch probe cycle 413: where the probe stops is not known before the program runs; if it stays near "
-	 "its place, <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it "
-	 "moves"},
+	 "p.nc:2:11: error: touch probe cycle 413: where the probe stops is not known before the program runs; if "
+	 "it stays near its place, set <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
+	 "machine file's <controller> to say how far it moves"},
 	{"TCH PROBE 0.0 REF. PLANE Q5 X-\n",
 	 "p.nc:2:11: error: TCH PROBE 0: where the probe stops is not known before the program runs; to check the "
 	 "program, leave it out, and assign what it measures by FN 0"},

@@ -62,8 +62,8 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 X+5\n",
 	 "p.nc:3:15: error: ROTATION needs ROT and an angle here"},
 	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0.5\n",
-	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" or \"all\" of "
-	 "the machine's <controller> says it, or give the factors of X, Y and Z by CYCL DEF 26"},
+	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too: set cycle_11_axes=\"plane\" "
+	 "or \"all\" in the machine file's <controller>, or give the factors of X, Y and Z by CYCL DEF 26"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 11.0\nCYCL DEF 11.1 SCL 1\n",
 	 "p.nc:5:10: error: CYCL DEF 11 while CYCL DEF 26 scales: cancel that first"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 26.0\nCYCL DEF 26.1 X1\n",
@@ -121,8 +121,9 @@ static const struct klartext_fault faults[] = {
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 STAY MB50\n",
 	 "p.nc:2:7: error: MB of PLANE needs TURN or MOVE"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN MB50 FMAX\n",
-	 "p.nc:2:7: error: MB of PLANE where no rotary axis has to turn: plane_retract=\"always\" or \"turning\" of the "
-	 "machine's <controller> says whether the tool retracts, or write M140 in a block before"},
+	 "p.nc:2:7: error: MB of PLANE where no rotary axis has to turn: it is not known whether the tool "
+	 "retracts: set plane_retract=\"always\" or \"turning\" in the machine file's <controller>, or write M140 "
+	 "in a block before"},
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN MB-50 FMAX\n",
 	 "p.nc:2:40: error: the way of MB cannot be negative"},
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN FMAX HELLO\n",
@@ -155,13 +156,13 @@ static const struct klartext_fault faults[] = {
 	{"PLANE VECTOR BX+0 BY+0 BZ+0 NX+0 NY+0 NZ+1 TURN FMAX\n",
 	 "p.nc:2:14: error: a vector of length 0 has no direction"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\n",
-	 "p.nc:2:7: error: any angle of C suits this plane: whether the table turns or the coordinates alone is a "
-	 "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's <controller> says it, "
-	 "or COORD ROT or TABLE ROT of PLANE"},
+	 "p.nc:2:7: error: any angle of C suits this plane: a parameter of the control decides whether the table "
+	 "turns or only the coordinates: set plane_rotation=\"coordinates\" or \"table\" in the machine file's "
+	 "<controller>, or write COORD ROT or TABLE ROT in PLANE"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+30\n",
-	 "p.nc:3:10: error: any angle of C suits this plane: whether the table turns or the coordinates alone is a "
-	 "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's <controller> says it, "
-	 "or COORD ROT or TABLE ROT of PLANE"},
+	 "p.nc:3:10: error: any angle of C suits this plane: a parameter of the control decides whether the table "
+	 "turns or only the coordinates: set plane_rotation=\"coordinates\" or \"table\" in the machine file's "
+	 "<controller>, or write COORD ROT or TABLE ROT in PLANE"},
 	/* Posts end shift and plane in this order: whether the shift from before the plane is ended, too, is not known. */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
 	 "PLANE RESET STAY\nL Y+1 Z+2 FMAX\nL X-7 R0 FMAX M91\nL X+1 FMAX\n",
@@ -174,9 +175,9 @@ static const struct klartext_fault faults[] = {
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+180 TURN FMAX TABLE ROT\n",
 	 "p.nc:2:7: error: TABLE ROT: how far C turns is not known here; turn it in a block before, or write COORD ROT"},
 	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",
-	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control leaves it there or "
-	 "turns it to 0 depends on its generation: swivel_pole=\"stays\" or \"zero\" of the machine's <controller> "
-	 "says it, or turn C to 0 in a block before"},
+	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control leaves it "
+	 "there or turns it to 0 depends on its generation: set swivel_pole=\"stays\" or \"zero\" in the machine "
+	 "file's <controller>, or turn C to 0 in a block before"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL X+1 FMAX\n",
 	 "p.nc:3:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
 	 "not supported; turn them there first, or write TURN"},
@@ -271,8 +272,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:11: error: the setup defines no tool named \"7.1\": add <tool number=\"\" name=\"7.1\" length=\"\"/> with what "
 	 "it is made of"},
 	{"TRANS SCALE SCL2\n",
-	 "p.nc:2:13: error: a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" or \"all\" of the "
-	 "machine's <controller> says it, or give the factors of X, Y and Z by CYCL DEF 26"},
+	 "p.nc:2:13: error: a machine parameter says whether SCALING changes Z, too: set cycle_11_axes=\"plane\" "
+	 "or \"all\" in the machine file's <controller>, or give the factors of X, Y and Z by CYCL DEF 26"},
 	{"TRANS SIZE\n",
 	 "p.nc:2:7: error: TRANS needs DATUM, MIRROR, ROTATION or SCALE"},
 	{"TRANS DATUM AXIS X+5\nPRESET SELECT #1 KEEP TRANS\n",
@@ -307,34 +308,34 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:6:3: error: PLANE ... STAY needs the rotary axes at A30 C0: a move of linear axes before they stand there is "
 	 "not supported; turn them there first, or write TURN"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
-	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
-	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
-	 "axis stands"},
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first, or set "
+	 "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from where the axis "
+	 "stands"},
 	{"M140 MB50\nL IZ-1 FMAX\n",
-	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not "
-	 "programmed in them: from where the control counts is not known here; give Z as an absolute "
-	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
-	 "axis stands"},
+	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give Z as an absolute coordinate first, or set "
+	 "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from where the axis "
+	 "stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC IX+5 IY+0\n",
-	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not "
-	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
-	 "axis stands"},
+	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first, or set "
+	 "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from where the axis "
+	 "stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC\n",
-	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
-	 "programmed in them: from where the control counts is not known here; give X as an absolute "
-	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
-	 "axis stands"},
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first, or set "
+	 "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from where the axis "
+	 "stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nCC X+0 Y+0\nLP IPR+5 PA+0 FMAX\n",
-	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
-	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
-	 "coordinate first, or increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the "
-	 "axis stands"},
+	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give Y as an absolute coordinate first, or set "
+	 "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from where the axis "
+	 "stands"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+10\nL IC+5 FMAX\n",
-	 "p.nc:4:3: error: an increment of C after its datum was shifted: from where the control counts "
-	 "is not known here; give C as an absolute coordinate first, or increments_after_shift=\"stay\" to the machine's "
-	 "<controller> if it counts from where the axis stands"},
+	 "p.nc:4:3: error: an increment of C after its datum was shifted: from where the control counts is not "
+	 "known here; give C as an absolute coordinate first, or set increments_after_shift=\"stay\" in the "
+	 "machine file's <controller> if it counts from where the axis stands"},
 };
 
 START_TEST(fault_table)

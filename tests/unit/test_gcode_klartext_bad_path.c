@@ -8,8 +8,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:7: error: the radius of T3 is not known: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL DEF 1 R4\nTOOL CALL 1 Z\nL X+1 RR F100\n",
 	 "p.nc:4:7: error: TOOL DEF gives T1 a radius of 4 mm, and the setup 5 mm: which of them the control takes "
-	 "depends on whether its tool table is active; make them agree, or say tool_def=\"ignored\" in the machine's "
-	 "<controller> if the table counts"},
+	 "depends on whether its tool table is active; make them agree, or set tool_def=\"ignored\" in the machine "
+	 "file's <controller> if the table counts"},
 	{"TOOL CALL 1 Z DR-6\nL X+1 RR F100\n",
 	 "p.nc:3:7: error: the radius of T1 with DR is -1 mm: compensation by a negative radius is not supported"},
 	{"TOOL CALL 1 Z\nL Z+1 RR F100\n",
@@ -99,8 +99,8 @@ static const struct klartext_fault faults[] = {
 	{"L X+10 F100\nRND R2\nFN 9: IF +1 EQU +1 GOTO LBL 5\nL Y+10\n",
 	 "p.nc:4:29: error: the program has no LBL 5"},
 	{"L X+10 F100\nRND R2\nQ1 = Q2\nL Y+10\n",
-	 "p.nc:4:6: error: Q2 has no value: the program has not assigned one; if the control holds one from before, <variable "
-	 "name=\"Q2\" value=\"\"/> in the machine's <controller> says it"},
+	 "p.nc:4:6: error: Q2 has no value: the program has not assigned one; if the control holds one from "
+	 "before, set <variable name=\"Q2\" value=\"\"/> in the machine file's <controller>"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\n",
 	 "p.nc:4:1: error: the program ends right behind the first block of radius compensation: where the tool is then "
 	 "is not known"},

@@ -78,8 +78,9 @@ START_TEST(builder_program)
 						     "CALL PGM TNC:\\3.H\n"};
 		static const char *const said[] = {
 			"program WASH moves around its place while the tool centre point is controlled",
-			("there is no file of the program TNC:\\RESET.H; if the machine's builder made it and it moves no axis, "
-			 "<macro program=\"RESET\" action=\"none\"/> in the machine's <controller> says so"),
+			("there is no file of the program TNC:\\RESET.H; if the machine's builder made it and it "
+			 "moves no axis, set <macro program=\"RESET\" action=\"none\"/> in the machine file's "
+			 "<controller>"),
 			"there is no file of the program TNC:\\3.H\n"};
 
 		klartext_case(&c);

@@ -75,8 +75,8 @@ static const struct refused_program programs[] = {
 	{"G58 RPL=1\n", 1, 5,
 	 "RPL belongs to ROT and AROT"},
 	{"M77\n", 1, 1,
-	 "M77 is not known; if it moves no axis, <mcode number=\"77\" action=\"ignore\"/> in the machine's "
-	 "<controller> says so"},
+	 "M77 is not known; if it moves no axis, set <mcode number=\"77\" action=\"ignore\"/> in the machine "
+	 "file's <controller>"},
 	{"M1.5\n", 1, 1,
 	 "1.5 is no M-code"},
 	{"M3 M4 M5 M6 M7 M8 M9 M10 M11 M12 M0\n", 1, 34,
@@ -94,11 +94,11 @@ static const struct refused_program programs[] = {
 	{"W=5\n", 1, 1,
 	 "the machine has no W axis"},
 	{"H5\n", 1, 1,
-	 "H5: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"H5\" "
-	 "action=\"none\"/> in the machine's <controller> says so"},
+	 "H5: an auxiliary function of the machine's maker; if it moves no axis, set <macro program=\"H5\" "
+	 "action=\"none\"/> in the machine file's <controller>"},
 	{"X1 H1=5.5\n", 1, 4,
-	 "H5.5: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"H\" "
-	 "action=\"none\"/> in the machine's <controller> says so"},
+	 "H5.5: an auxiliary function of the machine's maker; if it moves no axis, set <macro program=\"H\" "
+	 "action=\"none\"/> in the machine file's <controller>"},
 	{"X1.2.3\n", 1, 5,
 	 "unexpected '.'"},
 	{"X1EX3\n", 1, 1,
@@ -120,8 +120,9 @@ static const struct refused_program programs[] = {
 	{"X=LN(0)\n", 1, 3,
 	 "LN of 0: the value must be greater than 0"},
 	{"X=FOO\n", 1, 3,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
-	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\" value=\"\"/> in the machine's <controller> makes it"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\" value=\"\"/> in the machine "
+	 "file's <controller>"},
 	{"X=FOO(1)\n", 1, 3,
 	 "the function FOO is not known here"},
 	{"X=SIN 30\n", 1, 3,
@@ -134,11 +135,11 @@ static const struct refused_program programs[] = {
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1000"},
 	/* R parameters keep their values from one program to the next. */
 	{"R1=5 G500\nG0 X=R1\nIF R1>R2 GOTOF LL\nX5\nLL:\n", 3, 7,
-	 "R2 keeps its value from one program to the next, and this one has given it none so far: <variable "
-	 "name=\"R2\" value=\"\"/> in the machine's <controller> says what it holds"},
+	 "R2 keeps its value from one program to the next, and this program has not set it: set <variable "
+	 "name=\"R2\" value=\"\"/> in the machine file's <controller>"},
 	{"R1=5 G500\nR[7]=R1\nG0 X=R[R1+2] Y=R[R1+3]\n", 3, 16,
-	 "R8 keeps its value from one program to the next, and this one has given it none so far: <variable "
-	 "name=\"R8\" value=\"\"/> in the machine's <controller> says what it holds"},
+	 "R8 keeps its value from one program to the next, and this program has not set it: set <variable "
+	 "name=\"R8\" value=\"\"/> in the machine file's <controller>"},
 	{"R1=5 R2=0\nIF R1>3 AND R2==0 GOTOF LL\nLL:\n", 2, 4,
 	 "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than the other "
 	 "order: put the comparisons into parentheses"},
@@ -157,18 +158,20 @@ static const struct refused_program programs[] = {
 	 "this text is not closed: '\"' is missing"},
 	{"X=$MN_SOMETHING\n", 1, 3,
 	 "the value of $MN_SOMETHING is known to the control alone; if it stays the same while the program runs, "
-	 "<variable name=\"$MN_SOMETHING\" value=\"\"/> in the machine's <controller> says it"},
+	 "set <variable name=\"$MN_SOMETHING\" value=\"\"/> in the machine file's <controller>"},
 	{"X=$AA_IW[Q]\n", 1, 10,
 	 "an axis of the machine is needed here"},
 	{"$MC_X=1\n", 1, 1,
-	 "$MC_X: what this changes on the control is not known here; if no axis moves otherwise for it, <macro "
-	 "program=\"$MC_X\" action=\"none\"/> in the machine's <controller> says so"},
+	 "$MC_X: what this changes on the control is not known here; if no axis moves otherwise for it, set <macro "
+	 "program=\"$MC_X\" action=\"none\"/> in the machine file's <controller>"},
 	{"FOO=1\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
-	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\"/> in the machine's <controller> makes it"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\"/> in the machine file's "
+	 "<controller>"},
 	{"FOO[1]=2\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
-	 "maker's or a user's (GUD), <variable name=\"FOO\" type=\"\" size=\"\"/> in the machine's <controller> makes it"},
+	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\" size=\"\"/> in the machine "
+	 "file's <controller>"},
 	{"DEF FOO X\n", 1, 5,
 	 "a type is needed here: INT, REAL, BOOL, CHAR, STRING or AXIS"},
 	{"DEF REAL\n", 1, 9,

@@ -37,26 +37,26 @@ static const struct refused_program programs[] = {
 	{"CALL\n", 1, 5,
 	 "a value is needed here"},
 	{"CALL \"../.SPF\"\n", 1, 6,
-	 ".SPF is neither a word that is known nor a subprogram: no file .SPF.SPF (or .spf, .MPF, .mpf, in "
-	 "upper or lower case) lies beside the program or in a folder of --include; if .SPF is the builder's "
-	 "and moves no axis, <macro program=\".SPF\" action=\"none\"/> in the machine's <controller> says so"},
+	 ".SPF is neither a word that is known nor a subprogram: no file .SPF.SPF (or .spf, .MPF, .mpf, in upper "
+	 "or lower case) lies beside the program or in a folder of --include; if .SPF is the builder's and moves "
+	 "no axis, set <macro program=\".SPF\" action=\"none\"/> in the machine file's <controller>"},
 	{"NOSUCH\n", 1, 1,
-	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
-	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
+	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, in "
+	 "upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's and "
+	 "moves no axis, set <macro program=\"NOSUCH\" action=\"none\"/> in the machine file's <controller>"},
 	{"NOSUCH(1,2)\n", 1, 1,
-	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
-	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
+	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, in "
+	 "upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's and "
+	 "moves no axis, set <macro program=\"NOSUCH\" action=\"none\"/> in the machine file's <controller>"},
 	{"L100 P2\n", 1, 1,
-	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in "
-	 "a folder of --include; if L100 is the builder's and moves no axis, <macro program=\"100\" "
-	 "action=\"none\"/> in the machine's <controller> says so"},
+	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
+	 "folder of --include; if L100 is the builder's and moves no axis, set <macro program=\"100\" "
+	 "action=\"none\"/> in the machine file's <controller>"},
 	/* Another program than L9. */
 	{"L009\n", 1, 1,
-	 "L009 is neither a word that is known nor a subprogram: no file L009.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; if L009 is the builder's "
-	 "and moves no axis, <macro program=\"L009\" action=\"none\"/> in the machine's <controller> says so"},
+	 "L009 is neither a word that is known nor a subprogram: no file L009.SPF (or .spf, .MPF, .mpf, in upper "
+	 "or lower case) lies beside the program or in a folder of --include; if L009 is the builder's and moves "
+	 "no axis, set <macro program=\"L009\" action=\"none\"/> in the machine file's <controller>"},
 	{"L\n", 1, 1,
 	 "L without a number"},
 	{"X1 NOSUCH\n", 1, 4,
@@ -90,10 +90,10 @@ static const struct refused_program programs[] = {
 	 "POSA: positioning axis that goes on while the next blocks move (POS waits for it) is not supported yet"},
 	{"T1 M6\nG500 G17\nTRAORI\nTRANS C30\nG0 X1 Y0 Z0\n", 5, 4,
 	 "C is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides whether TRAORI and "
-	 "CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's <controller> says it"},
+	 "CYCLE800 count it from there: set tcp_zero=\"machine\" or \"offset\" in the machine file's <controller>"},
 	{"$P_UIFR[1,A,TR]=5\nT1 M6\nG54 G17\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n", 4, 1,
 	 "A is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides whether TRAORI and "
-	 "CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's <controller> says it"},
+	 "CYCLE800 count it from there: set tcp_zero=\"machine\" or \"offset\" in the machine file's <controller>"},
 	{"T1 M6\nG500 G17\nTRAORI\nG0 X1 Y0 Z0\nTOROT\nX1\n", 6, 1,
 	 "TOROT and TOFRAME lay Z along the tool; where X and Y then point is a matter of the control's settings "
 	 "(MD21110, SD42980): only Z and rotary axes are supported before TOROTOF; a plane by CYCLE800 or ROT has all "
@@ -120,12 +120,13 @@ static const struct refused_program programs[] = {
 	 "CYCLE800 with G18 or G19 turns another axis towards the tool than Z, which is not supported; G17 before it, or 1 in "
 	 "the units of DMODE"},
 	{"CYCLE207(1)\n", 1, 1,
-	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in upper or "
-	 "lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's and moves no axis, "
-	 "<macro program=\"CYCLE207\" action=\"none\"/> in the machine's <controller> says so"},
+	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in "
+	 "upper or lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's "
+	 "and moves no axis, set <macro program=\"CYCLE207\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCLE977(1)\n", 1, 1,
-	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, <macro "
-	 "program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it moves"},
+	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, set "
+	 "<macro program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's <controller> "
+	 "to say how far it moves"},
 	{"CYCLE951(1)\n", 1, 1,
 	 "CYCLE951: turning or measuring is not supported yet; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
@@ -200,8 +201,8 @@ static const struct refused_program programs[] = {
 	{"CYCLE800(0,\"\",300000,57,0,0,0,0,0,0,0,0,0,1)\n", 1, 1,
 	 "the hundred thousands of ST of CYCLE800 must be 0, 1 or 2"},
 	{"G500 G0 C30\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 2, 1,
-	 "the tool stands on the plane of CYCLE800 whatever the position of C: whether C then goes to 0 is set up by "
-	 "the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's <controller> says it"},
+	 "any position of C suits the plane of CYCLE800, and the machine's maker decides whether C then goes to 0: "
+	 "set swivel_pole=\"zero\" or \"stays\" in the machine file's <controller>"},
 	{"G500 TRAORI ORIAXES\nG1 F6 A2=0 B2=10\n", 2, 1,
 	 "a parameter of the control (MD21102) decides what the angles A2= B2= C2= are: write ORIEULER, ORIRPY or "
 	 "ORIRPY2 before them"},
@@ -218,8 +219,8 @@ static const struct refused_program programs[] = {
 	{"X='H12\n", 1, 3,
 	 "this quote is not closed"},
 	{"X=$A_IN[1]\n", 1, 3,
-	 "the value of $A_IN[1] is known to the control alone; if it stays the same while the program runs, "
-	 "<variable name=\"$A_IN[1]\" value=\"\"/> in the machine's <controller> says it"},
+	 "the value of $A_IN[1] is known to the control alone; if it stays the same while the program runs, set "
+	 "<variable name=\"$A_IN[1]\" value=\"\"/> in the machine file's <controller>"},
 	{"X=$P_UIFR[1,X,QQ]\n", 1, 3,
 	 "a component of $P_UIFR is TR, FI, RT, SC or MI"},
 	{"X=$P_UIFR[6,X,TR]\n", 1, 3,
@@ -279,16 +280,16 @@ static const struct refused_program programs[] = {
 	 "CYCLE800 that adds a plane (units of ST 1) while SCALE or MIRROR is in force is not supported"},
 	{"G500 TRANS X1\nCYCLE800()\nG0 X1\n", 3, 4,
 	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
-	 "certain: write TRANS, or TRANS with its values, behind it, or say frames_outlive_cycle800=\"yes\" or \"no\" in "
-	 "the machine's <controller>"},
+	 "certain: write TRANS, or TRANS with its values, behind it, or set frames_outlive_cycle800=\"yes\" or "
+	 "\"no\" in the machine file's <controller>"},
 	/* Positions are read as they are moved to: not where it is open which offset, frame, plane or edge counts. */
 	{"G500 TRANS X1\nCYCLE800()\nR1=$AA_IM[X]\nR1=$P_EP[X]\n", 4, 4,
 	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
-	 "certain: write TRANS, or TRANS with its values, behind it, or say frames_outlive_cycle800=\"yes\" or \"no\" in "
-	 "the machine's <controller>"},
+	 "certain: write TRANS, or TRANS with its values, behind it, or set frames_outlive_cycle800=\"yes\" or "
+	 "\"no\" in the machine file's <controller>"},
 	{"R1=$AA_IW[X]\n", 1, 4,
-	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or the like, "
-	 "or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>"},
+	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
+	 "the like, or G500, or set power_on_work_offset=\"G500\" or \"G54\" in the machine file's <controller>"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nR1=$P_EP[Z]\n", 3, 4,
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
 	 "certain: write CYCLE800 behind it"},
@@ -296,11 +297,11 @@ static const struct refused_program programs[] = {
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not "
 	 "certain: write CYCLE800 behind it"},
 	{"G110 X1\n", 1, 1,
-	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or the like, "
-	 "or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>"},
+	 "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
+	 "the like, or G500, or set power_on_work_offset=\"G500\" or \"G54\" in the machine file's <controller>"},
 	{"G500 TRANS X1\nCYCLE800()\nATRANS Y1\n", 3, 1,
-	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant, or "
-	 "say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>"},
+	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are "
+	 "meant, or set frames_outlive_cycle800=\"yes\" or \"no\" in the machine file's <controller>"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG500 G0 C5\n", 2, 9,
 	 "C while CYCLE800 has swivelled: the tool would leave the direction of its plane; CYCLE800() first"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\nG505\nG0 X1\n", 3, 4,
@@ -407,9 +408,9 @@ static const struct refused_program programs[] = {
 	{"D1.5\n", 1, 1,
 	 "D must be a whole number from 0 to 32000, not 1.5"},
 	{"T1 M6 G18 D1\nG500 G0 Z1\n", 2, 9,
-	 "in the plane of G18 a parameter of the control (SD42940) decides along which axis the tool's "
-	 "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
-	 "the other way is not supported"},
+	 "in the plane of G18 a parameter of the control (SD42940) decides along which axis the tool's length "
+	 "acts: set tool_length_axis=\"z\" in the machine file's <controller> if it is Z in every plane; the other "
+	 "way is not supported"},
 	{"G56\n", 1, 1,
 	 "the setup defines no work offset G56: add <work_offset name=\"G56\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
 	{"G500 G0 C=DC(10)\n", 1, 9,
@@ -429,9 +430,9 @@ static const struct refused_program programs[] = {
 	{"SUPA F6 G2 X5 I1\n", 1, 1,
 	 "SUPA, G53 and G153 need G0 or G1, not a circle"},
 	{"G500 G0 X1\nTRANS X5\nX=IC(1)\n", 3, 1,
-	 "X by an increment after a change of frames, offsets or the tool: settings of the control "
-	 "(SD42440, SD42442) decide whether the change is traversed, too: "
-	 "increments_after_shift=\"traverse\" or \"stay\" of the machine's <controller> says it"},
+	 "X by an increment after a change of frames, offsets or the tool: settings of the control (SD42440, "
+	 "SD42442) decide whether the change is traversed, too: set increments_after_shift=\"traverse\" or "
+	 "\"stay\" in the machine file's <controller>"},
 	{"SETAL(65000\n", 1, 6,
 	 "this '(' is not closed"},
 	{"MSG(\"a\"\n", 1, 4,

@@ -43,9 +43,9 @@ static const struct refused_program programs[] = {
 	 "a synchronous action that may move an axis or change the program is not supported; behind DO stand outputs "
 	 "($A_OUT[1]=1), overrides ($AC_OVR), timers, SETAL, STOPREOF, RDISABLE, and M-codes that move no axis"},
 	{"EXTCALL \"NOSUCH\"\n", 1, 9,
-	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's "
-	 "and moves no axis, <macro program=\"NOSUCH\" action=\"none\"/> in the machine's <controller> says so"},
+	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, in "
+	 "upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's and "
+	 "moves no axis, set <macro program=\"NOSUCH\" action=\"none\"/> in the machine file's <controller>"},
 	{"PCALL \"A\"\n", 1, 7,
 	 "the path of PCALL stands without quotes"},
 	{"PCALL/A X1\n", 1, 9,

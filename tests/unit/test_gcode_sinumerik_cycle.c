@@ -220,7 +220,7 @@ START_TEST(unknown_edge)
 	strbuf_addf(&program, "F6 G500 T1 M6\n%s\n", blocks[_i]);
 	ck_assert_msg(!case_run(&c, strbuf_text(&program)), "%s", blocks[_i]);
 	ck_assert_msg(strstr(strbuf_text(&c.messages), "error: a parameter of the control (MD20270) decides which D holds after "
-						       "M6: write D, or say edge_after_tool_change="),
+						       "M6: write D, or set edge_after_tool_change="),
 		      "%s: %s", blocks[_i], strbuf_text(&c.messages));
 	strbuf_release(&program);
 	case_release(&c);

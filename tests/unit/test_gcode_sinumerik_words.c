@@ -186,8 +186,9 @@ static const struct refused_words bad[] = {
 	{"FZ=0.1\n", "FZ: feed per tooth (F can say it) is not supported yet"},
 	{"G[8]=101\n", "the number of a G-code in its group must be a whole number from 1 to 100, not 101"},
 	{"G[10]=1\n", "G[10]=1 is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the usual codes"},
-	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same while the program runs, "
-	 "<variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine's <controller> says it"},
+	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same "
+	 "while the program runs, set <variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine file's "
+	 "<controller>"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
 	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
 	{"$P_UIFR[1]=CTRANS(X,1):CROT(X,0,Z,10)\n",
@@ -216,9 +217,9 @@ static const struct refused_words bad[] = {
 	{"$TC_DP12[1,1]=0.1\n", "$TC_DP12=0.1 adds to the size of the tool, which the setup has as a whole: 0 is supported "
 				 "alone"},
 	{"$TC_DP1[1,1]=500\n", "$TC_DP1=500: only types of milling and drilling tools are supported, 100 to 299"},
-	{"$SC_FRAME_OFFSET_INCR_PROG=1\n", "$SC_FRAME_OFFSET_INCR_PROG=1: what increments do has one answer for the whole "
-					   "program: increments_after_shift=\"traverse\" of the machine's <controller> is "
-					   "the one with this value"},
+	{"$SC_FRAME_OFFSET_INCR_PROG=1\n", "$SC_FRAME_OFFSET_INCR_PROG=1: what increments do has one answer for "
+					   "the whole program; set increments_after_shift=\"traverse\" in the "
+					   "machine file's <controller>, which has the same meaning"},
 	{"$P_PFRAME[X,RT]=5\n", "$P_PFRAME with RT is not supported yet, only with TR; ROT, SCALE and MIRROR can say it"},
 	{"$P_IFRAME=$P_UIFR[2]\n", "$P_IFRAME is given the work offset that is in force here, $P_UIFR[1] of G54; others are "
 				   "selected by G54 and the like"},

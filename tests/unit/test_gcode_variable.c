@@ -74,7 +74,7 @@ static const struct kept accepted[] = {
 		  "FN 18: SYSREAD Q3 = ID60 NR5\nL X+Q1 Y+Q2 FMAX\nL X+Q3 FMAX\n"), "-0.25 0.5 0"},
 };
 
-#define ASKS(name) "<variable name=\"" name "\" value=\"\"/> in the machine's <controller> says "
+#define ASKS(name) "set <variable name=\"" name "\" value=\"\"/> in the machine file's <controller>"
 
 static const struct kept refused[] = {
 	/* an output of the program, a place: the file cannot tell what changes */
@@ -87,11 +87,11 @@ static const struct kept refused[] = {
 	 "#500 keeps its value from earlier programs, and this program has not set it: "
 	 "set <variable name=\"#500\" value=\"\"/> in the machine file's <controller>"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 2, .size = {3, 2}}}, "G500\nG0 X=_POS[2,1]\n",
-	 "_POS[2,1] keeps its value from one program to the next, and this one has given it none so far: "
-	 ASKS("_POS[2,1]") "what it holds"},
+	 "_POS[2,1] keeps its value from one program to the next, and this program has not set it: "
+	 ASKS("_POS[2,1]")},
 	{&dialect_sinumerik, {REAL_OF("NAME", CONTROL_STRING)}, "G500\nMSG(NAME)\nIF NAME==\"A\"\nENDIF\n",
-	 "NAME keeps its value from one program to the next, and this one has given it none so far: "
-	 ASKS("NAME") "what it holds"},
+	 "NAME keeps its value from one program to the next, and this program has not set it: "
+	 ASKS("NAME")},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[3]", 1)}, "G500\n",
 	 "<variable name=\"_POS[3]\"> is no element of that array"},
 	/* two spellings of a name would be two values of it */

@@ -73,19 +73,19 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 {
 	if (is_probing(number))
 		return fault(lexer->at, column,
-			     "touch probe cycle %d: where the probe stops is not known before the program runs; if it "
-			     "stays near its place, <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in "
-			     "the machine's <controller> says how far it moves",
+			     "touch probe cycle %d: where the probe stops is not known before the program runs; if "
+			     "it stays near its place, set <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" "
+			     "Z=\"\"/> in the machine file's <controller> to say how far it moves",
 			     number, number);
 	if (find_called(number))
 		return fault(lexer->at, column,
-			     "CYCL DEF %d: %s is not followed; if it stays near the place where it is called, <macro "
-			     "program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> "
-			     "says how far it moves",
+			     "CYCL DEF %d: %s is not followed; if it stays near the place where it is called, set "
+			     "<macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's "
+			     "<controller> to say how far it moves",
 			     number, find_called(number), number);
 	return fault(lexer->at, column,
 		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-		     "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
+		     "set <macro program=\"%d\" action=\"none\"/> in the machine file's <controller>",
 		     number, number);
 }
 
@@ -206,7 +206,7 @@ bool klartext_builder_program_run(struct interp *interp, const char *path, int c
 	if (!macro)
 		return fault(&interp->at, column,
 			     "there is no file of the program %s; if the machine's builder made it and it moves no "
-			     "axis, <macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+			     "axis, set <macro program=\"%s\" action=\"none\"/> in the machine file's <controller>",
 			     path, name);
 	if (macro->action != MACRO_AROUND)
 		return true;

@@ -29,9 +29,9 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	if (tool != interp->config->any_tool && klartext->tool.defined == number &&
 	    fabs(klartext->tool.defined_radius - tool->diameter / 2) > SAME_POINT)
 		return fault(&interp->at, column,
-			     "TOOL DEF gives T%d a radius of %.6g mm, and the setup %.6g mm: which of them the control "
-			     "takes depends on whether its tool table is active; make them agree, or "
-			     "say tool_def=\"ignored\" in the machine's <controller> if the table counts",
+			     "TOOL DEF gives T%d a radius of %.6g mm, and the setup %.6g mm: which of them the "
+			     "control takes depends on whether its tool table is active; make them agree, or set "
+			     "tool_def=\"ignored\" in the machine file's <controller> if the table counts",
 			     number, klartext->tool.defined_radius, tool->diameter / 2);
 	*radius = tool->diameter / 2 + klartext->tool.delta_radius;
 	return *radius >= 0 || fault(&interp->at, column,

@@ -122,10 +122,10 @@ bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
 	return fabs(by) <= SAME_COORDINATE ||
 	       interp->config->controller.increments_after_shift == INCREMENTS_FROM_POSITION ||
 	       fault(&interp->at, column,
-		     "an increment of %c after a change of coordinates or a move that was not programmed in them: from "
-		     "where the control counts is not known here; give %c as an absolute coordinate first, or "
-		     "increments_after_shift=\"stay\" to the machine's <controller> if it counts from where the axis "
-		     "stands",
+		     "an increment of %c after a change of coordinates or a move that was not programmed in them: "
+		     "from where the control counts is not known here; give %c as an absolute coordinate first, or "
+		     "set increments_after_shift=\"stay\" in the machine file's <controller> if it counts from "
+		     "where the axis stands",
 		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 }
 
@@ -164,8 +164,8 @@ bool klartext_frame_check_zero(struct interp *interp, int column)
 			return fault(
 			    &interp->at, column,
 			    "%c has a preset or a datum shift: a machine parameter decides whether M128, TCPM and "
-			    "PLANE count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's "
-			    "<controller> says it",
+			    "PLANE count it from there: set tcp_zero=\"machine\" or \"offset\" in the machine "
+			    "file's <controller>",
 			    AXIS_LETTERS[slot]);
 		if (!controller->tcp_zero_offset && !same_double(interp->state.shift.v[slot], 0))
 			return fault(

@@ -288,9 +288,9 @@ bool klartext_frame_cycle_scale(struct interp *interp, const struct klartext_cyc
 		if (!same_double(word->value, 1) && axes == CYCLE_11_AXES_UNKNOWN)
 			return word_fault(
 			    interp, word,
-			    "a machine parameter says whether SCALING changes Z, too: cycle_11_axes=\"plane\" "
-			    "or \"all\" of the machine's <controller> says it, or give the factors of X, Y and "
-			    "Z by CYCL DEF 26");
+			    "a machine parameter says whether SCALING changes Z, too: set cycle_11_axes=\"plane\" "
+			    "or \"all\" in the machine file's <controller>, or give the factors of X, Y and Z by "
+			    "CYCL DEF 26");
 		frame.factor = (vec3){word->value, word->value, axes == CYCLE_11_AXES_PLANE ? 1 : word->value};
 		frame.centre = (vec3){0, 0, 0};
 		frame.scaled_by = 11;

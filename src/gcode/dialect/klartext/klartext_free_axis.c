@@ -55,7 +55,7 @@ static bool turn_table(struct interp *interp, int column,
 		return fault(
 		    &interp->at, column,
 		    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
-		    "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
+		    "known here; turn %c towards 0 before, or set wrap=\"shortest\" of this axis in the machine "
 		    "file",
 		    AXIS_LETTERS[slot], angle - zero, AXIS_LETTERS[slot]);
 	*to = angle;
@@ -71,10 +71,9 @@ static bool turn_coordinates(struct interp *interp, int column, int slot, double
 
 	if (fabs(remainder(here, 360)) > SAME_DEGREES && !pole)
 		return fault(&interp->at, column,
-			     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
-			     "leaves it there or turns it to 0 depends on its generation: "
-			     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
-			     "%c to 0 in a block before",
+			     "any angle of %c suits this plane, and it stands at %.6g: whether the control leaves "
+			     "it there or turns it to 0 depends on its generation: set swivel_pole=\"stays\" or "
+			     "\"zero\" in the machine file's <controller>, or turn %c to 0 in a block before",
 			     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
 	if (pole == SWIVEL_POLE_ZERO && fabs(interp->state.position.v[slot] - zero) > 180 + SAME_DEGREES)
 		return fault(&interp->at, column,
@@ -105,9 +104,9 @@ bool klartext_free_axis_turn(struct interp *interp, int column, enum plane_rotat
 	/* A plane whose X lies along the workpiece's turns no coordinates. */
 	if (!rotation && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
 		return fault(&interp->at, column,
-			     "any angle of %c suits this plane: whether the table turns or the coordinates alone is a "
-			     "parameter of the control: plane_rotation=\"coordinates\" or \"table\" of the machine's "
-			     "<controller> says it, or COORD ROT or TABLE ROT of PLANE",
+			     "any angle of %c suits this plane: a parameter of the control decides whether the "
+			     "table turns or only the coordinates: set plane_rotation=\"coordinates\" or \"table\" "
+			     "in the machine file's <controller>, or write COORD ROT or TABLE ROT in PLANE",
 			     AXIS_LETTERS[slot]);
 	/* TNC7: a tilted plane leaves a free axis where it is; its coordinates are as programmed. */
 	if (rotation == PLANE_ROTATION_TABLE && fabs(tilt->z.x) + fabs(tilt->z.y) > DIRECTION_REACHED)

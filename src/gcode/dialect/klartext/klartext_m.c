@@ -95,23 +95,23 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 	found = code_find(interp->config->dialect->m_codes, m->number);
 	if (!found)
 		return fault(&interp->at, m->column,
-			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
-			     "machine's <controller> says so",
+			     "M%d is not known; if it moves no axis, set <mcode number=\"%d\" action=\"ignore\"/> "
+			     "in the machine file's <controller>",
 			     m->number, m->number);
 	if (found->state == CODE_REFUSED && instead_of(m->number))
 		return fault(&interp->at, m->column, "M%d: %s is not supported; %s", m->number, found->what,
 			     instead_of(m->number));
 	if (found->state == CODE_REFUSED)
 		return fault(&interp->at, m->column,
-			     "M%d: %s is not supported yet; if it may be left out, <mcode number=\"%d\" "
-			     "action=\"ignore\"/> in the machine's <controller> says so",
+			     "M%d: %s is not supported yet; if it may be left out, set <mcode number=\"%d\" "
+			     "action=\"ignore\"/> in the machine file's <controller>",
 			     m->number, found->what, m->number);
 	/* "M118" without limits ends what one with limits has allowed. */
 	if (m->number == 118 && m->way > 0)
 		return fault(
 		    &interp->at, m->column,
-		    "M118: handwheel moves during the program are not supported; if they may be left out, <mcode "
-		    "number=\"118\" action=\"ignore\"/> in the machine's <controller> says so");
+		    "M118: handwheel moves during the program are not supported; if they may be left out, set "
+		    "<mcode number=\"118\" action=\"ignore\"/> in the machine file's <controller>");
 	*action = action_of(m->number);
 	return true;
 }

@@ -60,15 +60,16 @@ static bool check_way(struct interp *interp, int slot, double value, double targ
 		return true;
 	if (interp->config->controller.rotary_way == ROTARY_WAY_PLAIN)
 		return fault(&interp->at, column,
-			     "an angle of %c outside of 0 to 360 without M126: rotary_angle=\"as-written\" or "
-			     "\"reduced\" of the machine's <controller> says whether the control reduces it before it "
-			     "takes the difference, or write M126, or an angle from 0 to 360",
+			     "an angle of %c outside of 0 to 360 without M126: it is not known whether the control "
+			     "reduces it before it takes the difference: set rotary_angle=\"as-written\" or "
+			     "\"reduced\" in the machine file's <controller>, or write M126, or an angle from 0 to "
+			     "360",
 			     AXIS_LETTERS[slot]);
 	return fault(
 	    &interp->at, column,
 	    "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
-	    "whether the control goes the plain way without it is a parameter of the machine: rotary_way=\"plain\" "
-	    "or \"shorter\" of the machine's <controller> says it, or write M126",
+	    "whether the control goes the plain way without it is a parameter of the machine: set "
+	    "rotary_way=\"plain\" or \"shorter\" in the machine file's <controller>, or write M126",
 	    AXIS_LETTERS[slot]);
 }
 
@@ -97,9 +98,9 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 			return fault(
 			    &interp->at, words->column[slot],
 			    "an increment of %c after its datum was shifted: from where the control counts is not "
-			    "known here; give %c as an absolute coordinate first, or increments_after_shift=\"stay\" "
-			    "to "
-			    "the machine's <controller> if it counts from where the axis stands",
+			    "known here; give %c as an absolute coordinate first, or set "
+			    "increments_after_shift=\"stay\" in the machine file's <controller> if it counts from "
+			    "where the axis stands",
 			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		others->v[slot] += value;
 		return true;

@@ -102,8 +102,8 @@ bool klartext_orient_target(struct interp *interp, const struct klartext_words *
 		if (chosen->tie[slot])
 			return fault(
 			    &interp->at, column,
-			    "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
-			    "this axis in the machine file says which one the control takes",
+			    "half a turn of %c: either way is as short; set half_turn=\"positive\" or \"negative\" "
+			    "of this axis in the machine file",
 			    AXIS_LETTERS[slot]);
 		target->others.v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
 	}

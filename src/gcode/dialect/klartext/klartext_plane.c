@@ -237,9 +237,9 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 		return klartext_swivel_level(interp, &request);
 	if (angles == CYCLE_19_ANGLES_UNKNOWN)
 		return fault(&interp->at, cycle->column,
-			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "
-			     "or \"axes\" of "
-			     "the machine's <controller> says it, or write PLANE SPATIAL");
+			     "a machine parameter says what the angles of CYCL DEF 19 are: set "
+			     "cycle_19_angles=\"spatial\" or \"axes\" in the machine file's <controller>, or write "
+			     "PLANE SPATIAL");
 	if (!klartext_preset_check(interp, cycle->column) || !klartext_frame_check_zero(interp, cycle->column))
 		return false;
 	if (angles == CYCLE_19_ANGLES_AXES)

@@ -27,8 +27,8 @@ static bool find_zero(struct interp *interp, const struct klartext_words *words,
 		return true;
 	if (!place->given || !place->has[slot])
 		return fault(&interp->at, words->column[slot],
-			     "from where M92 counts %c the machine's builder has set: <reference number=\"1\" "
-			     "%c=\"\"/> in the machine's <controller> says it, in machine coordinates",
+			     "the machine's builder decides from where M92 counts %c: set <reference number=\"1\" "
+			     "%c=\"\"/> in the machine file's <controller>, in machine coordinates",
 			     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 	*zero = state_from_canonical(slot, place->value.v[slot]);
 	return true;

@@ -47,8 +47,8 @@ static bool read_value(struct lexer *lexer, char text[KLARTEXT_NAME])
 		return fault(lexer->at, column, "QS%d has no value that is known here", number);
 	if (!string)
 		return fault(lexer->at, column,
-			     "QS%d has no value that is known here; if the control holds one from before, <variable "
-			     "name=\"QS%d\" value=\"\"/> in the machine's <controller> says it",
+			     "QS%d has no value that is known here; if the control holds one from before, set "
+			     "<variable name=\"QS%d\" value=\"\"/> in the machine file's <controller>",
 			     number, number);
 	memcpy(text, string->text, sizeof(string->text));
 	return true;

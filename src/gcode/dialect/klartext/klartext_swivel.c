@@ -126,17 +126,16 @@ static bool check_ways(struct interp *interp, const struct klartext_swivel *requ
 
 		if (chosen->tie[slot])
 			return fault(&interp->at, request->column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
-				     "\"negative\" of this axis in "
-				     "the machine file says which one the control takes",
+				     "half a turn of %c: either way is as short; set half_turn=\"positive\" or "
+				     "\"negative\" of this axis in the machine file",
 				     AXIS_LETTERS[slot]);
 		if (interp->config->wrap[slot] == WRAP_NONE && !chosen->free[slot] &&
 		    fabs(to - interp->state.offset.v[slot]) > 180 + SAME_DEGREES)
 			return fault(
 			    &interp->at, request->column,
-			    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is "
-			    "not known "
-			    "here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine file",
+			    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes "
+			    "is not known here; turn %c towards 0 before, or set wrap=\"shortest\" of this axis in "
+			    "the machine file",
 			    AXIS_LETTERS[slot], to, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -242,9 +241,9 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 		turns = turns || fabs(rotary->v[slot] - state->position.v[slot]) > degrees(TIE_TOLERANCE);
 	if (!turns && request->retracts && !interp->config->controller.plane_retract)
 		return fault(&interp->at, request->column,
-			     "MB of PLANE where no rotary axis has to turn: plane_retract=\"always\" or \"turning\" of "
-			     "the machine's "
-			     "<controller> says whether the tool retracts, or write M140 in a block before");
+			     "MB of PLANE where no rotary axis has to turn: it is not known whether the tool "
+			     "retracts: set plane_retract=\"always\" or \"turning\" in the machine file's "
+			     "<controller>, or write M140 in a block before");
 	if (!turns && request->retracts && interp->config->controller.plane_retract == PLANE_RETRACT_TURNING)
 		return true;
 	klartext_of(interp)->tool.moved = true;

@@ -81,9 +81,9 @@ static bool check_length(struct lexer *lexer, int number, double length, int col
 		return true;
 	return fault(
 	    lexer->at, column,
-	    "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes depends on "
-	    "whether its tool table is active; make them agree, or say tool_def=\"ignored\" in the "
-	    "machine's <controller> if the table counts",
+	    "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes "
+	    "depends on whether its tool table is active; make them agree, or set tool_def=\"ignored\" in the "
+	    "machine file's <controller> if the table counts",
 	    number, length, tool->length_offset);
 }
 
@@ -223,8 +223,8 @@ static bool change(struct interp *interp, const struct request *request)
 	if (!interp->config->controller.tool_change.given)
 		return fault(
 		    &interp->at, request->column,
-		    "where TOOL CALL takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
-		    "machine file says it, and <tool_change/> that it moves none");
+		    "it is not known where TOOL CALL moves the axes: set <tool_change Z=\"\" .../>, or "
+		    "<tool_change/> if it moves none, in the machine file's <controller>");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (klartext->frame.tilted && interp->config->controller.tool_change.has[slot])
 			return fault(
@@ -352,12 +352,12 @@ bool klartext_tool_m6(struct interp *interp, int column)
 	}
 	if (!tool->change_pending)
 		return fault(&interp->at, column,
-			     "M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, m6=\"ignored\" of "
-			     "the machine's <controller> says so");
+			     "M6, but no TOOL CALL has named a tool: if TOOL CALL alone changes it, set "
+			     "m6=\"ignored\" in the machine file's <controller>");
 	if (tool->moved)
 		return fault(&interp->at, column,
-			     "axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, "
-			     "m6=\"ignored\" of the machine's <controller> says so; else write M6 right behind TOOL "
+			     "axes have moved between TOOL CALL and M6: if TOOL CALL alone changes the tool, set "
+			     "m6=\"ignored\" in the machine file's <controller>; else write M6 right behind TOOL "
 			     "CALL");
 	tool->change_pending = false;
 	return true;

@@ -150,7 +150,7 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 	if (klartext_query_is_table(query))
 		return fault(lexer->at, column,
 			     "%.*s was read from a table of the control (FN 18), and what that holds is not known "
-			     "here: <variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     "here: set <variable name=\"%s\" value=\"\"/> in the machine file's <controller>",
 			     length, name, data);
 	return fault(lexer->at, column,
 		     "%.*s was read from the control (FN 18, %s), and that value is not known here: to check the "
@@ -166,7 +166,7 @@ static bool ask_kept(const struct lexer *lexer, int column, const char *name, in
 		return fault(lexer->at, column, "%.*s has no value: the program has not assigned one", length, name);
 	return fault(lexer->at, column,
 		     "%.*s has no value: the program has not assigned one; if the control holds one from before, "
-		     "<variable name=\"%.*s\" value=\"\"/> in the machine's <controller> says it",
+		     "set <variable name=\"%.*s\" value=\"\"/> in the machine file's <controller>",
 		     length, name, length, name);
 }
 
@@ -181,9 +181,9 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 		return false;
 	if (q->read && q->pole)
 		return fault(lexer->at, column,
-			     "%.*s is the angle of an axis that any angle suits: whether CYCL DEF 19 leaves it where "
-			     "it is or turns it to 0 depends on the control: swivel_pole=\"stays\" or \"zero\" of the "
-			     "machine's <controller> says it",
+			     "%.*s is the angle of an axis that any angle suits: whether CYCL DEF 19 leaves it "
+			     "where it is or turns it to 0 depends on the control: set swivel_pole=\"stays\" or "
+			     "\"zero\" in the machine file's <controller>",
 			     length, name);
 	if (q->read && number >= 100 && number < 200)
 		return fault(lexer->at, column,

@@ -95,8 +95,8 @@ bool sinumerik_builder_take_auxiliary(struct interp *interp, double value, int c
 	if (sinumerik_builder_does_nothing(interp, name))
 		return true;
 	return fault(&interp->at, column,
-		     "H%.9g: an auxiliary function of the machine's maker; if it moves no axis, <macro program=\"%s\" "
-		     "action=\"none\"/> in the machine's <controller> says so",
+		     "H%.9g: an auxiliary function of the machine's maker; if it moves no axis, set <macro "
+		     "program=\"%s\" action=\"none\"/> in the machine file's <controller>",
 		     value, name);
 }
 
@@ -105,8 +105,8 @@ bool sinumerik_builder_refuse(struct interp *interp, const char *name, const cha
 	if (measures(name))
 		return fault(&interp->at, column,
 			     "%s: where a probe stops is not known before the program runs; if it stays near its "
-			     "place, <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's "
-			     "<controller> says how far it moves",
+			     "place, set <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
+			     "machine file's <controller> to say how far it moves",
 			     name, name);
 	return fault(&interp->at, column, "%s: %s is not supported yet; lines and circles (G1, G2, G3) can say its "
 					  "moves",

@@ -230,8 +230,9 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 						  "the contour");
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column,
-			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, G71, "
-			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, "
+			     "G71, G700 or G710: set power_on_units=\"mm\" or \"inch\" in the machine file's "
+			     "<controller>");
 	if (!same_double(interp->state.scale, sinumerik->feed_scale) && !same_double(allowance, 0))
 		return fault(&interp->at, column,
 			     "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is "

@@ -219,7 +219,7 @@ static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *w
 	if (angles > 1 && interp->config->controller.rotation_order == ROTATION_ORDER_UNKNOWN)
 		return fault(&interp->at, words->column,
 			     "a parameter of the control (MD10600) decides in which order several angles turn the "
-			     "frame: rotation_order=\"rpy\" or \"euler\" of the machine's <controller> says it");
+			     "frame: set rotation_order=\"rpy\" or \"euler\" in the machine file's <controller>");
 	if (angles > 1 && interp->config->controller.rotation_order == ROTATION_ORDER_EULER)
 		return fault(&interp->at, words->column,
 			     "several angles in one ROT by Euler's angles are not supported yet; write one angle in a "
@@ -348,9 +348,9 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 
 	if (sinumerik->frames.programmed_unsure && (words->added || words->code == SINUMERIK_AXIAL))
 		return fault(&interp->at, words->column,
-			     "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the "
-			     "values that are meant, or say frames_outlive_cycle800=\"yes\" or \"no\" in the machine's "
-			     "<controller>");
+			     "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with "
+			     "the values that are meant, or set frames_outlive_cycle800=\"yes\" or \"no\" in the "
+			     "machine file's <controller>");
 	if (words->code == SINUMERIK_AXIAL)
 		return set_axial(interp, words);
 	if (!frame_of(interp, words, &frame))

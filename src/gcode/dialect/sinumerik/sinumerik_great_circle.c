@@ -57,8 +57,9 @@ static bool near_pole(struct interp *interp, int column, bool *pole)
 	       fault(
 		   &interp->at, column,
 		   "the great circle (ORIVECT) leads through or near a pole of the rotary axes, or out of their "
-		   "limits: a parameter of the control (MD21108) decides what it does there: orientation_pole=\"axes\" "
-		   "of the machine's <controller> says that the axes of such a block turn evenly, as with ORIAXES");
+		   "limits: a parameter of the control (MD21108) decides what it does there: set "
+		   "orientation_pole=\"axes\" in the machine file's <controller> if the axes of such a block turn "
+		   "evenly, as with ORIAXES");
 }
 
 struct follower {

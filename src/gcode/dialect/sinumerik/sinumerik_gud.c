@@ -251,9 +251,9 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 		return fault(lexer->at, column, "%s is neither an axis of the machine nor a variable of this program",
 			     name);
 	return fault(lexer->at, column,
-		     "%s is neither an axis of the machine nor a variable that this program makes by DEF; if it is the "
-		     "maker's or a user's (GUD), <variable name=\"%s\" type=\"%s\"%s%s/> in the machine's <controller> "
-		     "makes it",
+		     "%s is neither an axis of the machine nor a variable that this program makes by DEF; if the "
+		     "machine's maker or a user has defined it (GUD), set <variable name=\"%s\" type=\"%s\"%s%s/> "
+		     "in the machine file's <controller>",
 		     name, name, type_of(lexer), sizes[dimensions],
 		     reads && dimensions == 0 ? " value=\"\"" : "");
 }
@@ -266,8 +266,9 @@ bool sinumerik_gud_system(struct interp *interp, const char *name, int column, d
 		return fault(&interp->at, column, "the value of %s is known to the control alone", name);
 	if (!variable || !variable->text)
 		return fault(&interp->at, column,
-			     "the value of %s is known to the control alone; if it stays the same while the program "
-			     "runs, <variable name=\"%s\" value=\"\"/> in the machine's <controller> says it",
+			     "the value of %s is known to the control alone; if it stays the same while the "
+			     "program runs, set <variable name=\"%s\" value=\"\"/> in the machine file's "
+			     "<controller>",
 			     name, name);
 	*value = variable->number;
 	return !isnan(*value) || fault(&interp->at, column, "%s: the value of its <variable> is no number", name);

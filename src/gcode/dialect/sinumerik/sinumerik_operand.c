@@ -323,8 +323,8 @@ static bool r_value(struct expr *expr, const char *name, int column, double *val
 	/* Reported once. */
 	*r = 0;
 	return fault(expr->lexer->at, column,
-		     "R%d keeps its value from one program to the next, and this one has given it none so far: "
-		     "<variable name=\"R%d\" value=\"\"/> in the machine's <controller> says what it holds",
+		     "R%d keeps its value from one program to the next, and this program has not set it: set "
+		     "<variable name=\"R%d\" value=\"\"/> in the machine file's <controller>",
 		     number, number);
 }
 

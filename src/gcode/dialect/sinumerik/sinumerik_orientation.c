@@ -48,9 +48,9 @@ static bool outlive(struct interp *interp, int column)
 	if (answer == ANSWER_UNKNOWN && has_programmable_frame(interp))
 		return fault(
 		    &interp->at, column,
-		    "a parameter of the control (MD10602) decides whether TRANS, ROT and the like outlive TRAORI and "
-		    "TRAFOOF: write them behind it, or say frames_outlive_traori=\"yes\" or \"no\" in the machine's "
-		    "<controller>");
+		    "a parameter of the control (MD10602) decides whether TRANS, ROT and the like outlive TRAORI "
+		    "and TRAFOOF: write them behind it, or set frames_outlive_traori=\"yes\" or \"no\" in the "
+		    "machine file's <controller>");
 	if (answer == ANSWER_UNKNOWN) {
 		sinumerik->frames.unsure = true;
 		return true;

@@ -11,8 +11,9 @@ bool sinumerik_place_check_edge(const struct interp *interp, int column)
 	if (!sinumerik_of(interp)->tool.edge_unsure)
 		return true;
 	return fault(&interp->at, column,
-		     "a parameter of the control (MD20270) decides which D holds after M6: write D, or say "
-		     "edge_after_tool_change=\"first\" (D1), \"none\" (D0) or \"keeps\" in the machine's <controller>");
+		     "a parameter of the control (MD20270) decides which D holds after M6: write D, or set "
+		     "edge_after_tool_change=\"first\" (D1), \"none\" (D0) or \"keeps\" in the machine file's "
+		     "<controller>");
 }
 
 /*
@@ -28,7 +29,7 @@ bool sinumerik_place_check_tool(const struct interp *interp, int column)
 	       sinumerik->tool.changed || sinumerik->tool.changes_ahead || state->selected == state->tool ||
 	       fault(&interp->at, column,
 		     "T without any M6: a parameter of the control (MD22550) decides whether T changes the tool by "
-		     "itself: write M6, or say t_changes_tool=\"yes\" or \"no\" in the machine's <controller>");
+		     "itself: write M6, or set t_changes_tool=\"yes\" or \"no\" in the machine file's <controller>");
 }
 
 /*
@@ -74,8 +75,8 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 		return fault(
 		    &interp->at, column,
 		    "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
-		    "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
-		    "the machine's <controller>");
+		    "and TRAFOOF: select the work offset again, or set frames_outlive_traori=\"yes\" or \"no\" in "
+		    "the machine file's <controller>");
 	if (sinumerik->frames.plane_unsure)
 		return fault(&interp->at, column,
 			     "another work offset was selected while CYCLE800 has swivelled, and whether the plane "
@@ -83,14 +84,14 @@ bool sinumerik_place_check_frames(const struct interp *interp, uint32_t letters,
 	if (unsure_frame_counts(sinumerik, letters))
 		return fault(&interp->at, column,
 			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "
-			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it, or say "
-			     "frames_outlive_cycle800=\"yes\" or \"no\" in the machine's <controller>");
+			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it, or "
+			     "set frames_outlive_cycle800=\"yes\" or \"no\" in the machine file's <controller>");
 	if (sinumerik->frames.work_selected || !is_shifted(interp, letters))
 		return true;
 	return fault(
 	    &interp->at, column,
 	    "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
-	    "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
+	    "the like, or G500, or set power_on_work_offset=\"G500\" or \"G54\" in the machine file's <controller>");
 }
 
 bool sinumerik_place_check(const struct interp *interp, int slot, int column)

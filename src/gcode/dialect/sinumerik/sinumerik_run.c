@@ -118,8 +118,8 @@ static bool known_m(struct interp *interp, int number, int column, struct ending
 
 	if (!code)
 		return fault(&interp->at, column,
-			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
-			     "machine's <controller> says so",
+			     "M%d is not known; if it moves no axis, set <mcode number=\"%d\" action=\"ignore\"/> "
+			     "in the machine file's <controller>",
 			     number, number);
 	if (code->state == CODE_REFUSED)
 		return fault(&interp->at, column, "M%d: %s is not supported yet", number, code->what);
@@ -250,12 +250,13 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 	}
 	if (lengths && (interp->state.unknown_modes & 1U << G_UNITS))
 		return fault(&interp->at, words.column,
-			     "a parameter of the control decides whether lengths are mm or inches before any G70, G71, "
-			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+			     "a parameter of the control decides whether lengths are mm or inches before any G70, "
+			     "G71, G700 or G710: set power_on_units=\"mm\" or \"inch\" in the machine file's "
+			     "<controller>");
 	if (words.has_plane_angle && (interp->state.unknown_modes & 1U << G_PLANE))
 		return fault(&interp->at, words.column,
-			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
-			     "power_on_plane=\"xy\", \"zx\" or \"yz\" of the machine's <controller> says it");
+			     "a parameter of the control decides which plane is in force before any G17, G18 or "
+			     "G19: set power_on_plane=\"xy\", \"zx\" or \"yz\" in the machine file's <controller>");
 	if (sinumerik_of(interp)->frames.unsure)
 		return fault(&interp->at, words.column,
 			     "frames after TRAORI or TRAFOOF: select the work offset again first");
@@ -312,9 +313,8 @@ static bool run_reference(struct interp *interp, const struct sinumerik_block *b
 			continue;
 		if (!place->given || !place->has[slot])
 			return fault(&interp->at, column,
-				     "where G%d takes %c is not known: <reference number=\"%d\" %c=\"\"/> in the "
-				     "<controller> of "
-				     "the machine file says it",
+				     "it is not known where G%d moves %c: set <reference number=\"%d\" %c=\"\"/> "
+				     "in the machine file's <controller>",
 				     fixed ? 75 : 74, AXIS_LETTERS[slot], index + 1, AXIS_LETTERS[slot]);
 		target.v[slot] = state_from_canonical(slot, place->value.v[slot]);
 	}

@@ -174,8 +174,8 @@ static bool write_increments(struct interp *interp, struct lexer *lexer, const c
 		return false;
 	return told == (value ? INCREMENTS_TRAVERSE_SHIFT : INCREMENTS_FROM_POSITION) ||
 	       fault(&interp->at, column,
-		     "%s=%d: what increments do has one answer for the whole program: "
-		     "increments_after_shift=\"%s\" of the machine's <controller> is the one with this value",
+		     "%s=%d: what increments do has one answer for the whole program; set "
+		     "increments_after_shift=\"%s\" in the machine file's <controller>, which has the same meaning",
 		     name, value, value ? "traverse" : "stay");
 }
 
@@ -191,6 +191,6 @@ bool sinumerik_setting_write(struct interp *interp, struct lexer *lexer, const c
 		return step_over_value(interp, lexer, name);
 	return fault(&interp->at, column,
 		     "%s: what this changes on the control is not known here; if no axis moves otherwise for it, "
-		     "<macro program=\"%s\" action=\"none\"/> in the machine's <controller> says so",
+		     "set <macro program=\"%s\" action=\"none\"/> in the machine file's <controller>",
 		     name, name);
 }

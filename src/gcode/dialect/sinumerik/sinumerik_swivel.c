@@ -48,10 +48,9 @@ static bool settle_free(const struct sinumerik_swivel *s, struct kinematics_solu
 		if (controller->swivel_pole == SWIVEL_POLE_UNKNOWN)
 			return fault(
 			    &s->interp->at, s->column,
-			    "the tool stands on the plane of CYCLE800 whatever the position of %c: whether %c then "
-			    "goes "
-			    "to 0 is set up by the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's "
-			    "<controller> says it",
+			    "any position of %c suits the plane of CYCLE800, and the machine's maker decides "
+			    "whether %c then goes to 0: set swivel_pole=\"zero\" or \"stays\" in the machine "
+			    "file's <controller>",
 			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		if (controller->swivel_pole == SWIVEL_POLE_ZERO)
 			solution->rotary.v[slot] = 0;
@@ -74,8 +73,8 @@ static bool ask_for_axis(const struct sinumerik_swivel *s)
 {
 	return fault(&s->interp->at, s->column,
 		     "DIR of CYCLE800 chooses one of two positions of the rotary axes by the value of one of them: "
-		     "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
-		     "name");
+		     "set swivel_axis=\"A\", \"B\" or \"C\" in the machine file's <controller> to the axis that "
+		     "its swivel data name");
 }
 
 /*

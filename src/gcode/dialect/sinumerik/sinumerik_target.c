@@ -57,17 +57,18 @@ static bool check_modes(const struct interp *interp, const struct sinumerik_bloc
 
 	if (lengths && asks(interp, G_UNITS))
 		return fault(&interp->at, column,
-			     "a parameter of the control decides whether lengths are mm or inches before any G70, G71, "
-			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+			     "a parameter of the control decides whether lengths are mm or inches before any G70, "
+			     "G71, G700 or G710: set power_on_units=\"mm\" or \"inch\" in the machine file's "
+			     "<controller>");
 	if (asks(interp, G_DISTANCE) && has_modal_word(block))
 		return fault(
 		    &interp->at, column,
 		    "a parameter of the control decides whether coordinates are absolute before any G90 or G91: "
-		    "power_on_distance=\"absolute\" or \"incremental\" of the machine's <controller> says it");
+		    "set power_on_distance=\"absolute\" or \"incremental\" in the machine file's <controller>");
 	if (arc && asks(interp, G_PLANE))
 		return fault(&interp->at, column,
-			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
-			     "power_on_plane=\"xy\", \"zx\" or \"yz\" of the machine's <controller> says it");
+			     "a parameter of the control decides which plane is in force before any G17, G18 or "
+			     "G19: set power_on_plane=\"xy\", \"zx\" or \"yz\" in the machine file's <controller>");
 	return true;
 }
 
@@ -81,9 +82,9 @@ static bool check_length_axis(const struct interp *interp, int column)
 		return true;
 	return fault(
 	    &interp->at, column,
-	    "in the plane of G%d a parameter of the control (SD42940) decides along which axis the tool's "
-	    "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
-	    "the other way is not supported",
+	    "in the plane of G%d a parameter of the control (SD42940) decides along which axis the tool's length "
+	    "acts: set tool_length_axis=\"z\" in the machine file's <controller> if it is Z in every plane; the "
+	    "other way is not supported",
 	    state->plane / 10);
 }
 
@@ -104,8 +105,8 @@ bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column)
 		if (controller->tcp_zero_given != ANSWER_YES)
 			return fault(&interp->at, column,
 				     "%c is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) "
-				     "decides whether TRAORI and CYCLE800 count it from there: tcp_zero=\"machine\" or "
-				     "\"offset\" of the machine's <controller> says it",
+				     "decides whether TRAORI and CYCLE800 count it from there: set "
+				     "tcp_zero=\"machine\" or \"offset\" in the machine file's <controller>",
 				     AXIS_LETTERS[slot]);
 		if (controller->tcp_zero_offset && programmed)
 			return fault(&interp->at, column,
@@ -174,9 +175,8 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 		return fault(
 		    &interp->at, column,
 		    "%c by an increment after a change of frames, offsets or the tool: settings of the control "
-		    "(SD42440, SD42442) decide whether the change is traversed, too: "
-		    "increments_after_shift=\"traverse\" "
-		    "or \"stay\" of the machine's <controller> says it",
+		    "(SD42440, SD42442) decide whether the change is traversed, too: set "
+		    "increments_after_shift=\"traverse\" or \"stay\" in the machine file's <controller>",
 		    AXIS_LETTERS[slot]);
 	}
 	sinumerik->place.shifted[slot] = false;
@@ -194,8 +194,8 @@ static bool way_of_turn(struct interp *interp, int slot, enum sinumerik_way sort
 		if (!half_turn)
 			return fault(
 			    &interp->at, column,
-			    "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
-			    "this axis in the machine file says which one the control takes",
+			    "half a turn of %c: either way is as short; set half_turn=\"positive\" or \"negative\" "
+			    "of this axis in the machine file",
 			    AXIS_LETTERS[slot]);
 		*way = half_turn * fabs(shortest);
 	} else if (fabs(shortest) <= SAME_DEGREES || sort == SINUMERIK_WAY_DC) {
@@ -269,9 +269,9 @@ static bool check_rotary_way(struct interp *interp, int slot, double shortest, d
 			     AXIS_LETTERS[slot]);
 	if (interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN && !sinumerik->cautioned_rotary_way)
 		caution(&interp->at, column,
-			"%c turns the shorter way here, because its wrap=\"shortest\" says so; a control as delivered "
-			"(bit 2 of MD30455 is 0) turns without passing 0: rotary_way=\"plain\" or \"shorter\" of the "
-			"machine's <controller> says which way this control takes",
+			"%c turns the shorter way here, because its wrap=\"shortest\" says so; a control as "
+			"delivered (bit 2 of MD30455 is 0) turns without passing 0: set rotary_way=\"plain\" or "
+			"\"shorter\" in the machine file's <controller>",
 			AXIS_LETTERS[slot]);
 	sinumerik->cautioned_rotary_way |= interp->config->controller.rotary_way == ROTARY_WAY_UNKNOWN;
 	return true;
@@ -288,7 +288,7 @@ static bool find_wrapped(struct interp *interp, int slot, double value, double o
 		return fault(
 		    &interp->at, column,
 		    "a parameter of the control (MD30455) decides which way %c turns to an absolute position: "
-		    "write DC, ACP or ACN, or say wrap=\"shortest\" or \"none\" of this axis in the machine file",
+		    "write DC, ACP or ACN, or set wrap=\"shortest\" or \"none\" of this axis in the machine file",
 		    AXIS_LETTERS[slot]);
 	sure = find_plain_way(interp, slot, value, offset, &plain);
 	if (!check_rotary_way(interp, slot, shortest, plain, sure, column))

@@ -144,7 +144,7 @@ bool sinumerik_variables_check(const struct line_place *at, const struct sinumer
 	variable->given[element] = true;
 	write_name(variable, element, name, sizeof(name));
 	return fault(at, column,
-		     "%s keeps its value from one program to the next, and this one has given it none so far: "
-		     "<variable name=\"%s\" value=\"\"/> in the machine's <controller> says what it holds",
+		     "%s keeps its value from one program to the next, and this program has not set it: set "
+		     "<variable name=\"%s\" value=\"\"/> in the machine file's <controller>",
 		     name, name);
 }
