@@ -213,6 +213,8 @@ class Targets:
         self.at_least('-j 2 / two processes at once, eight programs', 1, gain / processes,
                       'four of the programs each: %.4gx and %.4gx' % (gain, processes))
         self.two_threads('one large program', large, [large.program], 1, 1.8)
+        blades = trunnion.inside(self.folder('inside-large'), self.tools, LARGE_BLOCKS)
+        self.two_threads('one large program between the blades', blades, [blades.program], 1, 1.8)
 
     def two_threads(self, title, scene, programs, share, target):
         """What -j 2 gains, and what two processes at once gain that check `share` of the programs each."""
