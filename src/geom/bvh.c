@@ -344,7 +344,9 @@ static double farthest_corner(const struct mesh *mesh, vec3 from)
 
 static void fill_items(struct builder *b, const struct mesh *mesh)
 {
-	b->items = mem_alloc(mesh->count * sizeof(*b->items));
+	/* Large enough for sort_triangles: a block that grows would have to move. */
+	b->items = mem_alloc(mesh->count * (sizeof(*b->items) > sizeof(mesh_triangle) ? sizeof(*b->items) :
+										     sizeof(mesh_triangle)));
 	b->triangle = mem_alloc(mesh->count * sizeof(*b->triangle));
 	for (size_t i = 0; i < mesh->count; i++) {
 		b->items[i] = item_of(&mesh->triangles[i]);
