@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import {FIRST, Fivecheck, PARTS, PartLacking, STATUS} from '../../src/web/app/fivecheck.js';
-import {Files, MemoryBytes} from '../../src/web/app/files.js';
+import {BlobBytes, Files, MemoryBytes, READING} from '../../src/web/app/files.js';
 import {missingFiles, withMeshes} from '../../src/web/app/job_files.js';
 import {Modules, partsOf} from '../../src/web/app/modules.js';
 import {setupXml} from '../../src/web/app/setup_xml.js';
@@ -116,6 +116,28 @@ tests['bytes of all kinds, folders, and paths that lead nowhere'] = () => {
 	assert.deepEqual([...bytes.contents()], [0, 0, 0, 0]);
 };
 
+tests['bytes in memory are those of one array'] = () => {
+	let state = 1, array = [1, 2, 3];
+	const bytes = new MemoryBytes(Uint8Array.from(array)), next = (below) => (state = (state * 1103515245 + 12345) % 2 ** 31) % below;
+	for (let i = 0; i < 400; i++) {
+		const offset = next(array.length + 50), piece = Array.from({length: next(9000)}, () => next(256));
+		if (i % 3 === 0) {
+			array.length = Math.min(array.length, offset);
+			bytes.resize(offset);
+			while (array.length < offset)
+				array.push(0);
+		} else if (piece.length) {
+			while (array.length < offset)
+				array.push(0);
+			piece.forEach((byte, j) => array[offset + j] = byte);
+			bytes.write(offset, Uint8Array.from(piece));
+		}
+		const into = new Uint8Array(5000), from = next(array.length + 10), count = bytes.read(from, into);
+		assert.deepEqual([...into.subarray(0, count)], array.slice(from, from + 5000));
+	}
+	assert.deepEqual([...bytes.contents()], array);
+};
+
 tests['progress is that of the check, not of the digests before it'] = () => {
 	const told = [], line = 'G1 X1 F1000\nG1 X0\n';
 	const job = exampleJob('clear', {options: ['--parse-only'], onEvent: ({kind}) => told.push(kind), onProgress: (part) => told.push(part)});
@@ -147,6 +169,47 @@ tests['a long program is read in slices'] = () => {
 };
 
 /** What measures time and memory is left out. */
+tests['blobs are read in slices, and only so much of them stays in memory'] = () => {
+	const usual = {...READING}, sizes = [0, 1, 250, 100, 1000, 399], read = [];
+	const contents = sizes.map((size, seed) => Uint8Array.from({length: size}, (_, i) => (i * 7 + seed * 31 + (i >> 8)) & 255));
+	const blobs = contents.map((bytes, which) => ({size: bytes.length, slice: (from, to) => ({which, bytes: bytes.slice(from, to)})}));
+	globalThis.FileReaderSync = class {
+		readAsArrayBuffer({which, bytes}) {
+			read.push([which, bytes.length]);
+			return bytes.buffer;
+		}
+	};
+	Object.assign(READING, {slice: 100, room: 250});
+	try {
+		const open = () => blobs.map((blob) => new BlobBytes(/** @type {any} */ (blob)));
+		let files = open(), state = 1;
+		for (let i = 0; i < 3000; i++) {
+			state = (state * 1103515245 + 12345) % 2 ** 31;
+			const which = state % 6, offset = (state >> 8) % 1100, into = new Uint8Array((state >> 4) % 130);
+			const count = files[which].read(offset, into), wanted = contents[which].subarray(offset, offset + into.length);
+			assert.ok(count === wanted.length || (count > 0 && count < wanted.length), `${count} bytes of ${wanted.length}`);
+			assert.deepEqual(into.subarray(0, count), wanted.subarray(0, count));
+			if (i % 100 === 0)
+				files = open();
+		}
+		assert.ok(read.every(([, bytes]) => bytes > 0 && bytes <= 100));
+		const whole = new Uint8Array(100), times = (which) => read.filter(([other]) => other === which).length;
+		files[3].read(0, whole);
+		const before = times(3);
+		open()[3].read(50, whole);
+		files[2].read(0, whole);
+		files[3].read(0, whole);
+		assert.equal(times(3), before, 'what is in memory is not read again');
+		for (const offset of [0, 100, 200])
+			files[4].read(offset, whole), files[5].read(offset, whole);
+		files[3].read(0, whole);
+		assert.equal(times(3), before + 1, 'what was read first makes room');
+	} finally {
+		Object.assign(READING, usual);
+		delete globalThis.FileReaderSync;
+	}
+};
+
 function untimed({memory, ...result}) {
 	assert.ok(memory >= 1 << 20);
 	return {...result, text: result.text.replace(/^[0-9]+ blocks?.*; time .*$/gm, 'TIME')};

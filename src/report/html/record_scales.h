@@ -14,10 +14,10 @@
 #define RECORD_FEED 0.1	/* mm/min */
 #define RECORD_NORMAL 1e-6
 
-/* The nearest whole number of units. */
+/* The nearest whole number of units; of two, the even one. */
 static inline int64_t record_whole(double value, double scale)
 {
-	return llround(value / scale);
+	return llrint(value / scale);
 }
 
 /* The scale of the column of this axis of the machine. */

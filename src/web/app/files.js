@@ -13,8 +13,23 @@
 export class MemoryBytes {
 	/** @param {Uint8Array} [bytes] */
 	constructor(bytes = new Uint8Array(0)) {
-		this.bytes = bytes;
-		this.size = bytes.length;
+		/** One after the other; a larger copy of all would cost more than writing. */
+		this.parts = [bytes];
+		this.room = this.size = bytes.length;
+	}
+
+	/**
+	 * The memory between two offsets.
+	 * @param {number} from
+	 * @param {number} to at most `room`
+	 */
+	*pieces(from, to) {
+		let start = 0;
+		for (const part of this.parts) {
+			if (from < start + part.length && start < to)
+				yield part.subarray(Math.max(0, from - start), to - start);
+			start += part.length;
+		}
 	}
 
 	/**
@@ -22,9 +37,21 @@ export class MemoryBytes {
 	 * @param {Uint8Array} into
 	 */
 	read(offset, into) {
-		const count = Math.max(0, Math.min(into.length, this.size - offset));
-		into.set(this.bytes.subarray(offset, offset + count));
+		let count = 0;
+		for (const piece of this.pieces(offset, Math.min(offset + into.length, this.size))) {
+			into.set(piece, count);
+			count += piece.length;
+		}
 		return count;
+	}
+
+	/** @param {number} size */
+	makeRoom(size) {
+		if (size <= this.room)
+			return;
+		const part = new Uint8Array(Math.max(size - this.room, this.room, 4096));
+		this.parts.push(part);
+		this.room += part.length;
 	}
 
 	/**
@@ -33,27 +60,62 @@ export class MemoryBytes {
 	 */
 	write(offset, from) {
 		const end = offset + from.length;
-		if (end > this.bytes.length) {
-			const larger = new Uint8Array(Math.max(end, 2 * this.bytes.length, 4096));
-			larger.set(this.bytes.subarray(0, this.size));
-			this.bytes = larger;
+		let count = 0;
+		this.makeRoom(end);
+		for (const piece of this.pieces(offset, end)) {
+			piece.set(from.subarray(count, count + piece.length));
+			count += piece.length;
 		}
-		this.bytes.set(from, offset);
 		this.size = Math.max(this.size, end);
 	}
 
-	/** @param {number} size */
+	/** What is beyond the size is always zero. @param {number} size */
 	resize(size) {
-		if (size > this.size)
-			this.write(this.size, new Uint8Array(size - this.size));
-		this.bytes.fill(0, size, this.size);
+		this.makeRoom(size);
+		for (const piece of this.pieces(size, this.size))
+			piece.fill(0);
 		this.size = size;
 	}
 
 	/** A copy of the bytes that were written. */
 	contents() {
-		return this.bytes.slice(0, this.size);
+		const bytes = new Uint8Array(this.size);
+		this.read(0, bytes);
+		return bytes;
 	}
+}
+
+/**
+ * Bytes that one reading of a Blob brings, and bytes of all Blobs that stay in memory. Each reading waits for another
+ * process of the browser, so most files are read whole, once; a longer program still takes only this room.
+ */
+export const READING = {slice: 1 << 25, room: 1 << 26};
+
+/** The slices in memory, the one that was read first at the beginning. @type {Map<Blob, {start: number, bytes: Uint8Array}>} */
+const slices = new Map();
+
+/**
+ * The slice of a blob in which a byte is.
+ * @param {Blob} blob
+ * @param {number} offset below its size
+ */
+function sliceOf(blob, offset) {
+	const known = slices.get(blob);
+	if (known && offset >= known.start && offset < known.start + known.bytes.length)
+		return known;
+	slices.delete(blob);
+	const slice = {start: offset, bytes: new Uint8Array(new FileReaderSync().readAsArrayBuffer(blob.slice(offset, offset + READING.slice)))};
+	let room = READING.room - slice.bytes.length;
+	for (const {bytes} of slices.values())
+		room -= bytes.length;
+	for (const [other, {bytes}] of slices) {
+		if (room >= 0)
+			break;
+		slices.delete(other);
+		room += bytes.length;
+	}
+	slices.set(blob, slice);
+	return slice;
 }
 
 /** A File or Blob of the browser, read in slices; only in a worker, where reading may block. */
@@ -62,8 +124,6 @@ export class BlobBytes {
 	constructor(blob) {
 		this.blob = blob;
 		this.size = blob.size;
-		this.start = 0;
-		this.slice = new Uint8Array(0);
 	}
 
 	/**
@@ -71,19 +131,13 @@ export class BlobBytes {
 	 * @param {Uint8Array} into
 	 */
 	read(offset, into) {
-		if (offset < this.start || offset >= this.start + this.slice.length) {
-			if (offset >= this.size)
-				return 0;
-			const part = this.blob.slice(offset, offset + BlobBytes.SLICE);
-			this.slice = new Uint8Array(new FileReaderSync().readAsArrayBuffer(part));
-			this.start = offset;
-		}
-		const from = offset - this.start, count = Math.min(into.length, this.slice.length - from);
-		into.set(this.slice.subarray(from, from + count));
+		if (offset >= this.size)
+			return 0;
+		const {start, bytes} = sliceOf(this.blob, offset), from = offset - start, count = Math.min(into.length, bytes.length - from);
+		into.set(bytes.subarray(from, from + count));
 		return count;
 	}
 }
-BlobBytes.SLICE = 1 << 20;
 
 /** @typedef {Map<string, Folder | FileNode>} Entries */
 
