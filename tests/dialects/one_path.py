@@ -42,8 +42,7 @@ def machine_file(job, dialect):
         "linuxcnc": "",
         "fanuc": ' length_offset_moves="no" cutter_comp_start="A" cutter_comp_corner="circular"',
         "haas": ' length_offset_moves="no" cutter_comp_start="A" cutter_comp_corner="circular"',
-        "sinumerik": ' frames_outlive_traori="yes" edge_after_tool_change="first" tool_length_axis="z"'
-        ' orientation_interpolation="axes" swivel_axis="%s"'
+        "sinumerik": ' frames_outlive_traori="yes" edge_after_tool_change="first" tool_length_axis="z" swivel_axis="%s"'
         % [letter for letter in job.letters if letter != "C"][0],
         "klartext": "",
     }[dialect]

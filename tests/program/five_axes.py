@@ -96,8 +96,7 @@ def machine(rotary):
     chains = {on: [axis(r[0], 'rotary', r[1], r[2], 3600) for r in rotary if r[3] == on] for on in ('table', 'head')}
     linear = [axis(letter, 'linear', direction, '', 6000) for letter, direction in zip('XYZ', (X, Y, Z))]
     return ('<machine version="1" name="t" units="mm"><controller dialect="sinumerik" rapid="linear" '
-            'path_tolerance="0.01" frames_outlive_traori="yes" orientation_interpolation="axes" swivel_axis="%s">'
-            '<tool_change/></controller><base>' % tilting_axis(rotary) +
+            'path_tolerance="0.01" frames_outlive_traori="yes" swivel_axis="%s"><tool_change/></controller><base>' % tilting_axis(rotary) +
             ''.join(linear + chains['head']) + '<spindle location="%g %g %g" direction="0 0 -1"/>' % GAUGE +
             '</axis>' * (3 + len(chains['head'])) +
             ''.join(chains['table']) + '<workholding location="0 0 0"/>' + '</axis>' * len(chains['table']) +

@@ -193,31 +193,40 @@ START_TEST(orientation_by_coordinates)
 }
 END_TEST
 
-/* If MD21104 is not known, only what both of its values mean alike is certain. */
+/* If MD21104 is not known, the program is followed, with a caution where the two values differ. */
 START_TEST(orientation_unknown)
 {
+	static const char even[] = ":2:1: warning: the rotary axes turn evenly here, because the program says so; on a "
+				   "control with MD21104=%d";
 	static const struct {
 		const char *modes;
-		bool certain;
+		bool good;
+		int other;	/* the value of MD21104 that the caution names; -1: no caution */
 	} cases[] = {
-		{"ORIWKS ORIVECT", true}, {"ORIVECT", true},	     {"ORIMKS ORIAXES", true}, {"ORIWKS ORIAXES", false},
-		{"ORIAXES", false},	  {"ORIMKS ORIVECT", false}, {"ORIMKS", false},	       {"", false},
+		{"ORIWKS ORIVECT", true, -1}, {"ORIVECT", true, -1}, {"ORIMKS ORIAXES", true, -1},
+		{"ORIWKS ORIAXES", true, 0},  {"ORIAXES", true, 0},  {"ORIMKS", true, 1},
+		{"", false, -1},
 	};
 
 	for (size_t i = 0; i < COUNT(cases); i++) {
-		struct strbuf text = {0};
+		struct strbuf text = {0}, expected = {0};
 		struct gcode_case c;
 
 		sinumerik_case_init(&c);
 		c.config.controller.orientation_interpolation = ORIENTATION_INTERPOLATION_UNKNOWN;
-		strbuf_addf(&text, "G500 F6 TRAORI %s\nX2\nX3 A20\n", cases[i].modes);
-		ck_assert_msg(case_run(&c, strbuf_text(&text)) == cases[i].certain, "%s: %s", cases[i].modes,
+		strbuf_addf(&text, "G500 F6 TRAORI %s\nX3 A20\nX4 A10\n", cases[i].modes);
+		ck_assert_msg(case_run(&c, strbuf_text(&text)) == cases[i].good, "%s: %s", cases[i].modes,
 			      strbuf_text(&c.messages));
-		if (!cases[i].certain)
-			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-						     ":1: error: a parameter of the control (MD21104) decides how "
-						     "TRAORI turns the tool here: set orientation_interpolation="));
+		if (!cases[i].good)
+			strbuf_addf(&expected, "%s", ": error: a parameter of the control (MD21104) decides how TRAORI turns");
+		else if (cases[i].other >= 0)
+			strbuf_addf(&expected, even, cases[i].other);
+		ck_assert_msg(!strbuf_text(&expected)[0] == !strbuf_text(&c.messages)[0] &&
+				      strstr(strbuf_text(&c.messages), strbuf_text(&expected)),
+			      "%s: %s", cases[i].modes, strbuf_text(&c.messages));
+		ck_assert_msg(!strstr(strbuf_text(&c.messages), ":3:"), "%s", strbuf_text(&c.messages));
 		strbuf_release(&text);
+		strbuf_release(&expected);
 		case_release(&c);
 	}
 }
@@ -239,8 +248,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates, orientation_unknown,
-				      feed_missing};
+	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates,
+				      orientation_unknown, feed_missing};
 
 	return RUN_TESTS("gcode_sinumerik_table", tests);
 }

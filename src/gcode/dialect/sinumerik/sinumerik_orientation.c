@@ -247,9 +247,9 @@ bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direc
 
 /*
  * 840D sl, function manual F2, MD21104: with 0, ORIWKS and ORIMKS decide, and ORIAXES and ORIVECT have no effect. If
- * the machine file does not tell it, only modes that mean the same with both values are certain.
+ * the machine file does not tell it, what the program says holds. *sure: it means the same with both values.
  */
-static enum sinumerik_orientation_way way_in_force(const struct interp *interp)
+static enum sinumerik_orientation_way way_in_force(const struct interp *interp, bool *sure)
 {
 	const enum orientation_interpolation answer = interp->config->controller.orientation_interpolation;
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -257,24 +257,39 @@ static enum sinumerik_orientation_way way_in_force(const struct interp *interp)
 					     by_coordinates = sinumerik->orientation.in_machine ? SINUMERIK_ORI_AXES
 												: SINUMERIK_ORI_VECTOR;
 
+	*sure = answer != ORIENTATION_INTERPOLATION_UNKNOWN || programmed == by_coordinates;
 	if (answer == ORIENTATION_INTERPOLATION_ORIWKS)
 		return by_coordinates;
-	if (answer == ORIENTATION_INTERPOLATION_UNKNOWN)
-		return programmed == by_coordinates ? programmed : SINUMERIK_ORI_UNKNOWN;
 	if (programmed)
 		return programmed;
 	if (sinumerik->orientation.in_machine || answer == ORIENTATION_INTERPOLATION_AXES)
 		return SINUMERIK_ORI_AXES;
-	return SINUMERIK_ORI_VECTOR;
+	return answer == ORIENTATION_INTERPOLATION_VECTOR ? SINUMERIK_ORI_VECTOR : SINUMERIK_ORI_UNKNOWN;
+}
+
+/* Once. */
+static void caution_unsure_way(struct interp *interp, int column, enum sinumerik_orientation_way way)
+{
+	bool *cautioned = &sinumerik_of(interp)->cautioned_orientation;
+
+	if (!*cautioned)
+		caution(&interp->at, column,
+			"%s here, because the program says so; on a control with MD21104=%s: set "
+			"orientation_interpolation=\"axes\", \"vector\" (MD21104=1) or \"oriwks\" (MD21104=0) in the "
+			"machine file's <controller>",
+			way == SINUMERIK_ORI_AXES ? "the rotary axes turn evenly" : "the tool turns on a great circle",
+			sinumerik_of(interp)->orientation.way ? "0, ORIWKS and ORIMKS decide instead"
+							      : "1, ORIAXES and ORIVECT decide instead of ORIMKS");
+	*cautioned = true;
 }
 
 bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
 				struct sinumerik_turn *turn)
 {
 	const slot_values *place = sinumerik_frame_place(interp);
-	const enum sinumerik_orientation_way way = way_in_force(interp);
 	const int column = sinumerik_block_axis_column(block);
-	bool turns;
+	bool turns, sure;
+	const enum sinumerik_orientation_way way = way_in_force(interp, &sure);
 
 	*turn = (struct sinumerik_turn){
 	    .by_direction = block->addresses & SINUMERIK_DIRECTION_BITS};
@@ -288,6 +303,8 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 		turns = turns || fabs(target->v[slot] - place->v[slot]) > SAME_DEGREES;
 	if (!turns)
 		return true;
+	if (!sure && way != SINUMERIK_ORI_UNKNOWN)
+		caution_unsure_way(interp, column, way);
 	switch (way) {
 	case SINUMERIK_ORI_AXES:
 		return true;
