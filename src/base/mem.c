@@ -43,12 +43,12 @@ void mem_exhausted(void)
 static void ask_for_large_pages(void *block, size_t size)
 {
 #ifdef MADV_HUGEPAGE
-	const uintptr_t start = ((uintptr_t)block + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
-	const uintptr_t end = ((uintptr_t)block + size) / LARGE_PAGE * LARGE_PAGE;
+	/* Bytes before the first page; a block of LARGE_BLOCK has at least one. */
+	const size_t before = (LARGE_PAGE - (uintptr_t)block % LARGE_PAGE) % LARGE_PAGE;
 
 	/* If the kernel refuses, the pages are small. */
 	if (size >= LARGE_BLOCK)
-		(void)madvise((void *)start, end - start, MADV_HUGEPAGE);
+		(void)madvise((char *)block + before, (size - before) / LARGE_PAGE * LARGE_PAGE, MADV_HUGEPAGE);
 #else
 	(void)block;
 	(void)size;
