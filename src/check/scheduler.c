@@ -243,7 +243,7 @@ static void run_undivided(struct scheduler *scheduler, struct pair_check *check,
  */
 static void gather(struct scheduler *scheduler, const struct batch *batch, const struct check_options *options)
 {
-	const struct pair_check *met = NULL, *again = NULL;
+	bool met = false, again = false;
 
 	scheduler->result_count = 0;
 	scheduler->work = 0;
@@ -253,14 +253,16 @@ static void gather(struct scheduler *scheduler, const struct batch *batch, const
 		const struct task *task = &scheduler->tasks[i];
 		const struct pair_check *ran = task->copy ? task->copy : task->check;
 
+		/* The first part of a check: its parts follow one another. */
+		if (task->from == 0)
+			met = again = false;
 		scheduler->visits[task->check - scheduler->checks] += task->visits;
 		scheduler->costs[task->check - scheduler->checks] += task->visits + EXAMINED_COST * task->examined;
 		scheduler->work += task->visits;
-		if (ran->result_count && met != task->check) {
-			met = task->check;
-			if (task->copy && !pair_check_result_ends(&ran->results[0], batch, options))
-				again = task->check;
-			else
+		if (ran->result_count && !met) {
+			met = true;
+			again = task->copy && !pair_check_result_ends(&ran->results[0], batch, options);
+			if (!again)
 				add_results(scheduler, ran);
 		}
 		if (!task->copy)
@@ -272,7 +274,7 @@ static void gather(struct scheduler *scheduler, const struct batch *batch, const
 		free(task->copy->results);
 		free(task->copy);
 		/* Once its last part is gathered. */
-		if (again == task->check && task->to == batch->step_count)
+		if (again && task->to == batch->step_count)
 			run_undivided(scheduler, task->check, batch, options);
 	}
 }
