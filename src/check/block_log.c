@@ -88,9 +88,11 @@ void block_log_forget(struct block_log *log)
 void block_log_add_finding(struct block_log *log, const struct block_finding *finding)
 {
 	log->findings = mem_grow(log->findings, &log->finding_capacity, log->finding_count + 1, sizeof(*log->findings));
-	log->findings[log->finding_count++] = *finding;
+	log->findings[log->finding_count] = *finding;
+	log->findings[log->finding_count++].number = log->findings_added++;
 }
 
+/* No two findings are equal: sorting functions of C libraries differ in the order of equal elements. */
 static int by_time(const void *left, const void *right)
 {
 	const struct block_finding *a = left, *b = right;
@@ -101,7 +103,9 @@ static int by_time(const void *left, const void *right)
 		return a->finding.time < b->finding.time ? -1 : 1;
 	if (a->order != b->order)
 		return a->order < b->order ? -1 : 1;
-	return (a->rank > b->rank) - (a->rank < b->rank);
+	if (a->rank != b->rank)
+		return a->rank < b->rank ? -1 : 1;
+	return (a->number > b->number) - (a->number < b->number);
 }
 
 void block_log_sort(struct block_log *log)

@@ -20,6 +20,7 @@ struct block_finding {
 	 */
 	long order;
 	int rank;	/* order of those with the same `order`: -1 for a limit, else the number of the pair */
+	long number;	/* order of those with the same rank: set by block_log_add_finding */
 };
 
 /* The clearance of a pair in a part of a block. */
@@ -60,6 +61,7 @@ struct block_log {
 	struct diag_queue diags;	/* messages that wait for their block */
 	struct block_finding *findings;
 	size_t finding_count, finding_capacity;
+	long findings_added;
 	struct block_page open;	/* the blocks since block_log_turn */
 	struct block_page page;	/* the blocks that can be reported (block_log_show) */
 	/* in any order; of several for a pair in one block the smallest counts */
