@@ -24,9 +24,17 @@ class Spent:
             raise SystemExit('bench: no statistics in: %s%s' % (self.out, self.err))
         return [float(x) for x in found.groups()] + [int(blocks.group(1))]
 
+    def _share(self, seconds):
+        """Processor time, of a run with one thread, whose statistics tell the wall's."""
+        return seconds * min(1, self.cpu / max(self.wall, 1e-9))
+
+    def reading(self):
+        """Seconds of processor time of reading and interpreting the program."""
+        return self._share(self.phases()[1])
+
     def checking(self):
-        """Seconds of processor time of the check, of a run with one thread, whose statistics tell the wall's."""
-        return self.phases()[2] * min(1, self.cpu / max(self.wall, 1e-9))
+        """Seconds of processor time of the check alone."""
+        return self._share(self.phases()[2])
 
 
 class Tools:
