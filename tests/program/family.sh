@@ -64,3 +64,10 @@ printf '0 BEGIN PGM P MM\n1 * - MILL / DM=8 CR=0 TL=50\n2 L X+1 R0 FMAX\n3 END P
 fivecheck -q --parse-only klartext.xml p.h >said 2>&1
 echo "klartext $?"
 look '(BEGIN PGM, TRAORI, G187)\nG21 G90\nG0 X1.\nM30\n'
+# Text before the '%' of a tape is no sign, a program without '%' has no such text, and Okuma's variables have '=' too.
+look 'PART X=5 TRAORI\nR1=5\n%\nO1\nG21 G90\nG0 X1.\nM30\n%\n'
+look 'G1 X=5\n%\nO1\nG21 G90\nG0 X1.\nM30\n%\n'
+look 'TRAORI\nG0 X1\n'
+look 'G15 H1\nVC1=5\nG0 X=VC1\n'
+look 'G0 X=VC1+5\n'
+look 'DEF REAL VC1\nG0 X=VC1\n'

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "control/dialects.h"
+#include "gcode/text/leader.h"
 #include "gcode/text/line_shape.h"
 
 /* The number of lines that are examined: these include the head of a program and its first moves. */
@@ -24,6 +25,7 @@ enum match {
 	MATCH_R_PARAMETER,
 	MATCH_PROC,
 	MATCH_ASSIGNED_ADDRESS,
+	MATCH_OKUMA_VARIABLE,
 	MATCH_FRAME,
 	MATCH_UNITS,
 	MATCH_TOOL_EDGE
@@ -45,8 +47,8 @@ static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas
 
 /*
  * Heidenhain iTNC 530 manual, Klartext programming; Siemens 840D sl programming manual, "Fundamentals", "Job planning";
- * LinuxCNC's manual, "O Codes"; Haas mill operator's manual, G-codes; Okuma OSP programming manual, program file names
- * and CALL.
+ * LinuxCNC's manual, "O Codes"; Haas mill operator's manual, G-codes; Okuma OSP programming manual, program file names,
+ * CALL, and "User task": VC1 to VC200 are common variables.
  */
 static const struct sign {
 	const struct family *family;
@@ -117,6 +119,7 @@ static const struct sign {
 	{&sinumerik, "", "an address with '=', such as X=5", MATCH_ASSIGNED_ADDRESS, true},
 	{&okuma, ".MIN%", "$NAME.MIN%", MATCH_ANYWHERE, true},
 	{&okuma, "CALLO", "CALL O", MATCH_START, true},
+	{&okuma, "", "VC1, a common variable", MATCH_OKUMA_VARIABLE, false},
 	{&sinumerik, "", "G70 or G71 without further words", MATCH_UNITS, false},
 	{&sinumerik, "G500", "G500", MATCH_G, false},
 	{&sinumerik, "G505", "G505", MATCH_G, false},
@@ -222,6 +225,25 @@ static bool is_proc(const char *line)
 			    starts_with(at, "DISPLOF") || starts_with(at, "SBLOF"));
 }
 
+/* "VC1", whole */
+static bool is_okuma_variable(const char *text)
+{
+	const size_t digits = starts_with(text, "VC") ? strspn(text + 2, "0123456789") : 0;
+
+	return digits > 0 && !isalpha((unsigned char)text[2 + digits]) && text[2 + digits] != '_';
+}
+
+/* "VC1=5", "X=VC1": on Sinumerik, too, if the program defines such a name. */
+static bool has_okuma_variable(const char *block)
+{
+	const char *value = strchr(block, '=');
+
+	if (!value || value > block + strcspn(block, "[("))
+		return false;
+	return is_okuma_variable(value + 1) ||
+	       (is_okuma_variable(block) && block + 2 + strspn(block + 2, "0123456789") == value);
+}
+
 /*
  * "X=5", "S1=500". Others are a text in brackets (DPRNT[X=#1]), a parameter (#1=, Q1=), a comparison (==), and a
  * contour of Klartext (I2 = LBL 5).
@@ -235,7 +257,8 @@ static bool assigns_address(const char *block)
 
 		while (letter > block && isdigit((unsigned char)*letter))
 			letter--;
-		if (letter >= block && strchr(letter < at - 1 ? "MS" : "ABCFIJKMSUVWXYZ", *letter) &&
+		if (letter >= block && !is_okuma_variable(at + 1) &&
+		    strchr(letter < at - 1 ? "MS" : "ABCFIJKMSUVWXYZ", *letter) &&
 		    (letter == block || isdigit((unsigned char)letter[-1]) || letter[-1] == '.'))
 			return true;
 	}
@@ -335,6 +358,8 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 		return is_proc(line);
 	case MATCH_ASSIGNED_ADDRESS:
 		return assigns_address(words);
+	case MATCH_OKUMA_VARIABLE:
+		return has_okuma_variable(words);
 	case MATCH_FRAME:
 		return is_frame(words);
 	case MATCH_UNITS:
@@ -374,21 +399,37 @@ static bool look(const char *line, long number, const char *dialect, struct fami
 	return false;
 }
 
+/* Goes to the first line to examine: text before a '%' is no sign. *start: the first line; -1: there is none. */
+static enum reader_status begin(struct reader *reader, long long *start, const char **text)
+{
+	const enum reader_status status = reader_next(reader, text);
+
+	*start = status == READER_LINE ? reader->start : -1;
+	if (status == READER_LINE) {
+		reader_seek(reader, *start, 1);
+		leader_skip(reader);
+	}
+	return status;
+}
+
+static void go_back(struct reader *reader, long long start)
+{
+	if (start >= 0)
+		reader_seek(reader, start, 1);
+	reader->furthest = 0;
+}
+
 struct family_sign family_find(struct reader *reader, const char *dialect)
 {
 	struct family_sign found = {0};
-	long long start = 0;
+	long long start;
 	const char *text;
-	bool sure = false;
+	bool more = begin(reader, &start, &text) == READER_LINE;
+	const long last = reader->line + FAMILY_LINES;
 
-	while (!sure && reader->line < FAMILY_LINES && reader_next(reader, &text) == READER_LINE) {
-		if (reader->line == 1)
-			start = reader->start;
-		sure = look(text, reader->line, dialect, &found);
-	}
-	if (reader->line > 0)
-		reader_seek(reader, start, 1);
-	reader->furthest = 0;
+	while (more && reader->line < last && reader_next(reader, &text) == READER_LINE)
+		more = !look(text, reader->line, dialect, &found);
+	go_back(reader, start);
 	return found;
 }
 
@@ -435,23 +476,20 @@ struct family_guess family_guess(struct reader *reader)
 {
 	struct family_guess guess = {.row = -1};
 	unsigned dialects = ~0U;
-	enum reader_status status = READER_LINE;
-	long long start = 0;
+	long long start;
 	const char *text;
+	enum reader_status status = begin(reader, &start, &text);
+	const long last = reader->line + FAMILY_LINES;
 	bool agreed = true;
 
-	while (agreed && reader->line < FAMILY_LINES && status == READER_LINE) {
+	while (agreed && reader->line < last && status == READER_LINE) {
 		status = reader_next(reader, &text);
-		if (reader->line == 1)
-			start = reader->start;
 		if (status == READER_LINE)
 			agreed = narrow(text, reader->line, &dialects, &guess);
 	}
 	if (status == READER_NO_TEXT)
 		guess.advice = text;
-	if (reader->line > 0)
-		reader_seek(reader, start, 1);
-	reader->furthest = 0;
+	go_back(reader, start);
 	guess.rows = dialects;
 	for (int row = 0; agreed && dialect_names[row]; row++) {
 		if (dialects == 1U << row)

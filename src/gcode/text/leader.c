@@ -1,9 +1,19 @@
 #include "gcode/text/leader.h"
 
+#include <ctype.h>
+#include <string.h>
+
 #include "gcode/text/line_shape.h"
 
 /* The most lines of a header. */
 #define LEADER_LINES_MAX 1000
+
+/* "G1 X=5" is a block of some control, though it has more than words of a letter and a number. */
+static bool begins_with_g(const char *block)
+{
+	block += *block == 'N' ? 1 + strspn(block + 1, "0123456789") : 0;
+	return *block == 'G' && isdigit((unsigned char)block[1]);
+}
 
 void leader_skip(struct reader *reader)
 {
@@ -19,7 +29,8 @@ void leader_skip(struct reader *reader)
 			reader_seek(reader, reader->start, reader->line);
 			return;
 		}
-		if (line_shape_is_program_number(block) || line_shape_is_block(block) || line_shape_moves_axes(block))
+		if (line_shape_is_program_number(block) || line_shape_is_block(block) ||
+		    line_shape_moves_axes(block) || begins_with_g(block))
 			break;
 	}
 	if (reader->line > 0)
