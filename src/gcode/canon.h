@@ -82,6 +82,7 @@ struct canon_move {
 	 */
 	double turn_spread[3];
 	bool may_stop;	/* the move may end anywhere on its path (a probe) */
+	bool apart;	/* of RAPID: each axis moves by itself, so it may be anywhere between start and end */
 	bool after_probe;	/* the move covers the paths from all places where a probe may have stopped */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
 	enum canon_turn turn;
@@ -107,7 +108,7 @@ static inline void canon_move_begin(struct canon_move *move, enum canon_kind kin
 		move->spread[i] = move->turn_spread[i] = 0;
 		move->between[i] = false;
 	}
-	move->may_stop = move->after_probe = move->spindle_turns = move->machine_coordinates = false;
+	move->may_stop = move->apart = move->after_probe = move->spindle_turns = move->machine_coordinates = false;
 	move->turn = TURN_UNKNOWN;
 	move->spindle_speed = 0;
 	move->arc = (struct canon_arc){0};

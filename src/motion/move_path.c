@@ -58,7 +58,7 @@ static enum path_kind kind_of(const struct move_start *from, const struct canon_
 		return PATH_TCP;
 	if (move->kind == CANON_ARC)
 		return PATH_ARC;
-	if (move->kind == CANON_RAPID && from->machine->controller.rapid == RAPID_ANY &&
+	if (move->kind == CANON_RAPID && (move->apart || from->machine->controller.rapid == RAPID_ANY) &&
 	    count_moving_axes(path) > 1)
 		return PATH_BOX;
 	return PATH_STRAIGHT;

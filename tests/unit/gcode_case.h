@@ -99,7 +99,7 @@ static inline bool case_move(struct gcode_case *c, const struct canon_move *move
 	if (c->show_turn_spread)
 		strbuf_addf(&c->moves, " turned by %.4f %.4f %.4f", degrees(move->turn_spread[0]),
 			    degrees(move->turn_spread[1]), degrees(move->turn_spread[2]));
-	strbuf_addf(&c->moves, "%s\n", move->tcp ? " tcp" : "");
+	strbuf_addf(&c->moves, "%s%s\n", move->apart ? " apart" : "", move->tcp ? " tcp" : "");
 	return ++c->count != c->stop_at;
 }
 

@@ -168,6 +168,24 @@ START_TEST(dogleg_of_all_axes)
 }
 END_TEST
 
+/* The machine's rapids are straight, but these axes move by themselves. */
+START_TEST(axes_apart_are_boxes)
+{
+	struct machine machine = rig_trunnion();
+	struct canon_move move = move_to(CANON_RAPID, (axis_values){{100, 0, 0, 0.5}});
+	struct record record;
+
+	machine.controller.rapid = RAPID_LINEAR;
+	move.apart = true;
+	start(&record, &machine);
+	go(&record, move);
+	ck_assert_int_eq(record.steps[0].span.path->kind, PATH_BOX);
+	move.end.v[SLOT_X] = 0;
+	go(&record, move);
+	ck_assert_int_eq(record.steps[1].span.path->kind, PATH_STRAIGHT);
+}
+END_TEST
+
 START_TEST(unknown_rapids_are_boxes)
 {
 	struct machine machine = rig_trunnion();
@@ -468,6 +486,7 @@ int main(void)
 	tcase_add_test(tests, guided_moves_are_held_to_rates);
 	tcase_add_test(tests, dogleg_breaks_where_axes_arrive);
 	tcase_add_test(tests, dogleg_of_all_axes);
+	tcase_add_test(tests, axes_apart_are_boxes);
 	tcase_add_test(tests, unknown_rapids_are_boxes);
 	tcase_add_test(tests, tcp_on_and_off_moves_nothing);
 	tcase_add_test(tests, spread_turns_with_the_table);

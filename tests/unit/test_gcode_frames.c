@@ -279,6 +279,7 @@ static const struct {
 	{&dialect_fanuc, "F9 G51.1 X0.\nG1 G41 D1 X5.\nG50.1\n", "a change of the coordinates while cutter compensation is on"},
 	{&dialect_fanuc, "G16 G0 X5.\n", "the first move in polar coordinates (G16) needs X (radius) and Y (angle)"},
 	{&dialect_fanuc, "G16 G0 X5. Y0.\nG91 X1.\n", "increment in X (G91) in polar coordinates (G16)"},
+	{&dialect_fanuc, "G16 G0 X5. Y0.\nG91 X0 Y9.\n", "increment in X (G91) in polar coordinates (G16)"},
 	{&dialect_fanuc, "F9 G16 G1 X5. Y0.\nG2 X5. Y90. R5.\n", "an arc in polar coordinates (G16)"},
 	{&dialect_fanuc, "G60 G1 X5.\n", "G60 positions the axes itself"},
 	{&dialect_haas, "F9 G2 X5. Y5.\n", "an arc needs a centre (I, J, K) or a radius (R)"},

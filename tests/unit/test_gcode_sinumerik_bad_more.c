@@ -81,8 +81,9 @@ static const struct refused_program programs[] = {
 	 "NUMBER of a text that is no plain number: \"1EX3\""},
 	{"X=INDEX(\"ABC\",\"AB\")\n", 1, 15,
 	 "INDEX looks for one byte"},
-	{"G500 G0 POS[X]=5 Y3\n", 1, 9,
-	 "POS beside other axes: each goes at its own rate, which way is not known; one POS in a block"},
+	{"G500 G1 F6 POS[X]=5 Y3\n", 1, 12,
+	 "POS beside other axes that do not move with G0: which way they all go is not known; write POS in a block of "
+	 "its own"},
 	{"G500 ROT Z30\nPOS[X]=5\n", 2, 1,
 	 "POS with TRAORI, CYCLE800, ROT, SCALE, MIRROR, tool radius compensation, a chamfer, SUPA or MCALL is not "
 	 "supported"},

@@ -91,6 +91,10 @@ static const struct program programs[] = {
 	 "rapid 20.9704012 6.05395318 30.3906552 0 0\n"},
 	{"G54 G1 F6 X1 Z0\nPOS[Y]=5 FA[Y]=100\nG91\nPOS[Z]=IC(2)\nPOS[X]=AC(3)\nX1\n",
 	 "feed 11 0 30 0 0\nrapid 11 25 30 0 0\nrapid 11 25 32 0 0\nrapid 13 25 32 0 0\nfeed 14 25 32 0 0\n"},
+	/* "Traverse positioning axes (POS)": several at a time each move by themselves, and so beside G0. */
+	{"G54 G1 F6 X1 Z0\nPOS[Y]=5 POS[A]=30\nG0 X2 POS[C]=90\nPOS[C]=0\nG1 X3\n",
+	 "feed 11 0 30 0 0\nrapid 11 25 30 30 0 apart\nrapid 12 25 30 30 90 apart\nrapid 12 25 30 30 0\n"
+	 "feed 13 25 30 30 0\n"},
 	{"G500 ROTS X10 Y20\nG0 X10 Y0\nX0 Y10\nX0 Y0 Z10\n",
 	 "rapid 9.39692621 0 -3.42020143 0 0\nrapid 0.559081383 9.86549223 1.53606348 0 0\n"
 	 "rapid 3.37419707 -1.63464461 9.27053025 0 0\n"},

@@ -43,7 +43,10 @@ bool polar_coordinates_is_angle(const struct interp *interp, char letter)
 	       letter == AXIS_LETTERS[slot_of_angle(&interp->state)];
 }
 
-/* An absolute radius starts at the zero of the work offset; an increment would move the pole to the tool. */
+/*
+ * An absolute radius starts at the zero of the work offset. An increment, also of 0, makes the position of the tool the
+ * pole (Fanuc B-62764EN, 9.2: "G91 specifies the current position as the origin of the polar coordinate system").
+ */
 static bool take_words(struct interp *interp, char radius, char angle)
 {
 	const struct block *block = &interp->block;
@@ -51,15 +54,13 @@ static bool take_words(struct interp *interp, char radius, char angle)
 	struct polar_coordinates *polar = &state->polar;
 
 	if (block_has(block, radius)) {
-		if (state->incremental && !same_double(block_value(block, radius), 0))
+		if (state->incremental)
 			return fault(&interp->at, block_column(block, radius),
 				     "increment in %c (G91) in polar coordinates (G16) is not supported: it moves the "
 				     "pole to the tool position",
 				     radius);
-		if (!state->incremental) {
-			polar->radius = block_value(block, radius) * state->scale;
-			polar->has_radius = true;
-		}
+		polar->radius = block_value(block, radius) * state->scale;
+		polar->has_radius = true;
 	}
 	if (block_has(block, angle)) {
 		if (state->incremental && !polar->has_angle)

@@ -315,12 +315,13 @@ static bool read_position(struct reading *r, int column)
 	double value;
 	unsigned char way;
 
-	r->block->positions = true;
 	r->block->positions_column = column;
-	return sinumerik_name_need(r->lexer, '[', "POS") && sinumerik_expr_axis(r->interp, r->lexer, &slot) &&
-	       sinumerik_name_need(r->lexer, ']', "the axis") && sinumerik_name_need(r->lexer, '=', "POS") &&
-	       sinumerik_way_read(r->interp, r->lexer, &value, &way) &&
-	       add_letter(r, AXIS_LETTERS[slot], column, value, way);
+	if (!sinumerik_name_need(r->lexer, '[', "POS") || !sinumerik_expr_axis(r->interp, r->lexer, &slot) ||
+	    !sinumerik_name_need(r->lexer, ']', "the axis") || !sinumerik_name_need(r->lexer, '=', "POS") ||
+	    !sinumerik_way_read(r->interp, r->lexer, &value, &way))
+		return false;
+	r->block->positions |= letter_bit(AXIS_LETTERS[slot]);
+	return add_letter(r, AXIS_LETTERS[slot], column, value, way);
 }
 
 static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)

@@ -18,7 +18,7 @@ struct sinumerik_block {
 	int code[SINUMERIK_GROUPS];	/* a number in tenths, or a code of a word; CODE_NONE */
 	int m_count;
 	bool names_tool;	/* T="NAME", in tool_name */
-	bool positions;	/* POS[axis]=: the axis is among the letters */
+	uint32_t positions;	/* bits of letter_bit: POS[axis]=; the axes are among the letters */
 	int positions_column;
 	bool spindle_stands;	/* SPOS= */
 	bool stops_reading;	/* STOPRE */

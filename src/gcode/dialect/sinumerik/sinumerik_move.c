@@ -323,9 +323,10 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 }
 
 /*
- * 840D sl, "Traverse positioning axes (POS)": the block ends when the axis has arrived. Each axis moves by itself, so
- * the common path of several axes is not known. With frames that rotate, one axis of the program is several axes of
- * the machine.
+ * 840D sl, "Traverse positioning axes (POS)": the block ends when all its axes have arrived. Each of them moves by
+ * itself, so the common path is not known: they may be anywhere between start and end. So may axes that G0 moves
+ * beside them; other motions are paths that the POS axes would have to follow. With frames that rotate, one axis of
+ * the program is several axes of the machine.
  */
 static bool run_position(struct interp *interp, const struct sinumerik_block *block)
 {
@@ -334,11 +335,12 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	const uint32_t axes = block->letters & AXIS_BITS;
 	slot_values target;
 
-	if ((axes & (axes - 1)) || (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) ||
-	    (block->letters & SINUMERIK_CENTRE_BITS))
+	if ((axes != block->positions && interp->state.motion != G0) ||
+	    (block->addresses & (SINUMERIK_DIRECTION_BITS | PLANE_BITS)) || (block->letters & SINUMERIK_CENTRE_BITS))
 		return fault(&interp->at, column,
-			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a "
-			     "block");
+			     "POS beside other axes that do not move with G0: which way they all go is not known; "
+			     "write POS in a block of its own");
+	move.apart = (axes & (axes - 1)) != 0;
 	if (interp->state.tcp != TCP_OFF || interp->state.frame.on || interp->comp.side != 0 || interp->corner.on ||
 	    block->code[SINUMERIK_SUPPRESSION] != CODE_NONE || sinumerik_modal_acts(sinumerik_of(interp)))
 		return fault(&interp->at, column,

@@ -40,7 +40,7 @@
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
 	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
 	ZERO_ROW(ROW, "RNDM", "rounding between all blocks (RND in each can say it)") \
-	ROW("POS", POSITION, MOTION, 0, CODE_READ, "positioning axis, alone in its block") \
+	ROW("POS", POSITION, MOTION, 0, CODE_READ, "positioning axis") \
 	REFUSED_ROW(ROW, "POSA", "positioning axis that goes on while the next blocks move (POS waits for it)") \
 	REFUSED_ROW(ROW, "POSP", "positioning axis that goes in parts") \
 	REFUSED_ROW(ROW, "MEAS", "measuring with a probe") \
