@@ -399,12 +399,12 @@ static bool look(const char *line, long number, const char *dialect, struct fami
 	return false;
 }
 
-/* Goes to the first line to examine: text before a '%' is no sign. *start: the first line; -1: there is none. */
+/* Goes to the first line to examine: text before a '%' is no sign. *start: the position of the first line. */
 static enum reader_status begin(struct reader *reader, long long *start, const char **text)
 {
 	const enum reader_status status = reader_next(reader, text);
 
-	*start = status == READER_LINE ? reader->start : -1;
+	*start = status == READER_LINE ? reader->start : 0;
 	if (status == READER_LINE) {
 		reader_seek(reader, *start, 1);
 		leader_skip(reader);
@@ -414,7 +414,7 @@ static enum reader_status begin(struct reader *reader, long long *start, const c
 
 static void go_back(struct reader *reader, long long start)
 {
-	if (start >= 0)
+	if (reader->line > 0)
 		reader_seek(reader, start, 1);
 	reader->furthest = 0;
 }
