@@ -86,7 +86,7 @@ void write_machine(const Machine &machine, const std::string &folder)
 
 	xml << "<machine version='1' units='mm'>\n<controller dialect='" << machine.dialect << "' rapid='"
 	    << machine.rapid << "'" << (machine.dialect == "linuxcnc" ? "" : " length_offset_moves='no' least_input='1'")
-	    << "><tool_change/></controller>\n<base>\n";
+	    << (machine.dialect == "fanuc" ? " tool_length_axis='z'" : "") << "><tool_change/></controller>\n<base>\n";
 	write_link(xml, machine, 0, folder);
 	xml << "</base>\n</machine>\n";
 	if (!xml.flush())
