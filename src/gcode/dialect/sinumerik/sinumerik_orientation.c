@@ -100,46 +100,126 @@ bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_
 				     block->code_column[SINUMERIK_TRANSFORM]);
 }
 
-/* The distance to a solution: that of the rotary axis that turns the most. */
-static double way_to(const axis_values *from, const axis_values *to)
-{
-	double most = 0;
+/* The ways of the rotary axes to a position: of the one that turns the most, and of all together. */
+struct ways {
+	double most, sum;
+};
 
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
-		most = fmax(most, fabs(to->v[slot] - from->v[slot]));
-	return most;
+static struct ways ways_to(const axis_values *from, const axis_values *to)
+{
+	struct ways ways = {0};
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const double way = fabs(to->v[slot] - from->v[slot]);
+
+		ways.most = fmax(ways.most, way);
+		ways.sum += way;
+	}
+	return ways;
+}
+
+/* The axis that turns less to the first position than to the second one, by the most. */
+static char turns_less(const axis_values *from, const axis_values *first, const axis_values *second)
+{
+	double most = -INFINITY;
+	char found = 'A';
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const double less = fabs(second->v[slot] - from->v[slot]) - fabs(first->v[slot] - from->v[slot]);
+
+		found = less > most ? AXIS_LETTERS[slot] : found;
+		most = fmax(most, less);
+	}
+	return found;
 }
 
 /*
- * Of two solutions, the nearer one is taken (840D sl, function manual F2, "Singular positions and how they are
- * handled"). An axis for which any angle is right does not move.
+ * 840D sl, machine data, MD21180: the control takes the shortest way to one of two solutions. How it counts the ways of
+ * two axes is not published. If one solution has both the smaller largest way and the smaller sum, it has the smaller
+ * way in every count that is convex and treats the axes alike, such as the root of the sum of squares (majorization).
  */
+static bool check_nearer(struct interp *interp, int column, const axis_values *from, const axis_values *best,
+			 const axis_values *other)
+{
+	const struct ways near = ways_to(from, best), far = ways_to(from, other);
+	const double same = radians(SAME_DEGREES);
+
+	if (ways_to(best, other).most <= same)
+		return true;
+	if (near.most < far.most - same && near.sum <= far.sum + same)
+		return true;
+	if (fabs(near.most - far.most) <= same && near.sum < far.sum - same)
+		return true;
+	if (fabs(near.most - far.most) <= same && fabs(near.sum - far.sum) <= same)
+		return fault(&interp->at, column,
+			     "two positions of the rotary axes turn the tool into this direction, and are as near; "
+			     "turn the axes towards the one that is meant, in a block before, or limit an axis in the "
+			     "machine file, if the control keeps it on one side (MD21180)");
+	return fault(&interp->at, column,
+		     "two positions of the rotary axes turn the tool into this direction: to the one %c turns less, to "
+		     "the other %c, and which one the control takes is not known; turn the axes towards the one that "
+		     "is meant, in a block before, or limit an axis in the machine file, if the control keeps it on "
+		     "one side (MD21180)",
+		     turns_less(from, best, other), turns_less(from, other, best));
+}
+
+/*
+ * 840D sl, machine data, MD21180, for directions whose nearest positions are past the limits of the axes: with 0 the
+ * control stops (alarm 10720); with 1 and 2 it takes other positions, and with 11 and 12 it goes there through the pole,
+ * if possible.
+ */
+static void caution_past_limits(struct interp *interp, int column, const axis_values *from, const axis_values *best,
+				const axis_values *solution)
+{
+	bool *cautioned = &sinumerik_of(interp)->cautioned_limits;
+	const struct ways chosen = ways_to(from, best);
+	const double same = radians(SAME_DEGREES);
+	axis_values nearest = *from;
+	struct ways ways;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		nearest.v[slot] += remainder(solution->v[slot] - from->v[slot], 2 * PI);
+	ways = ways_to(from, &nearest);
+	if (*cautioned || (ways.most >= chosen.most - same && ways.sum >= chosen.sum - same))
+		return;
+	caution(&interp->at, column,
+		"the nearest positions of the rotary axes for this direction are past their limits: here the axes move "
+		"together to other ones; a control with MD21180=0 stops, and one with MD21180=11 or 12 moves through "
+		"the pole");
+	*cautioned = true;
+}
+
+static bool is_less(const struct ways *a, const struct ways *b)
+{
+	return fabs(a->most - b->most) <= radians(SAME_DEGREES) ? a->sum < b->sum : a->most < b->most;
+}
+
+/* Of two solutions, the nearer one is taken. An axis for which any angle is right does not move. */
 static bool choose_nearest(struct interp *interp, int column, const struct kinematics_orientation *orientation,
 			   axis_values *rotary)
 {
 	struct kinematics_solutions found;
-	const struct kinematics_solution *best = NULL;
-	double ways[2] = {0};
+	const struct kinematics_solution *best = NULL, *other;
+	struct ways ways[2] = {{0}};
 
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, column), orientation,
 					      &found))
 		return false;
 	for (size_t i = 0; i < found.count; i++) {
-		ways[i] = way_to(&orientation->rotary, &found.items[i].rotary);
-		if (found.items[i].within_limits && (!best || ways[i] < ways[best - found.items]))
+		ways[i] = ways_to(&orientation->rotary, &found.items[i].rotary);
+		if (found.items[i].within_limits && (!best || is_less(&ways[i], &ways[best - found.items])))
 			best = &found.items[i];
 	}
 	if (!best)
 		return fault(&interp->at, column,
 			     "the rotary axes of this machine cannot turn the tool into this direction%s",
 			     found.count ? " within their limits" : "");
-	if (found.count == 2 && found.items[0].within_limits && found.items[1].within_limits &&
-	    fabs(ways[0] - ways[1]) <= radians(SAME_DEGREES) &&
-	    way_to(&found.items[0].rotary, &found.items[1].rotary) > radians(SAME_DEGREES))
-		return fault(&interp->at, column,
-			     "two positions of the rotary axes turn the tool into this direction, and are as near; "
-			     "turn the axes "
-			     "towards the one that is meant, in a block before");
+	other = best == found.items ? &found.items[1] : &found.items[0];
+	if (found.count == 2 && other->within_limits &&
+	    !check_nearer(interp, column, &orientation->rotary, &best->rotary, &other->rotary))
+		return false;
+	for (size_t i = 0; i < found.count; i++)
+		caution_past_limits(interp, column, &orientation->rotary, &best->rotary, &found.items[i].rotary);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (best->tie[slot])
 			return fault(
