@@ -227,6 +227,7 @@ struct controller {
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer t_changes_tool;	/* T by itself changes the tool; or M6 does */
 	enum answer frames_outlive_cycle800;	/* programmable frames, when CYCLE800() cancels its plane */
+	enum answer mirror_toggle;	/* MIRROR ignores the values of its axes; or 0 means no mirroring */
 	enum answer frames_outlive_traori;	/* frames and work offsets, when TRAORI begins or ends */
 	enum answer length_along_z;	/* the tool length acts along Z in every plane */
 	enum increments_after_shift increments_after_shift;

@@ -198,6 +198,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->comp_idle_blocks && !frames, "cutter_comp_idle_blocks", NO_PARAMETER},
 		{told->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},
 		{told->t_changes_tool && !frames, "t_changes_tool", NO_PARAMETER},
+		{told->mirror_toggle && !frames, "mirror_toggle", NO_PARAMETER},
 		{told->frames_outlive_traori && !frames, "frames_outlive_traori", NO_PARAMETER},
 		{told->frames_outlive_cycle800 && !frames, "frames_outlive_cycle800", NO_PARAMETER},
 		{told->length_along_z && !frames && !row->has_length_axis, "tool_length_axis", NO_PARAMETER},

@@ -30,6 +30,7 @@ static inline void sinumerik_case_init(struct gcode_case *c)
 	c->config.work_offset_count = COUNT(offsets);
 	controller->least_input = 0;
 	controller->edge_after_tool_change = EDGE_AFTER_TOOL_CHANGE_FIRST;
+	controller->mirror_toggle = ANSWER_YES;
 	controller->frames_outlive_traori = ANSWER_YES;
 	controller->orientation_interpolation = ORIENTATION_INTERPOLATION_AXES;
 	controller->rotation_order = ROTATION_ORDER_RPY;

@@ -254,6 +254,7 @@ static const struct question {
     {"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
      CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
     {"t_changes_tool=\"", "t_changes_tool=\"yes\" or \"no\"", CHOICE(t_changes_tool, ANSWER_NO)},
+    {"mirror_toggle=\"", "mirror_toggle=\"yes\" or \"no\" (MD10612)", CHOICE(mirror_toggle, ANSWER_YES)},
     {"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
     {"frames_outlive_cycle800=\"", "frames_outlive_cycle800=\"yes\" or \"no\"",
      CHOICE(frames_outlive_cycle800, ANSWER_YES)},

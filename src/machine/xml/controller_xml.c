@@ -139,6 +139,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->orientation_interpolation = ANSWER("orientation_interpolation", "axes", "vector", "oriwks");
 	told->edge_after_tool_change = ANSWER("edge_after_tool_change", "first", "none", "keeps");
 	told->t_changes_tool = ANSWER("t_changes_tool", "yes", "no");
+	told->mirror_toggle = ANSWER("mirror_toggle", "yes", "no");
 	told->frames_outlive_traori = ANSWER("frames_outlive_traori", "yes", "no");
 	told->frames_outlive_cycle800 = ANSWER("frames_outlive_cycle800", "yes", "no");
 	told->length_along_z = ANSWER("tool_length_axis", "z");

@@ -51,6 +51,7 @@ export const ATTRIBUTES = [
 	row('rotation_order', ['sinumerik'], 'order of the angles of one ROT', ['rpy', 'euler']),
 	row('edge_after_tool_change', ['sinumerik'], 'edge (D) that holds after M6', ['first', 'none', 'keeps']),
 	row('t_changes_tool', ['sinumerik'], 'does T change the tool by itself, without M6?', ['yes', 'no']),
+	row('mirror_toggle', ['sinumerik'], 'does MIRROR ignore the values of its axes (MD10612)?', ['yes', 'no']),
 	row('frames_outlive_traori', ['sinumerik'], 'are frames in force after TRAORI and TRAFOOF?', ['yes', 'no']),
 	row('frames_outlive_cycle800', ['sinumerik'], 'are frames in force after CYCLE800 takes the plane back?', ['yes', 'no']),
 	row('increments_after_shift', ['sinumerik'], 'what an increment does after a change of frames or lengths', ['traverse', 'stay']),

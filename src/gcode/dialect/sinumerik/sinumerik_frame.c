@@ -279,12 +279,34 @@ static bool scale_by(struct interp *interp, const struct sinumerik_frame_words *
 	return true;
 }
 
-/* MIRROR reverses each named axis, whatever its value is (MD10610=0, the default). */
-static mat3 mirror_of(const struct sinumerik_frame_words *words)
+/*
+ * 840D sl, machine data, MD10612: with 1, as delivered, MIRROR reverses each named axis whatever its value is, and
+ * AMIRROR reverses it again. With 0 a value of 0 switches mirroring off, and others switch it on; MIRROR has then
+ * switched it off before.
+ */
+static bool mirror_by(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *matrix)
 {
-	return (mat3){{words->has[SLOT_X] ? -1 : 1, 0, 0},
-		      {0, words->has[SLOT_Y] ? -1 : 1, 0},
-		      {0, 0, words->has[SLOT_Z] ? -1 : 1}};
+	const enum answer toggle = interp->config->controller.mirror_toggle;
+	bool *cautioned = &sinumerik_of(interp)->cautioned_mirror, reverses[3], same = !words->added;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		const bool zero = same_double(words->value[slot], 0);
+
+		reverses[slot] = words->has[slot] && (toggle != ANSWER_NO || !zero);
+		same = same && !(words->has[slot] && zero);
+	}
+	if (words->added && toggle == ANSWER_NO)
+		return fault(&interp->at, words->column,
+			     "AMIRROR with mirror_toggle=\"no\" (MD10612=0) is not supported; use MIRROR");
+	if (toggle == ANSWER_UNKNOWN && !same && !*cautioned) {
+		caution(&interp->at, words->column,
+			"each axis that is named is mirrored here, as on a control as delivered; with MD10612=0 a value "
+			"of 0 means no mirroring: set mirror_toggle=\"yes\" or \"no\" in the machine file's "
+			"<controller>");
+		*cautioned = true;
+	}
+	*matrix = (mat3){{reverses[0] ? -1 : 1, 0, 0}, {0, reverses[1] ? -1 : 1, 0}, {0, 0, reverses[2] ? -1 : 1}};
+	return true;
 }
 
 static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *words, struct sinumerik_frame *frame)
@@ -309,8 +331,7 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 	case SINUMERIK_SCALE:
 		return scale_by(interp, words, &frame->matrix);
 	default:
-		frame->matrix = mirror_of(words);
-		return true;
+		return mirror_by(interp, words, &frame->matrix);
 	}
 }
 

@@ -12,7 +12,8 @@ struct sinumerik {
 	bool begun;	/* the first line has been read */
 	bool headed;	/* the head of the program or its first block has been read */
 	bool cautioned_rotary_way;	/* the warning about the assumed shorter way of a modulo axis was given */
-	bool cautioned_limits;	/* the warning about the nearest positions of the rotary axes past their limits was given */
+	bool cautioned_mirror;	/* the warning that MD10612 may decide what MIRROR does was given */
+	bool cautioned_limits;	/* the warning that the nearest rotary positions are past their limits was given */
 	bool cautioned_orientation;	/* the warning that MD21104 may decide how the tool turns was given */
 	int master;	/* the number of the spindle that S and M3 mean, less 1 */
 	double feed_scale;	/* mm per unit of F, and of lengths in variables of the control */
