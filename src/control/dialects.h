@@ -37,8 +37,8 @@ struct dialect_row {
 	/*
 	 * Programs have frames, edges of tools and planes that a cycle swivels, and parameters say how. Otherwise the
 	 * machine file must not tell it: rotation_order, orientation_interpolation, edge_after_tool_change,
-	 * t_changes_tool, mirror_toggle, frames_outlive_traori, frames_outlive_cycle800, tool_length_axis, swivel_axis, swivel_pole,
-	 * orientation_pole, power_on_work_offset, increments_after_shift.
+	 * t_changes_tool, mirror_toggle, frames_outlive_traori, frames_outlive_cycle800, tool_length_axis,
+	 * swivel_axis, swivel_pole, orientation_pole, power_on_work_offset, increments_after_shift.
 	 */
 	bool has_frames;
 	/* A parameter says along which axis G43 acts: tool_length_axis. */

@@ -300,8 +300,8 @@ static bool mirror_by(struct interp *interp, const struct sinumerik_frame_words 
 			     "AMIRROR with mirror_toggle=\"no\" (MD10612=0) is not supported; use MIRROR");
 	if (toggle == ANSWER_UNKNOWN && !same && !*cautioned) {
 		caution(&interp->at, words->column,
-			"each axis that is named is mirrored here, as on a control as delivered; with MD10612=0 a value "
-			"of 0 means no mirroring: set mirror_toggle=\"yes\" or \"no\" in the machine file's "
+			"each axis that is named is mirrored here, as on a control as delivered; with MD10612=0 a "
+			"value of 0 means no mirroring: set mirror_toggle=\"yes\" or \"no\" in the machine file's "
 			"<controller>");
 		*cautioned = true;
 	}

@@ -165,8 +165,8 @@ static bool check_nearer(struct interp *interp, int column, const axis_values *f
 
 /*
  * 840D sl, machine data, MD21180, for directions whose nearest positions are past the limits of the axes: with 0 the
- * control stops (alarm 10720); with 1 and 2 it takes other positions, and with 11 and 12 it goes there through the pole,
- * if possible.
+ * control stops (alarm 10720); with 1 and 2 it takes other positions, and with 11 and 12 it goes there through the
+ * pole, if possible.
  */
 static void caution_past_limits(struct interp *interp, int column, const axis_values *from, const axis_values *best,
 				const axis_values *solution)
