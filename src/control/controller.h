@@ -132,6 +132,9 @@ enum power_on_plane { POWER_ON_PLANE_UNKNOWN, POWER_ON_XY, POWER_ON_ZX, POWER_ON
 enum power_on_motion { POWER_ON_MOTION_UNKNOWN, POWER_ON_RAPID, POWER_ON_FEED };
 
 /* The word that repeats a canned cycle on controls with a parameter for it. */
+/* The axis that drills in planes other than that of G17: the one across the plane, or Z. */
+enum cycle_axis { CYCLE_AXIS_UNKNOWN, CYCLE_AXIS_ACROSS, CYCLE_AXIS_Z };
+
 enum cycle_repeats { CYCLE_REPEATS_UNKNOWN, CYCLE_REPEATS_K, CYCLE_REPEATS_L };
 
 /* The action of an M-code of the machine builder. */
@@ -205,6 +208,7 @@ struct controller {
 	enum power_on_plane power_on_plane;
 	enum power_on_motion power_on_motion;
 	enum cycle_repeats cycle_repeats;
+	enum cycle_axis cycle_axis;
 	enum answer length_moves;	/* do axes move at once when the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	enum length_under_g68 length_under_g68;

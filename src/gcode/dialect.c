@@ -39,6 +39,7 @@ bool dialect_answers_cycles(const struct dialect *dialect, const struct line_pla
 		{traits->zero_repeats_refused, "what a canned cycle with 0 repetitions does"},
 		{traits->only_xyz, "whether canned cycles move rotary axes"},
 		{traits->spindle_must_turn, "whether canned cycles start the spindle"},
+		{traits->axis_by_parameter, "which axis drills in planes other than G17"},
 		{traits->taps_confuse_planes, "where G74 and G84 move in planes other than G17"},
 		{traits->feeds_to_clear, "how far taps and G89 retract at the feed"},
 		{traits->rises_first, "at which height canned cycles move to their first hole"},

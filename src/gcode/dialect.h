@@ -97,6 +97,7 @@ struct cycle_traits {
 	enum answer zero_repeats_refused;
 	enum answer only_xyz;	/* words of rotary axes are an error */
 	enum answer spindle_must_turn;	/* for taps and bores; no: the control starts the spindle */
+	enum answer axis_by_parameter;	/* in planes other than that of G17, Z may drill all the same */
 	enum answer taps_confuse_planes;	/* in planes other than that of G17, G74 and G84 move elsewhere */
 	enum answer feeds_to_clear;	/* taps and G89 retract at the feed all the way; no: up to R */
 	enum answer rises_first;	/* the tool rises to R before it moves to the first hole */

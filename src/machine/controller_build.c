@@ -240,6 +240,7 @@ static void check_parameters(struct description_file *file, const struct control
 		{told->polar_axis, "polar_axes", "has no polar coordinate interpolation"},
 		{told->semicolon, "semicolon", "uses ';' for comments"},
 		{told->power_on_motion, "power_on_motion", "starts without G0 or G1"},
+		{told->cycle_axis, "cycle_axis", NO_PARAMETER},
 		{told->cycle_repeats, "cycle_repeats", NO_PARAMETER},
 		{told->colon, "colon", "has no program numbers after ':'"},
 	}, others[] = {

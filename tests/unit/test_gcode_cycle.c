@@ -182,6 +182,25 @@ START_TEST(planes)
 }
 END_TEST
 
+/* B-63534EN, "Canned cycle": parameter 5101#0 (FXY) says whether the axis across the plane drills, or always Z. */
+START_TEST(drilling_axis)
+{
+	static const char *const moves[] = {
+		[CYCLE_AXIS_ACROSS] = "rapid 1 0 -3 0 0\nrapid 1 1 -3 0 0\nfeed 1 -2 -3 0 0\nrapid 1 0 -3 0 0\n",
+		[CYCLE_AXIS_Z] = "rapid 1 -2 0 0 0\nrapid 1 -2 1 0 0\nfeed 1 -2 -3 0 0\nrapid 1 -2 0 0 0\n",
+	};
+
+	for (int axis = CYCLE_AXIS_ACROSS; axis <= CYCLE_AXIS_Z; axis++) {
+		struct gcode_case c;
+
+		case_init(&c);
+		c.config.dialect = &dialect_fanuc;
+		c.config.controller.cycle_axis = (enum cycle_axis)axis;
+		case_expect(&c, "F9. G18 G98 G81 X1. Y-2. Z-3. R1.\nM30\n", moves[axis]);
+	}
+}
+END_TEST
+
 /* LinuxCNC: interp_cycles.cc, convert_cycle_g87. */
 START_TEST(back_boring)
 {
@@ -402,6 +421,9 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18,
      "L in a canned cycle: K repeats the cycle, unless a parameter of the control assigns this to L: if so, set "
      "cycle_repeats=\"L\" in the machine file's <controller>"},
+    {&dialect_fanuc, "G19 G81 X-1. R1.", 5,
+     "a parameter of the control (5101#0, FXY) decides whether G81 drills along X or Z in the plane of G19: set "
+     "cycle_axis=\"plane\" or \"z\" in the machine file's <controller>"},
     {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
     {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "the retract of G76 does not rise from the bottom"},
     {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J is supported only in the plane of G17; give Q"},
@@ -450,6 +472,7 @@ int main(void)
 	tcase_add_test(tcase, pecking);
 	tcase_add_test(tcase, dwell_and_feed_out);
 	tcase_add_test(tcase, planes);
+	tcase_add_test(tcase, drilling_axis);
 	tcase_add_test(tcase, back_boring);
 	tcase_add_test(tcase, repeats);
 	tcase_add_test(tcase, threads_and_probes);

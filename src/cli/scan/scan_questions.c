@@ -226,6 +226,7 @@ static const struct question {
     {"increments_after_shift=\"", "increments_after_shift=\"stay\" (or \"traverse\", where the control has it)",
      CHOICE(increments_after_shift, INCREMENTS_FROM_POSITION)},
     {"power_on_motion=\"", "power_on_motion=\"rapid\" or \"feed\"", CHOICE(power_on_motion, POWER_ON_RAPID)},
+    {"cycle_axis=\"", "cycle_axis=\"plane\" or \"z\" (parameter 5101#0)", CHOICE(cycle_axis, CYCLE_AXIS_ACROSS)},
     {"cycle_repeats=\"", "cycle_repeats=\"K\" or \"L\"", CHOICE(cycle_repeats, CYCLE_REPEATS_L)},
     {"power_on_work_offset=\"", "power_on_work_offset=\"G500\", \"G54\" and so on", CHOICE(power_on_work_offset, 1)},
     {"length_offset_moves=\"", "length_offset_moves=\"yes\" or \"no\"", CHOICE(length_moves, ANSWER_NO)},

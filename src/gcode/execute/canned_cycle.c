@@ -28,13 +28,21 @@ static bool keeps_words(const struct canned_cycle *cycle)
 	return before != CODE_NONE && code_is_cycle(before);
 }
 
-static void find_axes(struct canned_cycle *cycle)
+static bool find_axes(struct canned_cycle *cycle)
 {
-	int plane = cycle->interp->state.plane;
+	const struct interp *interp = cycle->interp;
+	const enum cycle_axis told = interp->config->controller.cycle_axis;
+	const bool asks = cycle->traits->axis_by_parameter == ANSWER_YES && interp->state.plane != G17;
+	const int plane = asks && told == CYCLE_AXIS_Z ? G17 : interp->state.plane;
 
 	cycle->a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
 	cycle->b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
 	cycle->depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+	return !asks || told ||
+	       fault(&interp->at, block_motion_column(&interp->block),
+		     "a parameter of the control (5101#0, FXY) decides whether G%d drills along %c or Z in the plane of "
+		     "G%d: set cycle_axis=\"plane\" or \"z\" in the machine file's <controller>",
+		     cycle->code / 10, AXIS_LETTERS[cycle->depth], plane / 10);
 }
 
 /* The drilling axis' word is kept under the letter Z in every plane. */
@@ -468,7 +476,8 @@ bool canned_cycle_run(struct interp *interp)
 	if (state->cycle.known && cycle.traits->words_outlive_cycle == ANSWER_YES &&
 	    (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;
-	find_axes(&cycle);
+	if (!find_axes(&cycle))
+		return false;
 	kept = keeps_words(&cycle);
 	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
 	    !find_dwell(&cycle, kept) || !cycle_pecks_find(&cycle, kept) || !find_back_bore(&cycle, kept) ||

@@ -115,6 +115,7 @@ static void read_parameters(struct xml_reader *xml, const xmlNode *node, struct 
 {
 	told->length_moves = ANSWER("length_offset_moves", "yes", "no");
 	told->length_after_reference = ANSWER("length_after_reference", "keeps", "cancels");
+	told->cycle_axis = ANSWER("cycle_axis", "plane", "z");
 	told->cycle_repeats = ANSWER("cycle_repeats", "K", "L");
 	told->g53_with_g91 = ANSWER("g53_with_g91", "absolute", "incremental");
 	told->m6_with_move = ANSWER("m6_with_move", "after", "before");

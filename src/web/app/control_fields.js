@@ -40,6 +40,7 @@ export const ATTRIBUTES = [
 	row('m6_with_t', ['fanuc'], 'which tool M6 loads beside a T, while another T waits', ['own', 'before', 'first']),
 	row('arc_radius_tolerance', ['fanuc'], 'difference of radii up to which an arc is a spiral, mm'),
 	row('unidirectional_overrun', ISO, 'how far G60 goes past its end, mm'),
+	row('cycle_axis', ['fanuc'], 'which axis canned cycles drill along in G18 and G19', ['plane', 'z']),
 	row('cycle_repeats', ['fanuc'], 'word that repeats a canned cycle', ['K', 'L']),
 	row('length_under_g68', ['fanuc'], 'which way the length acts under G68 with I, J and K', ['turned', 'straight']),
 	row('polar_axes', ['fanuc'], 'axes of polar coordinate interpolation (G12.1)', ['XA', 'XB', 'XC']),

@@ -106,6 +106,8 @@ static const struct code_word words[] = {
  */
 static const struct cycle_traits cycles = {
 	FANUC_FAMILY_CYCLES,
+	/* B-63534EN, "Canned cycle": with parameter 5101#0 (FXY) at 0, Z drills in every plane. */
+	.axis_by_parameter = ANSWER_YES,
 	.g87 = G87_BACK_BY_Q,
 	.taps_peck = ANSWER_YES,
 	.pecks_fall = ANSWER_NO,

@@ -131,6 +131,7 @@ static const struct code m_codes[] = {
 /* Mill operator's manual, canned cycles. */
 static const struct cycle_traits cycles = {
 	FANUC_FAMILY_CYCLES,
+	.axis_by_parameter = ANSWER_NO,
 	.g87 = G87_BY_HAND,
 	/* "G84 Tapping Canned Cycle". */
 	.taps_retract_by_j = ANSWER_YES,

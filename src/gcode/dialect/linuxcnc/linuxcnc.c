@@ -110,6 +110,7 @@ static const struct cycle_traits cycles = {
 	.zero_repeats_refused = ANSWER_YES,
 	.only_xyz = ANSWER_YES,
 	.spindle_must_turn = ANSWER_YES,
+	.axis_by_parameter = ANSWER_NO,
 	/* Up to version 2.9 it exchanges the coordinates of taps for the plane twice. */
 	.taps_confuse_planes = ANSWER_YES,
 	.feeds_to_clear = ANSWER_YES,
