@@ -198,6 +198,7 @@ struct controller {
 	int dialect;	/* row of control/dialects.h */
 	enum rapid rapid;
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
+	enum answer rapid_given;	/* ANSWER_YES: the machine file says how rapids move */
 	enum answer tcp_zero_given;	/* ANSWER_YES: the machine file says which */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
 	double unit;	/* mm per unit of length of the control itself, for parameters with offsets; 0: mm */

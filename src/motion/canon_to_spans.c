@@ -214,6 +214,15 @@ static bool set_legs(struct run *run)
 	return move_is_bearable(move, leg->path.seconds, converter->diag, converter->name);
 }
 
+/* Is the move a rapid of several axes that is straight, in the axes or of the tip, only because the machine says so? */
+static bool is_straight_rapid(const struct run *run)
+{
+	const struct path *path = &run->legs[0].path;
+
+	return run->move->kind == CANON_RAPID && run->converter->machine->controller.rapid == RAPID_LINEAR &&
+	       path->kind != PATH_BOX && move_path_axes(path) > 1;
+}
+
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
@@ -406,6 +415,8 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	length_check_move(&converter->length, converter->diag, move_place(move, converter->name), move);
 	if (blend_is_unbounded(converter->machine, move))
 		converter->summary->blend_unbounded = true;
+	if (is_straight_rapid(&run))
+		converter->summary->straight_rapids = true;
 	converter->summary->moves++;
 	if (!check_limits(&run))
 		return false;

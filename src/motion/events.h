@@ -97,6 +97,7 @@ struct motion_summary {
 	long spans;
 	double seconds;	/* machining time, dwells included */
 	bool blend_unbounded;	/* G64 was in force with no tolerance from program or machine */
+	bool straight_rapids;	/* a rapid of several axes was considered straight, as the machine says */
 };
 
 enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_MODES, MOTION_BLOCK };

@@ -23,7 +23,7 @@ bool move_path_moves(const struct path *path)
 	return false;
 }
 
-static int count_moving_axes(const struct path *path)
+int move_path_axes(const struct path *path)
 {
 	int count = 0;
 
@@ -59,7 +59,7 @@ static enum path_kind kind_of(const struct move_start *from, const struct canon_
 	if (move->kind == CANON_ARC)
 		return PATH_ARC;
 	if (move->kind == CANON_RAPID && (move->apart || from->machine->controller.rapid == RAPID_ANY) &&
-	    count_moving_axes(path) > 1)
+	    move_path_axes(path) > 1)
 		return PATH_BOX;
 	return PATH_STRAIGHT;
 }

@@ -27,4 +27,7 @@ void move_path_set(struct path *path, const struct move_start *from, const struc
 /* Does an axis have another position at the end of the path than at its start? */
 bool move_path_moves(const struct path *path);
 
+/* The number of axes that move. */
+int move_path_axes(const struct path *path);
+
 #endif

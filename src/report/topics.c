@@ -23,6 +23,7 @@ const char *const topic_names[TOPIC_COUNT + 1] = {
 	[TOPIC_CAUTIONS + CAUTION_SURFACES] = "open-mesh",
 	[TOPIC_CAUTIONS + CAUTION_MESH_CUTTER] = "mesh-cutter",
 	[TOPIC_CAUTIONS + CAUTION_NO_PATH_TOLERANCE] = "no-path-tolerance",
+	[TOPIC_CAUTIONS + CAUTION_STRAIGHT_RAPIDS] = "straight-rapids",
 	[TOPIC_CAUTIONS + CAUTION_FAR_CUTTER] = "far-cutter",
 	[TOPIC_CAUTIONS + CAUTION_ACCEPTED] = "accepted-findings",
 	[TOPIC_CAUTIONS + CAUTION_SHARD] = "shard",
@@ -83,7 +84,7 @@ const struct topic topics[TOPIC_COUNT] = {
 	{"Caution", "The verdict holds under a condition.",
 	 "A caution names something that was not checked, was assumed, or is doubtful.",
 	 "Read each caution before you run the program. The cautions have these names: sampled, no-pairs, no-setup, "
-	 "excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, far-cutter, "
+	 "excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, straight-rapids, far-cutter, "
 	 "accepted-findings, shard, warnings and model-doubt."},
     [TOPIC_CLEAR] =
 	{NULL, "Every pair of bodies is proved apart.",
@@ -141,6 +142,11 @@ const struct topic topics[TOPIC_COUNT] = {
 	 "G64 and similar codes blend corners. Without a tolerance only the programmed path was checked.",
 	 "Give the tolerance in the program (G64 P) or in the machine file (<controller path_tolerance>), or use "
 	 "exact stops."},
+    [TOPIC_CAUTIONS + CAUTION_STRAIGHT_RAPIDS] =
+	{NULL, "Rapids were checked as straight lines, but the control may move them in another way.",
+	 "On many controls a parameter decides: each axis may move at its own rate, so that the tool leaves the "
+	 "straight line by far.",
+	 "Give <controller rapid> in the machine file: linear, dogleg, or any if it is not known."},
     [TOPIC_CAUTIONS + CAUTION_FAR_CUTTER] =
 	{NULL, "A cutter feeds, but never comes near the part.",
 	 "During the whole program the cutter, while it turns and feeds, stays farther from the convex hull of the "

@@ -256,6 +256,20 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* LinuxCNC and Heidenhain controls have only straight rapids; on others a parameter or the builder decides. */
+static bool caution_rapids(struct strbuf *out, const struct verdict *v)
+{
+	const struct controller *controller = &v->scene->machine->controller;
+
+	if (!v->stats->motion.straight_rapids || controller->rapid_given == ANSWER_YES ||
+	    dialect_rows[controller->dialect].straight_rapids)
+		return false;
+	strbuf_addf(out, "rapids of several axes (G0) were checked as straight lines, but whether the control moves "
+			 "them so is not known: give <controller rapid=\"linear\">, \"dogleg\" (each axis at its own "
+			 "rate) or \"any\"");
+	return true;
+}
+
 /* The program was read to its end, and a tool feeds and turns but never comes near the part. */
 static bool caution_far_cutter(struct strbuf *out, const struct verdict *v)
 {
@@ -335,6 +349,7 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 		[CAUTION_SURFACES] = caution_unknown,
 		[CAUTION_MESH_CUTTER] = caution_mesh_cutter,
 		[CAUTION_NO_PATH_TOLERANCE] = caution_blend,
+		[CAUTION_STRAIGHT_RAPIDS] = caution_rapids,
 		[CAUTION_FAR_CUTTER] = caution_far_cutter,
 		[CAUTION_ACCEPTED] = caution_accepted,
 		[CAUTION_SHARD] = caution_shard,
@@ -344,8 +359,8 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 	if (i >= CAUTION_DOUBT)
 		return caution_doubt(out, v, (size_t)(i - CAUTION_DOUBT));
 	/* --parse-only checks no bodies, so that cautions about bodies do not apply. */
-	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
-	    cautions[i] != caution_shard && cautions[i] != caution_warnings)
+	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_rapids &&
+	    cautions[i] != caution_accepted && cautions[i] != caution_shard && cautions[i] != caution_warnings)
 		return false;
 	return cautions[i](out, v);
 }

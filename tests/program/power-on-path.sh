@@ -14,3 +14,19 @@ for dialect in fanuc haas; do
 		fivecheck -q $run
 	done
 done
+
+# How their rapids move, only the machine file can tell: straight ones are assumed, and that is said. One axis alone has
+# no choice, and a feed is straight on every control.
+for dialect in fanuc haas sinumerik linuxcnc; do
+	echo "== rapids of $dialect"
+	controller="<controller dialect=\"$dialect\" path_tolerance=\"0.01\""
+	[ $dialect = linuxcnc ] || controller="$controller power_on_units=\"mm\" power_on_distance=\"absolute\" power_on_plane=\"xy\""
+	sed "s|<base>|$controller/>&|" m.xml >bare.xml
+	printf '%s\n' 'G0 X10.' 'G1 X11. Z-1. F100.' M30 >one.nc
+	printf '%s\n' 'G0 X10. Z-10.' M30 >both.nc
+	for run in 'bare.xml one.nc' 'bare.xml both.nc' 'linear.xml both.nc' 'any.xml both.nc'; do
+		way=${run%.xml*}
+		[ "$way" = bare ] || sed "s|<base>|$controller rapid=\"$way\"/>&|" m.xml >"$way.xml"
+		echo "$run: $(fivecheck -q ${run% *} ${run#* } 2>&1 | grep -c 'checked as straight lines')"
+	done
+done

@@ -42,6 +42,7 @@ static bool carry_out(struct run *run, const char *dialect, const char *text)
 	bool good;
 
 	machine.controller.dialect = dialect_row_find(dialect);
+	machine.controller.cycle_axis = CYCLE_AXIS_ACROSS;
 	rig_listen(&run->messages);
 	ck_assert_ptr_nonnull(in);
 	good = motion_run(&machine, &setup, &options, in, "p.nc", &sink, &run->messages.diag, &summary);

@@ -40,8 +40,8 @@ static bool find_axes(struct canned_cycle *cycle)
 	cycle->depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 	return !asks || told ||
 	       fault(&interp->at, block_motion_column(&interp->block),
-		     "a parameter of the control (5101#0, FXY) decides whether G%d drills along %c or Z in the plane of "
-		     "G%d: set cycle_axis=\"plane\" or \"z\" in the machine file's <controller>",
+		     "a parameter of the control (5101#0, FXY) decides whether G%d drills along %c or Z in the plane "
+		     "of G%d: set cycle_axis=\"plane\" or \"z\" in the machine file's <controller>",
 		     cycle->code / 10, AXIS_LETTERS[cycle->depth], plane / 10);
 }
 

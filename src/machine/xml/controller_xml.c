@@ -193,6 +193,7 @@ void controller_xml_read(struct xml_reader *xml, const xmlNode *node, void *cont
 	controller->arc_radius_tolerance = xml_optional_length(xml, node, "arc_radius_tolerance");
 	told->dialect = xml_choice(xml, node, "dialect", dialect_names, 0);
 	told->rapid = (enum rapid)xml_choice(xml, node, "rapid", rapids, RAPID_LINEAR);
+	told->rapid_given = ANSWER("rapid", "linear", "dogleg", "any") ? ANSWER_YES : ANSWER_UNKNOWN;
 	told->tcp_zero_given = tcp_zero ? ANSWER_YES : ANSWER_UNKNOWN;
 	told->tcp_zero_offset = tcp_zero == 2;
 	read_power_on(xml, node, told);
