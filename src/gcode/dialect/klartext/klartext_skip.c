@@ -27,7 +27,7 @@ bool klartext_skip_head(struct lexer *lexer, bool *slash)
 	return klartext_skip_number(lexer) || numbered;
 }
 
-/* Has the block lines of its own behind it: its parameters? */
+/* Do lines with the parameters of this block follow it? */
 static bool is_definition(struct lexer *lexer)
 {
 	char word[KLARTEXT_WORD];
@@ -37,7 +37,7 @@ static bool is_definition(struct lexer *lexer)
 	       !strcmp(word, "TCH") || !strcmp(word, "PATTERN");
 }
 
-/* Does a line without '~' before it, and without a number, hold the parameter of a cycle? */
+/* Does this line hold a parameter of a cycle (Q and a number, then "=")? */
 static bool is_parameter(struct lexer *lexer)
 {
 	const char *text;
@@ -69,7 +69,7 @@ bool klartext_skip_definition(struct interp *interp)
 	lines->skips = !numbered && (lines->skips_next || is_parameter(&lexer));
 	if (!lines->skips)
 		return false;
-	/* Of lines with '~' the first one without it is the last. */
+	/* In lines joined by '~', the first line without '~' ends the block. */
 	lines->skips = !lines->skips_next || klartext_continues(text);
 	lines->skips_next = lines->skips_next && lines->skips;
 	return true;

@@ -56,7 +56,7 @@ static bool read_index(struct lexer *lexer, char name[KLARTEXT_NAME])
 	return true;
 }
 
-/* 5, 5.2, "NAME". */
+/* Reads 5, 5.2 or "NAME". */
 static bool read_tool(struct lexer *lexer, int *number, int *column)
 {
 	char byte = lexer_peek(lexer), name[KLARTEXT_NAME];
@@ -255,7 +255,7 @@ static bool change(struct interp *interp, const struct request *request)
 
 /*
  * "Calling tool data": without a tool, DL and DR are from now on those of the active tool; nothing moves. The manual
- * does not say whether an oversize stays that the call before has given and this one has not.
+ * does not say whether an oversize of the previous call stays if this call does not give it.
  */
 static bool change_oversize(struct interp *interp, struct request *request)
 {
@@ -327,7 +327,7 @@ bool klartext_tool_call(struct lexer *lexer)
 
 	if (!read_request(lexer, &request))
 		return false;
-	/* They hold for the blocks behind a tool that the setup lacks, too, whose own faults are looked for. */
+	/* The speed and the feed hold even if the setup lacks the tool: later blocks are still checked for faults. */
 	good = take_tool(interp, &request);
 	if (request.has_speed) {
 		interp->state.speed = request.speed;

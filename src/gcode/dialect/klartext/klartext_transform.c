@@ -9,7 +9,7 @@
 #include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* What becomes of the shift of an axis that is not named is not known. */
+/* The manual does not say whether an axis that is not named keeps its shift. */
 static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
 {
 	struct interp *interp = lexer->context;
@@ -32,7 +32,7 @@ static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
 	return true;
 }
 
-/* "TRANS DATUM TABLE TABLINE5": a row, and the name of its table if it is not the one that SEL TABLE has named. */
+/* "TRANS DATUM TABLE TABLINE5": a row, and the name of its table unless SEL TABLE has selected the table. */
 static bool read_row(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	struct klartext_cycle_word *row = &cycle->words[0];

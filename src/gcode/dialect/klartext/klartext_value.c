@@ -27,7 +27,7 @@ bool klartext_q_get(const struct klartext *klartext, int number, double *value)
 
 /* ------------------------------------------------------------- parameters */
 
-/* Q108: the radius with DR of TOOL CALL. */
+/* Sets Q108, the tool radius with the DR of TOOL CALL. */
 static void set_radius(struct interp *interp)
 {
 	struct klartext *klartext = klartext_of(interp);
@@ -159,7 +159,7 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 		     other_answer(query));
 }
 
-/* What a parameter holds before the program assigns it. */
+/* Asks the machine file for the value that a parameter has before the program assigns it. */
 static bool ask_kept(const struct lexer *lexer, int column, const char *name, int length)
 {
 	if (klartext_upper(name[1]) == 'L')
@@ -237,7 +237,7 @@ bool klartext_value_follows(struct lexer *lexer)
 	return is_q(text) || (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
 }
 
-/* A value that is no plain number, or a longer one than most. */
+/* Reads a value that number_take_usual() does not read. */
 static bool read_value(struct lexer *lexer, double *value)
 {
 	char byte = lexer_peek(lexer);

@@ -42,7 +42,7 @@ static char byte_after(const struct lexer *lexer, size_t distance)
 	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
 }
 
-/* TCPM with AXIS SPAT: the angle counts until another one is given. */
+/* With TCPM and AXIS SPAT, a spatial angle is modal. */
 static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int slot, bool increment, int column)
 {
 	struct klartext_tcpm *tcpm = &klartext_of(lexer->context)->tcpm;
@@ -54,7 +54,7 @@ static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int 
 	return klartext_value(lexer, &tcpm->angle[slot - SLOT_A]);
 }
 
-/* X, IX and so on; the letter of the axis comes next. */
+/* Reads X, IX and so on. The lexer is at the letter of the axis. */
 static bool read_axis(struct lexer *lexer, struct klartext_words *words, int slot, bool increment, int column)
 {
 	struct interp *interp = lexer->context;
@@ -76,7 +76,7 @@ static bool read_axis(struct lexer *lexer, struct klartext_words *words, int slo
 	return true;
 }
 
-/* PR, PA, IPR, IPA; the P comes next. */
+/* Reads PR, PA, IPR or IPA. The lexer is at the P. */
 static bool read_polar(struct lexer *lexer, struct klartext_words *words, bool increment, int column)
 {
 	struct interp *interp = lexer->context;
@@ -113,7 +113,7 @@ void klartext_words_caution_teeth(struct lexer *lexer, int column)
 	lines->cautioned_teeth = true;
 }
 
-/* FZ: the teeth of the tool, of which the setup knows nothing, change times alone. */
+/* Reads FZ (feed per tooth). The setup does not give the number of teeth; only times depend on it. */
 static bool read_tooth_feed(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	lexer_take(lexer);
@@ -126,7 +126,7 @@ static bool read_tooth_feed(struct lexer *lexer, struct klartext_words *words, i
 	return klartext_value(lexer, &words->feed_bare);
 }
 
-/* F500, F MAX, FMAX, F AUTO, F alone; behind an M-function that has a feed of its own, it belongs to that. */
+/* Reads F500, F MAX, FMAX, F AUTO or F alone. An F after an M-function with its own feed belongs to the function. */
 static bool read_feed(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	struct interp *interp = lexer->context;
@@ -151,7 +151,7 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 	} else if (next_byte(lexer) == 'T') {
 		return fault(lexer->at, column, "FT: the time that a block takes is not supported; write F");
 	} else if (!klartext_value_follows(lexer)) {
-		/* An answer left out in the editor: the feed in force. */
+		/* The operator gave no feed in the editor: the feed in force stays. */
 		return true;
 	} else if (!klartext_value(lexer, &value)) {
 		return false;
@@ -184,7 +184,7 @@ static bool read_speed(struct lexer *lexer, struct klartext_words *words, int co
 	return true;
 }
 
-/* R0, RL, RR; R alone; R with a number. */
+/* Reads R0, RL, RR, R alone, or R with a number. */
 static bool read_r(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	struct interp *interp = lexer->context;
@@ -202,7 +202,7 @@ static bool read_r(struct lexer *lexer, struct klartext_words *words, int column
 		return true;
 	}
 	lexer_take(lexer);
-	/* Blank: the compensation in force, as older controls list it. */
+	/* Older controls write R alone for the compensation in force. */
 	if (byte == ' ' || byte == '\t' || byte == '\0' || byte == ';')
 		return true;
 	if ((byte == '+' || byte == '-') && (behind == ' ' || behind == '\0'))
@@ -218,7 +218,7 @@ static bool read_r(struct lexer *lexer, struct klartext_words *words, int column
 	return true;
 }
 
-/* MB50 or MB MAX, behind M140. */
+/* Reads MB50 or MB MAX, which follows M140. */
 static bool read_way(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	struct interp *interp = lexer->context;
@@ -245,7 +245,7 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 	if (byte_after(lexer, 1) == 'B')
 		return read_way(lexer, words, column);
 	lexer_take(lexer);
-	/* An answer left out in the editor. */
+	/* The operator gave no number in the editor. */
 	if (!klartext_value_follows(lexer))
 		return true;
 	if (!klartext_integer(lexer, "an M-function", 0, 9999, &number))
@@ -255,7 +255,7 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 	if (klartext_words_m(words, number))
 		return fault(lexer->at, column, "M%d stands twice in the block", number);
 	words->m[words->m_count++] = (struct klartext_m){.number = number, .column = column};
-	/* Which axes M138 and M94 mean is read with the function. */
+	/* The axis letters after M138 and M94 belong to the function. */
 	while (words->m_count && (number == 138 || number == 94) && strchr("ABCUVW", next_byte(lexer)) &&
 	       !klartext_ends(lexer)) {
 		struct interp *interp = lexer->context;
@@ -269,7 +269,7 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 	return true;
 }
 
-/* NX, NY, NZ; TX, TY, TZ. */
+/* Reads NX, NY, NZ, TX, TY or TZ. */
 static bool read_vector(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	bool tool = next_byte(lexer) == 'T';
@@ -295,7 +295,7 @@ static bool read_length(struct lexer *lexer, struct klartext_words *words)
 	return true;
 }
 
-/* LA, behind M120: blocks to look ahead. */
+/* Reads LA, which follows M120: the number of blocks to look ahead. */
 static bool read_look_ahead(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	struct klartext_m *m = words->m_count ? &words->m[words->m_count - 1] : NULL;
@@ -305,7 +305,7 @@ static bool read_look_ahead(struct lexer *lexer, struct klartext_words *words, i
 	return klartext_value(lexer, &m->way);
 }
 
-/* LEN, LA, CCA, DR: words of more letters. */
+/* Reads a word of several letters: LEN, LA, CCA or DR. */
 static bool read_long(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	if (klartext_take(lexer, "LEN"))
@@ -328,7 +328,7 @@ static int last_m(const struct klartext_words *words)
 	return words->m_count ? words->m[words->m_count - 1].number : 0;
 }
 
-/* Axis letters behind M118 say how far the handwheel may move; those of the block stand before it. */
+/* Axis letters after M118 limit the handwheel. The axis words of the block stand before M118. */
 static bool is_handwheel(struct lexer *lexer, const struct klartext_words *words)
 {
 	const char byte = next_byte(lexer);
@@ -354,7 +354,7 @@ static bool read_handwheel(struct lexer *lexer, struct klartext_words *words, in
 	return true;
 }
 
-/* T behind M112 and M124, which are refused or left out: it belongs to them. */
+/* A T after M112 or M124 belongs to that function, which is refused or ignored. */
 static bool belongs_to_m(struct lexer *lexer, const struct klartext_words *words)
 {
 	const int last = last_m(words);
