@@ -9,14 +9,14 @@
 #include "scene/bvh_pair.h"
 #include "scene/coherence.h"
 
-/* More halvings than a double has bits have no effect. */
+/* More halvings of a chord, or of one joint's part of a box, than a double has bits have no effect. */
 #define DEPTH_MAX 60
 
 /*
  * The motion is halved if the box test loses more than this share of the larger subtree's size because the boxes move.
  * Measured: 0.06 to 0.15 perform alike; 0.4 costs four times as much where bodies nearly touch while they rotate.
  */
-#define LOST 0.1f
+#define LOST 0.1
 
 /* The largest number of intervals in one walk; a sweep that needs more is divided into parts. */
 #define INTERVALS_MAX 4096
@@ -44,6 +44,8 @@ struct walk {
 	size_t depth;	/* the stack's entries in use */
 	size_t intervals;	/* made so far */
 	bool any;	/* any contact will do, early or late */
+	double lost;	/* share of the larger subtree: halve the motion if the box test loses more (LOST) */
+	int depth_max;	/* of intervals */
 	long visits_end;	/* stop at this many visits of the sweep */
 	double from, to;	/* of a chord: look only at intervals that have an instant between these */
 };
@@ -99,7 +101,7 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 	struct interval_pool *pool = &walk->sweep->intervals;
 	struct motion_interval *interval = entry->interval;
 
-	if (interval->depth >= DEPTH_MAX)
+	if (interval->depth >= walk->depth_max)
 		return TOO_DEEP;
 	if (!interval->halved && walk->intervals + 2 > INTERVALS_MAX)
 		return TOO_MANY_INTERVALS;
@@ -177,11 +179,11 @@ static bool apart_by_coherence(const struct walk *walk, const struct sweep_entry
  * If the box test loses much because the boxes move, not because they are large, halving the motion gains more than
  * opening the boxes.
  */
-static bool is_loose(const struct sweep_entry *entry)
+static bool is_loose(const struct walk *walk, const struct sweep_entry *entry)
 {
 	float larger = entry->a.size > entry->b.size ? entry->a.size : entry->b.size;
 
-	return entry->lost > LOST * larger;
+	return entry->lost > walk->lost * larger;
 }
 
 static enum progress step(struct walk *walk, struct sweep_entry *entry)
@@ -190,7 +192,7 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 
 	if (!entry->tested && apart_by_boxes(walk, entry))
 		return GOES_ON;
-	if (!final && is_loose(entry))
+	if (!final && is_loose(walk, entry))
 		return push_halves(walk, entry);
 	if (!entry->a.leaf.count || !entry->b.leaf.count) {
 		if (apart_by_coherence(walk, entry))
@@ -315,7 +317,7 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 }
 
 /* The recursion ends: every half is halved once more, at most DEPTH_MAX times. */
-static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_interval *part)
+static enum sweep_answer sweep_parts(struct walk *walk, const struct motion_interval *part)
 {
 	enum progress progress;
 	struct motion_interval first, second, whole = *part;
@@ -325,10 +327,12 @@ static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_
 	progress = run(walk, part);
 	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
+	if (part->depth >= DEPTH_MAX)
+		return SWEEP_UNDECIDED;
 	motion_interval_halve(&whole, walk->pair, &first, &second);
 	walk->sweep->bisections++;
-	answer = sweep_positions(walk, &first);
-	return answer == SWEEP_APART ? sweep_positions(walk, &second) : answer;
+	answer = sweep_parts(walk, &first);
+	return answer == SWEEP_APART ? sweep_parts(walk, &second) : answer;
 }
 
 /* The number of visits at which a query that may take `most` visits stops (0: the sweep's effort is the limit). */
@@ -343,7 +347,8 @@ enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair,
 			      double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .coherence_margin = tolerance, .visits_end = visits_end(sweep, 0)};
+			    .contact = contact, .coherence_margin = tolerance, .lost = LOST, .depth_max = DEPTH_MAX,
+			    .visits_end = visits_end(sweep, 0)};
 
 	return sweep_over(&walk, chord);
 }
@@ -352,21 +357,22 @@ enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *p
 				  double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .any = true, .visits_end = visits_end(sweep, 0)};
+			    .contact = contact, .any = true, .lost = LOST, .depth_max = DEPTH_MAX,
+			    .visits_end = visits_end(sweep, 0)};
 
 	return sweep_over(&walk, chord);
 }
 
-enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
-			    const axis_values *high, double clearance, double tolerance, long max_visits,
-			    struct contact *contact)
+enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const struct swept_box *box,
+			    double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .any = true, .to = 1,
-			    .visits_end = visits_end(sweep, max_visits)};
-	const struct chord box = {.q0 = *low, .q1 = *high};
+			    .contact = contact, .any = true, .lost = box->lost, .to = 1,
+			    .depth_max = DEPTH_MAX * (int)pair->chain->count,
+			    .visits_end = visits_end(sweep, box->max_visits)};
+	const struct chord positions = {.q0 = *box->low, .q1 = *box->high};
 	struct motion_interval whole;
 
-	motion_interval_init(&whole, pair, INTERVAL_BOX, &box);
-	return sweep_positions(&walk, &whole);
+	motion_interval_init(&whole, pair, INTERVAL_BOX, &positions);
+	return sweep_parts(&walk, &whole);
 }

@@ -59,12 +59,20 @@ enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair,
 enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 				  double clearance, double tolerance, struct contact *contact);
 
-/*
- * The same for every position in the box between low and high. Examines at most max_visits node pairs (0: no limit).
- */
-enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
-			    const axis_values *high, double clearance, double tolerance, long max_visits,
-			    struct contact *contact);
+/* All positions between low and high. */
+struct swept_box {
+	const axis_values *low, *high;
+	/*
+	 * The box is halved if the test of two subtrees' boxes loses more than this share of the larger one's size
+	 * because the axes may be anywhere in it. It changes how fast an answer comes, and which contact is found.
+	 */
+	double lost;
+	long max_visits;	/* examine at most this number of node pairs; 0: no limit */
+};
+
+/* The same for every position in a box. */
+enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const struct swept_box *box,
+			    double clearance, double tolerance, struct contact *contact);
 
 /*
  * A lower bound of the distance (mm) at the axis positions q: at least `share` (0 to 1) of it, minus rounding. A large

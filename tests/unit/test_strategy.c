@@ -314,6 +314,53 @@ START_TEST(planes_before_giving_up)
 }
 END_TEST
 
+/*
+ * A square rod with a half diagonal of 5 sqrt(2) mm, 7.0715 mm from a wall, is turned by three joints about its axis.
+ * It never touches the wall, but a proof needs millions of parts of the box.
+ */
+static void stand_rod_by_wall(struct duo *duo)
+{
+	const struct chain chain = {.count = 3, .joints = {{SLOT_A, true, {0, 0, 1}, {0, 0, 0}},
+							   {SLOT_B, true, {0, 0, 1}, {0, 0, 0}},
+							   {SLOT_C, true, {0, 0, 1}, {0, 0, 0}}}};
+	struct mesh wall = {0}, rod = {0};
+	xform identity = xform_identity(), beside = identity;
+
+	beside.translation.x = 1 + 7.0715;
+	solid_box(&wall, (vec3){1, 50, 50});
+	solid_place(&wall, &beside);
+	solid_box(&rod, (vec3){5, 5, 5});
+	duo_init(duo, &chain, &wall, &rod, &identity, &identity);
+}
+
+/* Every undecided rapid of unknown way halves the effort for the next one (struct open_boxes). */
+START_TEST(half_the_effort)
+{
+	const long most = 50000000, spent_besides = 20000;
+	const axis_values from = {{0}}, to = {.v = {[SLOT_A] = 1.5, [SLOT_B] = 1.5, [SLOT_C] = 1.5}};
+	const struct path path = path_between(&from, &to, PATH_BOX);
+	const struct motion_step step = step_on(&path);
+
+	for (int halvings = 6; halvings <= 16; halvings++) {
+		struct sweep sweep = {0};
+		struct strategy strategy;
+		struct contact contact;
+		struct duo duo;
+
+		stand_rod_by_wall(&duo);
+		strategy_init(&strategy, &duo.pair, 0, 1e-6, false);
+		strategy_limit_boxes(&strategy, halvings);
+		ck_assert_int_eq(strategy_advance_step(&strategy, &sweep, &step, &contact), QUERY_UNDECIDED);
+		ck_assert(sweep.exhausted);
+		ck_assert_int_gt(sweep.visits, most >> halvings);
+		ck_assert_int_lt(sweep.visits, (most >> halvings) + spent_besides);
+		sweep_release(&sweep);
+		strategy_release(&strategy);
+		duo_release(&duo);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("programs");
@@ -324,5 +371,6 @@ int main(void)
 	tcase_add_test(tcase, what_happened_before);
 	tcase_add_test(tcase, as_far_as_the_control_may_go);
 	tcase_add_test(tcase, planes_before_giving_up);
+	tcase_add_test(tcase, half_the_effort);
 	return run_suite("strategy", tcase);
 }

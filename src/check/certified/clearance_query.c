@@ -28,18 +28,24 @@ enum query_answer clearance_query_chord(const struct clearance_query *query, con
 								      query->clearance, query->tolerance, contact));
 }
 
+/*
+ * As in struct swept_box. Measured on rapids of five axes between the blades of an impeller: 0.2 takes three times as
+ * long, 0.1 seventeen times; 0.8 takes a fifth longer.
+ */
+#define LOST 0.4
+
 static enum query_answer sweep_positions(const struct clearance_query *query, const struct motion_step *step,
 					 struct contact *contact)
 {
 	axis_values low, high;
+	const struct swept_box box = {.low = &low, .high = &high, .lost = LOST, .max_visits = query->box_visits};
 
 	step_box(step, &low, &high);
 	for (int i = 0; i < SLOT_COUNT; i++) {
 		low.v[i] -= step->tolerance.v[i];
 		high.v[i] += step->tolerance.v[i];
 	}
-	return answer_of(sweep_box(query->sweep, query->bodies, &low, &high, query->clearance, query->tolerance,
-				   query->box_visits, contact));
+	return answer_of(sweep_box(query->sweep, query->bodies, &box, query->clearance, query->tolerance, contact));
 }
 
 enum query_answer clearance_query_step(const struct clearance_query *query, const struct motion_step *step,
