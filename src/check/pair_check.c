@@ -83,7 +83,8 @@ bool pair_check_is_active(const struct pair_check *check, int tool)
 	return !check->tool || check->tool == tool;
 }
 
-bool pair_check_watches(const struct pair_check *check, enum step_class class)
+/* Must the pair stay apart in steps of this class? */
+static bool watches(const struct pair_check *check, enum step_class class)
 {
 	return (check->steps & (unsigned)class) != 0;
 }
@@ -187,7 +188,7 @@ static void leave_out(struct pair_check *check)
 
 static bool applies(const struct pair_check *check, const struct batch_step *step)
 {
-	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
+	return watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
 /* The number of steps from i on that are checked at once, as the box of this size; 0: check smaller parts. */

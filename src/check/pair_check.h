@@ -108,9 +108,6 @@ void pair_check_release(struct pair_check *check);
 /* Is the pair present while this tool is in the spindle? */
 bool pair_check_is_active(const struct pair_check *check, int tool);
 
-/* Must the pair stay apart in steps of this class? */
-bool pair_check_watches(const struct pair_check *check, enum step_class class);
-
 /* Leaves out the rest of this block: the pair has a finding in it, or was not decided. */
 void pair_check_leave_block(struct pair_check *check, long block);
 

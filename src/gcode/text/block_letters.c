@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-bool block_is_call(const struct block *block, const struct dialect *dialect)
+/* Does the block call a subprogram or return from one (M97 to M99)? */
+static bool is_call(const struct block *block, const struct dialect *dialect)
 {
 	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
 }
@@ -88,7 +89,7 @@ static uint32_t repeat_letters(const struct block *block, const struct dialect *
 {
 	const struct cycle_traits *cycles = dialect->traits.cycles;
 
-	return cycles && cycles->repeat_letter == 'K' && !block_is_call(block, dialect) ? letter_bit('L') : 0;
+	return cycles && cycles->repeat_letter == 'K' && !is_call(block, dialect) ? letter_bit('L') : 0;
 }
 
 static uint32_t motion_letters(const struct block *block, const struct dialect *dialect)
@@ -150,7 +151,7 @@ static uint32_t nonmodal_letters(const struct block *block, const struct dialect
 static bool leaves_number(const struct block *block, const struct dialect *dialect)
 {
 	return block_has(block, 'P') && block_value(block, 'P') > dialect->traits.shared_p &&
-	       (block_is_call(block, dialect) ||
+	       (is_call(block, dialect) ||
 		((motion_letters(block, dialect) | nonmodal_letters(block, dialect)) & letter_bit('P')));
 }
 
@@ -212,7 +213,7 @@ static uint32_t idle_letters(const struct block *block, const struct dialect *di
 	uint32_t used = (block->vectors ? letter_bits("IJKQ") : 0) | (traits->h_alone ? letter_bit('H') : 0) |
 			(traits->d_alone == ANSWER_YES ? letter_bit('D') : 0);
 
-	if (block_is_call(block, dialect))
+	if (is_call(block, dialect))
 		return used;
 	if (block->m[M_COOLANT] == 8 && traits->m8_has_pressure == ANSWER_YES)
 		used |= letter_bit('P');
@@ -243,7 +244,7 @@ int block_claims(const struct block *block, const struct dialect *dialect, struc
 	    {'M', m[M_OVERRIDE], override_letters(m[M_OVERRIDE])},
 	    {'M', m[M_OUTPUT], output_letters(m[M_OUTPUT])},
 	    {'M', m[M_TOOL], m[M_TOOL] == 61 ? letter_bit('Q') : 0},
-	    {'M', m[M_STOP], block_is_call(block, dialect) ? letter_bits(traits->call_letters) : 0},
+	    {'M', m[M_STOP], is_call(block, dialect) ? letter_bits(traits->call_letters) : 0},
 	    {'\0', CODE_NONE, AXIS_BITS | letter_bits("FST") | idle_letters(block, dialect)},
 	};
 	int count = 0;

@@ -32,7 +32,4 @@ int block_claims(const struct block *block, const struct dialect *dialect, struc
  */
 bool block_numbers_offset(const struct block *block, const struct dialect *dialect);
 
-/* Does the block call a subprogram or return from one (M97 to M99)? */
-bool block_is_call(const struct block *block, const struct dialect *dialect);
-
 #endif
