@@ -29,8 +29,8 @@ enum query_answer clearance_query_chord(const struct clearance_query *query, con
 }
 
 /*
- * As in struct swept_box. Measured on rapids of five axes between the blades of an impeller: 0.2 takes three times as
- * long, 0.1 seventeen times; 0.8 takes a fifth longer.
+ * As in struct swept_box. Measured on 90 rapids of five axes between the blades of an impeller, whole runs: 0.1 takes
+ * 1.6 times as long, 0.2 1.14 times, 0.8 1.06 times. A clear rapid with 0.1 examined 20 times as many node pairs.
  */
 #define LOST 0.4
 
