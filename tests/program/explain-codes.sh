@@ -15,7 +15,7 @@ for state in ignored refused; do
 		if "$FIVECHECK" -q --parse-only haas.xml a.nc >/dev/null 2>out; then
 			echo "codes that are $state pass"
 		else
-			echo "codes that are $state:$(grep -o -m 1 ' is not supported yet' out)"
+			echo "codes that are $state:$(grep -o -m 1 ' is not supported' out)"
 		fi
 	done | sort -u
 done

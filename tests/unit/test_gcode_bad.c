@@ -75,7 +75,7 @@ static const struct bad codes[] = {
     {"G43.2\n", 1, 1, "G43.2 needs either H or axis words"},
     {"G43.2 H1 Z1\n", 1, 1, "G43.2 needs either H or axis words"},
     {"G43.2 H7\n", 1, 7, "H7: no length offsets are defined, because there is no setup"},
-    {"G6 X1 I1 J1\n", 1, 1, "G6: NURBS block is not supported yet"},
+    {"G6 X1 I1 J1\n", 1, 1, "G6: NURBS block is not supported; post the program without it"},
     {"G96 D100\n", 1, 1, "G96 needs S (surface speed)"},
     {"G97 D1\n", 1, 5, "no code in the block uses the word D"},
     {"G1 F1 X1 M62\n", 1, 10, "M62 needs P (number of the output)"},
@@ -277,7 +277,7 @@ END_TEST
 START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
-	    {"G143\n", 1, 1, "G143: 5-axis tool length compensation is not supported yet"},
+	    {"G143\n", 1, 1, "G143: 5-axis tool length compensation is not supported; post the program without it"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 

@@ -400,8 +400,9 @@ static const struct bad bads[] = {
     {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 with a stopped spindle"},
     {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1 S1", 4, "G87 needs K"},
     {&dialect_linuxcnc, "G88 X1 Z-1 R1 P1", 1,
-     "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
-    {&dialect_linuxcnc, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
+     "G88: boring cycle in which the operator retracts the tool by hand is not supported; post the program without it"},
+    {&dialect_linuxcnc, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported; "
+    "post the program without it"},
     {&dialect_linuxcnc, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); write G94 or G95 first"},
     {&dialect_linuxcnc, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
     {&dialect_linuxcnc, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},

@@ -205,8 +205,8 @@ static const struct refusal usual_refusals[] = {
     {"M98 P1\n", 5, "no code in the block uses the word P"},
     {"M99\n", 1, UNKNOWN("what the calls of subprograms (M97 to M99) do")},
     {"G65 P1\n", 1, "G65 must be the first word of its block after N"},
-    {"G123.4\n", 1, "G123.4 is not supported yet"},
-    {"G123.5 X1\n", 1, "G123.5: this motion is not supported yet"},
+    {"G123.4\n", 1, "G123.4 is not supported; post the program without it"},
+    {"G123.5 X1\n", 1, "G123.5: this motion is not supported; write it as lines and circles (G1, G2, G3)"},
 };
 
 START_TEST(silent_table)

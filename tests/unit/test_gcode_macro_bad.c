@@ -258,7 +258,8 @@ static const struct {
 	 "p.nc:1:168: error: brackets are nested deeper than 32 levels\n    "
 	 "#1=ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[\n                                                                                                                                                                           ^\n"},
 	{H, "G43.5 H1\n",
-	 "p.nc:1:1: error: G43.5: tool centre point control with tool vectors is not supported yet\n    G43.5 "
+	 "p.nc:1:1: error: G43.5: tool centre point control with tool vectors is not supported; "
+	 "post the program without it\n    G43.5 "
 	 "H1\n    ^\n"},
 	{F, "G254 H1\n",
 	 "p.nc:1: warning: this looks like a program for Haas (G254), but the dialect is fanuc\n"
@@ -304,7 +305,8 @@ static const struct {
 	 "p.nc:1:1: error: G66 is not a G-code of the haas dialect; if the machine builder made it, set <macro "
 	 "code=\"\"/> in the machine file's <controller>\n    G66 P7\n    ^\n"},
 	{F, "G66.1 P7\n",
-	 "p.nc:1:1: error: G66.1: modal macro call at every block is not supported yet\n    G66.1 P7\n    ^\n"},
+	 "p.nc:1:1: error: G66.1: modal macro call at every block is not supported; "
+	 "post the program without it\n    G66.1 P7\n    ^\n"},
 	{BOTH, "M98\n", "p.nc:1:1: error: M98 needs P, the number of the program\n    M98\n    ^\n"},
 	{BOTH, "M98 P7\n",
 	 "p.nc:1:1: error: program O7 is neither in p.nc nor in a file of its own beside it or in an --include "
@@ -321,7 +323,9 @@ static const struct {
 	{F, "G0 X1. M98 P7 Q5\n",
 	 "p.nc:1:15: error: M98 with both P and Q is not supported\n    G0 X1. M98 P7 Q5\n                  ^\n"},
 	{F, "M198 P1\n",
-	 "p.nc:1:1: error: M198: subprogram call from another memory is not supported yet\n    M198 P1\n    "
+	 "p.nc:1:1: error: M198: subprogram call from another memory is not supported; "
+	 "post the program without it or, if it moves no axis, set <mcode number=\"198\" "
+	 "action=\"ignore\"/> in the machine file's <controller>\n    M198 P1\n    "
 	 "^\n"},
 	{F, "M97 P1\n",
 	 "p.nc:1:1: error: M97 is not known; if it moves no axis, set <mcode number=\"97\" action=\"ignore\"/> in the "
@@ -347,33 +351,41 @@ static const struct {
 	{F, "G5.1\n", "p.nc:1:1: error: G5.1 needs Q\n    G5.1\n    ^\n"},
 	{F, "G5.1 Q2 X1.\n",
 	 "p.nc:1:9: error: X in G5.1 selects an axis to smooth; its value must be 0\n    G5.1 Q2 X1.\n            ^\n"},
-	{F, "G5 P3\n", "p.nc:1:1: error: G5: high-speed cycle machining is not supported yet\n    G5 P3\n    ^\n"},
+	{F, "G5 P3\n", "p.nc:1:1: error: G5 P3 (high-speed cycle machining) is not supported; "
+	 "write its moves as G1\n    G5 P3\n    ^\n"},
 	{F, "G8 P2\n", "p.nc:1:4: error: P2 must be a whole number from 0 to 1\n    G8 P2\n       ^\n"},
 	{F, "G5.1 Q1\nG61\n",
 	 "p.nc:2:1: error: G61 while G5.1, G8 or G5 P10000 is active is not supported\n    G61\n    ^\n"},
 	{H, "G187 P4\n", "p.nc:1:6: error: P4 must be a whole number from 1 to 3\n    G187 P4\n         ^\n"},
 	{H, "G103 P20\n", "p.nc:1:6: error: P20 must be a whole number from 0 to 15\n    G103 P20\n         ^\n"},
 	{H, "G253\n",
-	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates (post with rotary words and G254) is not supported yet\n    G253\n"
+	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates (post with rotary words and G254) is not supported; "
+	 "post the program without it\n    G253\n"
 	 "    ^\n"},
 	{H, "G268 X0. Y0. Z0. I30.\n",
-	 "p.nc:1:1: error: G268: feature coordinate system (post with rotary words and G254) is not supported yet\n"
+	 "p.nc:1:1: error: G268: feature coordinate system (post with rotary words and G254) is not supported; "
+	 "post the program without it\n"
 	 "    G268 X0. Y0. Z0. I30.\n    ^\n"},
-	{H, "G269\n", "p.nc:1:1: error: G269: cancelling of the feature coordinate system is not supported yet\n    G269\n    ^\n"},
+	{H, "G269\n", "p.nc:1:1: error: G269: cancelling of the feature coordinate system is not supported; "
+	 "post the program without it\n    G269\n    ^\n"},
 	{H, "G72 I5. J30. L3\n",
-	 "p.nc:1:1: error: G72: bolt holes along an angle (write X and Y of each hole) is not supported yet\n"
+	 "p.nc:1:1: error: G72: bolt holes along an angle (write X and Y of each hole) is not supported; "
+	 "post the program without it\n"
 	 "    G72 I5. J30. L3\n    ^\n"},
 	{F, "G54.2 P1\n",
 	 "p.nc:1:1: error: G54.2: rotary table dynamic fixture offset (post with a work offset for each angle) is not "
 	 "supported, only P0, which cancels it\n    G54.2 P1\n    ^\n"},
 	{F, "G71 U2. R1.\n",
-	 "p.nc:1:1: error: G71: lathe turning cycle (for millimetres write G21) is not supported yet\n"
+	 "p.nc:1:1: error: G71: lathe turning cycle (for millimetres write G21) is not supported; "
+	 "post the program without it\n"
 	 "    G71 U2. R1.\n    ^\n"},
 	{F, "T01 T02 M06\n",
 	 "p.nc:1:5: error: the word T occurs twice in the block, at columns 1 and 5; if M6 loads the first tool and "
 	 "the second one is preselected, set m6_with_t=\"first\" in the machine file's <controller>\n    T01 T02 M06\n "
 	 "       ^\n"},
-	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported yet\n    M34\n    ^\n"},
+	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported; "
+	 "post the program without it or, if it moves no axis, set <mcode number=\"34\" "
+	 "action=\"ignore\"/> in the machine file's <controller>\n    M34\n    ^\n"},
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block must be followed by M99 P\n    [1 EQ 1] G0 X1.\n       "
 	 "      ^\n"},

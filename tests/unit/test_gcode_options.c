@@ -42,7 +42,7 @@ START_TEST(smoothing)
 	c.config.controller.path_tolerance = 0.02;
 	expect_fault(&c, "G0 X1. G5.1 Q3\nM30\n", "G5.1 Q3 needs a block without motion");
 	init(&c);
-	expect_fault(&c, "G5.1 Q1 X0\nM30\n", "G5.1 with axis words is not supported yet");
+	expect_fault(&c, "G5.1 Q1 X0\nM30\n", "axis words in G5.1 Q1 are not supported; leave them out");
 }
 END_TEST
 

@@ -357,7 +357,8 @@ static const struct bad bads[] = {
     {&dialect_fanuc, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
      "A while G68.2 is active: the tool would leave the direction of the tilted plane"},
     {&dialect_fanuc, "", "G68.3 X0. Y0. Z0.", 1,
-     "G68.3: tilted working plane from the tool direction (write the plane as G68.2) is not supported yet"},
+     "G68.3: tilted working plane from the tool direction (write the plane as G68.2) is not supported; "
+     "post the program without it"},
     {&dialect_fanuc, "", "G53.6", 1, "G53.6 needs a plane of G68.2 directly before it"},
     {&dialect_fanuc, TILT, "G53.6", 1,
      "G53.6 needs a tool length, because it keeps the tool tip in place; write G43 first"},
@@ -389,8 +390,9 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "", "G68.2 P4 I5.", 1, "G68.2 P4 (projection angles) is not supported; use P1 or Euler angles"},
     {&dialect_fanuc, "G43.4 H1", "G68.2 I5.", 1,
      "G68.2 under tool centre point control; cancel tool centre point control first"},
-    {&dialect_haas, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
-    {&dialect_haas, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
+    {&dialect_haas, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported; post the program without it"},
+    {&dialect_haas, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported; "
+    "post the program without it"},
     {&dialect_fanuc, "", "G54.1", 1, "G54.1 needs P"},
     /* One P, and two codes that take one. */
     {&dialect_fanuc, "", "G54.1 P1 G68.2 X0. Y0. Z0. I0. J30. K0.", 7,
@@ -418,7 +420,8 @@ static const struct bad bads[] = {
      "file's <controller>"},
     /* Older manuals have G112 among G110 to G129, newer ones among the interpolations. */
     {&dialect_haas, "", "G112", 1,
-     "G112: XY to XC interpolation (on older controls additional work offset 3: write G154 P3) is not supported yet"},
+     "G112: XY to XC interpolation (on older controls additional work offset 3: write G154 P3) is not supported; "
+     "post the program without it"},
     {&dialect_haas, "", "G234", 1, "G234 needs H"},
 };
 

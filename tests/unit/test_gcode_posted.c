@@ -363,7 +363,9 @@ START_TEST(haas_outputs)
 		    "G0 X1. M130\nM30\n",
 		    "rapid 1 0 0 0 0\n");
 	init(&c, &dialect_haas);
-	expect_fault(&c, "M104\n", "p.nc:1:1: error: M104: motion of the probe arm is not supported yet");
+	expect_fault(&c, "M104\n", "p.nc:1:1: error: M104: motion of the probe arm is not supported; "
+	 "post the program without it or, if it moves no axis, set <mcode number=\"104\" "
+	 "action=\"ignore\"/> in the machine file's <controller>");
 	init(&c, &dialect_haas);
 	expect_fault(&c, "M48 P1\n", "no code in the block uses the word P");
 }

@@ -330,8 +330,8 @@ static bool execute_nonmodal(struct interp *interp)
 	case G22:	/* moves nothing */
 		return true;
 	default:
-		return fault(&interp->at, interp->block.g_column[G_NONMODAL], "G%g is not supported yet",
-			     interp->block.g[G_NONMODAL] / 10.0);
+		return fault(&interp->at, interp->block.g_column[G_NONMODAL],
+			     "G%g is not supported; post the program without it", interp->block.g[G_NONMODAL] / 10.0);
 	}
 }
 
@@ -380,8 +380,8 @@ static bool execute_motion(struct interp *interp)
 		if (motions[i].code == code)
 			return motions[i].run(interp);
 	}
-	return fault(&interp->at, block_motion_column(&interp->block), "G%g: this motion is not supported yet",
-		     code / 10.0);
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "G%g: this motion is not supported; write it as lines and circles (G1, G2, G3)", code / 10.0);
 }
 
 /* Active modes may refuse the block; modes that are valid for one block only end here. */

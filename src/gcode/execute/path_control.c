@@ -15,11 +15,6 @@ static void switch_contour(struct state *state, bool on)
 	state->contour = on;
 }
 
-static bool fault_other(struct interp *interp, const char *what)
-{
-	return fault(&interp->at, interp->block.g_column[G_CONTOUR], "%s is not supported yet", what);
-}
-
 /*
  * B-64484EN-2, "Smooth Interpolation" (Q2) and "Nano Smoothing" (Q3): a smooth curve near the programmed points, which
  * leaves the programmed path as far as parameters of the control let it.
@@ -58,7 +53,8 @@ static bool select_ai(struct interp *interp)
 	if (q > 1)
 		return select_smoothing(interp, q);
 	if (block->letters & AXIS_BITS)
-		return fault_other(interp, "G5.1 with axis words");
+		return fault(&interp->at, block->g_column[G_CONTOUR],
+			     "axis words in G5.1 Q%d are not supported; leave them out", q);
 	switch_contour(&interp->state, q == 1);
 	return true;
 }
@@ -78,7 +74,8 @@ static bool select_by_p(struct interp *interp)
 	if (!block_integer(block, &interp->at, 'P', 0, g8 ? 1 : 10000, &p))
 		return false;
 	if (!g8 && p > 2 && p != 10000)
-		return fault_other(interp, "G5: high-speed cycle machining");
+		return fault(&interp->at, block->g_column[G_CONTOUR],
+			     "G5 P%d (high-speed cycle machining) is not supported; write its moves as G1", p);
 	switch_contour(&interp->state, p != 0);
 	return true;
 }

@@ -88,7 +88,7 @@ static bool find_code_of_word(struct block *block, const struct line_place *at, 
 	else if (code->group == GROUP_STATEMENT)
 		snprintf(text, sizeof(text), " must be the first word of its block after N");
 	else
-		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
+		snprintf(text, sizeof(text), ": %s is not supported; post the program without it", code->what);
 	return fault_g(at, word, number, text);
 }
 
@@ -187,7 +187,10 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	if (code->group == GROUP_STATEMENT)
 		return fault(at, word->column, "M%d must be at the start of its block", number);
 	if (code->state == CODE_REFUSED)
-		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
+		return fault(at, word->column,
+			     "M%d: %s is not supported; post the program without it or, if it moves no axis, set "
+			     "<mcode number=\"%d\" action=\"ignore\"/> in the machine file's <controller>",
+			     number, code->what, number);
 	if (code->group == GROUP_OUTPUT)
 		block->m_ignored = true;
 	if (code->group == GROUP_OUTPUT || code->group == GROUP_NONE)
