@@ -169,6 +169,9 @@ static const struct klartext_fault faults[] = {
 	 "moves no axis, set <macro program=\"NOWHERE\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF 12.0\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 12 has not named a program"},
+	{"CYCL DEF 12.0\nCYCL DEF 12.1 PGM S\nL X+1 FMAX M89\n",
+	 "p.nc:4:12: error: M89 with CYCL DEF 12 (a program after every move) is not supported; write M99 into each "
+	 "block that calls the program"},
 	{"CYCL DEF 12.0\nCYCL DEF 12.1 nowhere.h\n",
 	 "p.nc:3:15: error: CYCL DEF 12.1 needs PGM and a name"},
 	{"Q1 = SQRT -1\n",

@@ -16,12 +16,13 @@
 #include "geom/tolerance.h"
 
 /*
- * iTNC 530 user's manual, "Contour approach and departure": the contour begins at PA and ends at PE; PH and PN are the
- * other ends of APPR and DEP. LT: straight on in the direction of the contour, by LEN. LN: across it, by LEN and the
- * tool's radius. CT: on a circle that touches it, R and CCA. LCT: the same circle and a straight line that touches the
- * circle. PN is where the tool's centre stands behind LT and CT.
- * "Important positions for approach and departure": with a coordinate of Z the tool goes to PH or PN in the plane
- * first, and then to its height. Newer controls go to the PH of LCT on all axes at once: of LCT both ways are proved.
+ * iTNC 530 user's manual, "Contour approach and departure": the contour begins at PA and ends at PE. PH is the point
+ * between the start of APPR and PA; PN is the end of DEP. LT: a straight line of length LEN that touches the contour.
+ * LN: a straight line across the contour, as long as LEN and the tool's radius together. CT: a circle of radius R
+ * through the angle CCA that touches the contour. LCT: the same circle and a straight line that touches the circle. At
+ * the PN of LT and CT the tool's centre is at the programmed point. "Important positions for approach and departure":
+ * if Z is programmed, the tool first goes to PH or PN in the plane, then to its height. Newer controls move all axes at
+ * once to the PH of LCT. Both ways of LCT are checked.
  */
 
 /* ------------------------------------------------------------------ geometry */
@@ -72,7 +73,7 @@ static bool go(struct interp *interp, const struct klartext_path *path)
 
 static const char *const kinds[] = {"LT", "LN", "CT", "LCT"};
 
-/* LT, LN, CT, LCT, or with P in front: by polar coordinates. */
+/* LT, LN, CT or LCT; a P in front of it means polar coordinates. */
 static bool read_kind(struct lexer *lexer, enum klartext_way *kind, bool *polar)
 {
 	const int column = klartext_column(lexer);
@@ -190,12 +191,12 @@ bool klartext_approach_check_none(struct interp *interp)
 
 	if (!approach->waits)
 		return true;
-	/* It is reported once. */
+	/* The fault is reported once only. */
 	approach->waits = false;
 	return fault(&at, 1, "APPR needs a straight line or a circle in the plane of X and Y right behind it");
 }
 
-/* PH, and the path from there to PA; LN has none. The tool's centre there is told of LCT alone. False: reported. */
+/* Finds PH and the path from PH to PA. The tool's centre at PH is found for LCT only. False: reported. */
 static bool find_approach(struct interp *interp, vec3 direction, struct klartext_tangent_helper *helper,
 			  struct klartext_path *last)
 {
@@ -238,7 +239,7 @@ static bool changes_height(vec3 from, vec3 to)
 	return fabs(from.z - to.z) > SAME_POINT;
 }
 
-/* On all axes at once and back again: the tool may also go so. */
+/* Moves all axes at once to the end and back: the control may choose this way, too. */
 static bool go_and_return(struct interp *interp, const struct klartext_path *path)
 {
 	struct klartext_path back = *path;
@@ -248,7 +249,7 @@ static bool go_and_return(struct interp *interp, const struct klartext_path *pat
 	return klartext_comp_move_bare(interp, path) && klartext_comp_move_bare(interp, &back);
 }
 
-/* In the plane, and then along Z, as `send` makes it. */
+/* Moves in the plane first, then along Z; `send` makes each move. */
 static bool go_to_height(struct interp *interp, const struct klartext_path *path,
 			 bool (*send)(struct interp *interp, const struct klartext_path *path))
 {
@@ -284,7 +285,7 @@ static bool carry_out(struct interp *interp, vec3 direction)
 		interp->comp.side = side;
 		return go_to_height(interp, &first, go) && go(interp, &last);
 	}
-	/* To PH the tool's centre goes itself. */
+	/* The tool's centre goes to PH without compensation. */
 	if (!go_to_height(interp, &first, klartext_comp_move_bare))
 		return false;
 	interp->comp.side = side;
@@ -326,7 +327,10 @@ static bool rise(struct interp *interp, const struct klartext_path *like, double
 	return klartext_move_line(interp, &target, false, &like->feed);
 }
 
-/* To PN and to its height, and from there back on all axes at once and here again: the tool may also have gone so. */
+/*
+ * Moves to PN at its height, then back to the start and to PN again with all axes at once: the control may choose
+ * either way.
+ */
 static bool rise_both_ways(struct interp *interp, const struct klartext_path *line, double height)
 {
 	const vec3 high = {line->end.x, line->end.y, height}, points[3] = {high, line->start, high};
@@ -364,7 +368,7 @@ static bool leave_by_circle_and_line(struct interp *interp, const struct klartex
 	return rise_both_ways(interp, &line, point.z);
 }
 
-/* From PE on: LT and CT end beside the contour. */
+/* Departs from PE; LT and CT end beside the contour. */
 static bool leave(struct interp *interp, const struct klartext_way_words *words, enum klartext_way kind, vec3 point,
 		  const struct klartext_path *like)
 {

@@ -12,7 +12,7 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/moves_around.h"
 
-/* iTNC 530 and TNC 640 user's manuals: cycles of the control that are called, and not followed here. */
+/* iTNC 530 and TNC 640 user's manuals: cycles of the control whose moves are not modelled and that a program calls. */
 static const struct {
 	int number;
 	const char *what;
@@ -90,8 +90,8 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 }
 
 /*
- * "Touch probe cycles": they work where they are defined, and what they measure becomes parameters, datums and offsets:
- * these count as the setup has them.
+ * "Touch probe cycles": they take effect where they are defined. What they measure changes parameters, datums and
+ * offsets; the check uses the values of the setup instead.
  */
 static void measure(struct interp *interp, const struct klartext_cycle *cycle)
 {
@@ -106,7 +106,7 @@ static void measure(struct interp *interp, const struct klartext_cycle *cycle)
 		klartext_q_forget(klartext, number);
 }
 
-/* Where coordinates are turned, the cycle may go along their axes or along the machine's: both boxes are covered. */
+/* In turned coordinates the cycle may move along their axes or along the machine's axes. The move covers both boxes. */
 static bool go_around(struct interp *interp, const double around[3], bool ends_there, int column)
 {
 	const vec3 turned = klartext_frame_box(interp, around);
@@ -117,7 +117,7 @@ static bool go_around(struct interp *interp, const double around[3], bool ends_t
 		return false;
 	if (ends_there)
 		return true;
-	/* Its parameters say at which height it ends, which is the same each time. */
+	/* The cycle always ends at the same height, which its parameters give. */
 	loose[SLOT_X] += both[0];
 	loose[SLOT_Y] += both[1];
 	loose[SLOT_Z] = larger(both[2], klartext_of(interp)->open.aside ? loose[SLOT_Z] : 0);
@@ -126,7 +126,7 @@ static bool go_around(struct interp *interp, const double around[3], bool ends_t
 	return true;
 }
 
-/* What moves around its place cannot do so here. False: reported. */
+/* Reports modes in which a cycle that moves around its place is not supported. False: reported. */
 static bool check_place(struct interp *interp, const char *kind, const char *name, int column)
 {
 	if (interp->state.tcp == TCP_OFF && !klartext_comp_is_selected(interp) && !klartext_of(interp)->stay.waits &&
@@ -153,8 +153,8 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 	klartext_of(interp)->tool.moved = true;
 	klartext_of(interp)->last.known = false;
 	/*
-	 * The control's own cycles end over what they have milled, and not where they are called; those of the touch
-	 * probe at the clearance height over the last point that was probed.
+	 * The control's own cycles end above the region that they have milled. Cycles of the touch probe end at the
+	 * clearance height above the last probed point.
 	 */
 	return go_around(interp, macro->around, !find_called(cycle->number) && !is_probing(cycle->number),
 			 cycle->column);

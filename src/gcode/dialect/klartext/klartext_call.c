@@ -20,8 +20,8 @@ static bool call_pattern(struct lexer *lexer, int column)
 	if (words.axes)
 		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates");
 	/*
-	 * "If you do not enter a feed rate, the control uses the last programmed feed rate"; a rapid where there is
-	 * none.
+	 * "If you do not enter a feed rate, the control uses the last programmed feed rate". Without any feed rate the
+	 * move is a rapid.
 	 */
 	rapid = !words.feed && !(interp->state.feed_linear > 0);
 	if (!rapid && !klartext_move_feed(interp, &words, &rapid, &feed))

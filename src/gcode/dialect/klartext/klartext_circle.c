@@ -13,12 +13,12 @@
 #include "geom/tolerance.h"
 
 /*
- * mm: how much the radii of a circle's start and end may differ (iTNC 530 user's manual, "Circular path C around circle
- * center CC": input tolerance up to 0.016 mm).
+ * mm: the largest difference between the radii at the start and at the end of a circle (iTNC 530 user's manual,
+ * "Circular path C around circle center CC": input tolerance up to 0.016 mm).
  */
 #define RADIUS_TOLERANCE 0.016
 
-/* A coordinate of the plane is a zero radius below this, mm. */
+/* mm: a smaller radius counts as 0. */
 #define RADIUS_LEAST 1e-6
 
 /* ------------------------------------------------------------------ planes */
@@ -37,7 +37,7 @@ static bool check_direction(struct interp *interp, const struct klartext_words *
 	       fault(&interp->at, words->first_column, "%s needs its direction of rotation, DR+ or DR-", what);
 }
 
-/* Is the third axis named? Only helices lead it along. */
+/* Refuses a coordinate of the axis across the plane. Only a helix moves this axis. False: reported. */
 static bool check_across(struct interp *interp, const struct klartext_words *words, int across, const char *what)
 {
 	if (!klartext_words_has(words, across))
@@ -49,7 +49,10 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 
 /* --------------------------------------------------------------------- CC */
 
-/* Of CC with one coordinate the others stay: those of the plane in force must lie where they lay. False: reported. */
+/*
+ * CC with one coordinate keeps the others. The kept coordinates of the active plane must not have changed their place
+ * since. False: reported.
+ */
 static bool check_kept(struct interp *interp, const struct klartext_words *words)
 {
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z;
@@ -59,9 +62,10 @@ static bool check_kept(struct interp *interp, const struct klartext_words *words
 }
 
 /*
- * iTNC 530 user's manual, "Circle center CC": coordinates that are left out stay; without any the present position is
- * the centre; I values count from the present position. Two coordinates name the plane. With all three, it is that of
- * the tool axis (TNC 407 user's manual, "Circles in the main planes") where the circle fits into it.
+ * iTNC 530 user's manual, "Circle center CC": coordinates that are left out keep their values; CC alone takes the
+ * present position as the centre; I values count from the present position. Two coordinates select the plane. Three
+ * coordinates select the plane of the tool axis (TNC 407 user's manual, "Circles in the main planes") if the circle
+ * lies in it.
  */
 bool klartext_circle_pole(struct lexer *lexer)
 {
@@ -151,7 +155,10 @@ static bool fits(const struct klartext *klartext, const struct klartext_path *pa
 		   RADIUS_TOLERANCE;
 }
 
-/* In any plane in which it fits, it lies in this cube about the pole: how far that is from the straight line. */
+/*
+ * Bounds a circle whose plane is not certain: it lies in a cube about the pole in any plane. Finds how far the cube
+ * reaches from the straight line.
+ */
 static void bound_circle(const struct klartext *klartext, struct klartext_path *path, vec3 end)
 {
 	const double radius = vec3_norm(vec3_sub(path->start, klartext->pole.point)) + RADIUS_TOLERANCE;
@@ -167,8 +174,9 @@ static void bound_circle(const struct klartext *klartext, struct klartext_path *
 }
 
 /*
- * The pole has X, Y and Z, and the circle does not lie in the plane of the tool axis: where it fits into one other
- * plane, it lies there, or the control refuses it; where it fits into two, it stays bounded. False: it fits nowhere.
+ * Finds the plane of a circle whose pole has X, Y and Z and that does not lie in the plane of the tool axis. If the
+ * circle lies in one other plane, that plane is taken (the control may also refuse the circle). If it lies in both, the
+ * path is bounded. False: it lies in no plane.
  */
 static bool find_plane(const struct klartext *klartext, struct klartext_path *path, vec3 end, int *across)
 {
@@ -249,8 +257,8 @@ bool klartext_circle_by_radius(struct lexer *lexer)
 /* ---------------------------------------------------------------------- CT */
 
 /*
- * The circle that starts in direction t and ends at e: its centre lies across t, as far from the start as from the
- * end. With n = z x t and d = e - start: centre = start + n d.d / (2 n.d).
+ * The circle that starts in direction t and ends at e. Its centre lies on the normal at the start and has the same
+ * distance from the start and the end. With n = z x t and d = e - start: centre = start + n d.d / (2 n.d).
  */
 static bool fill_tangential(struct interp *interp, const struct klartext_words *words,
 			    const struct klartext_target *target, struct klartext_path *path)
@@ -268,7 +276,7 @@ static bool fill_tangential(struct interp *interp, const struct klartext_words *
 	way.z = 0;
 	across = vec3_cross(z, direction);
 	side = vec3_dot(across, way);
-	/* Straight on: no circle is needed. */
+	/* The end lies straight ahead: the path is a line. */
 	if (fabs(side) <= SAME_POINT && vec3_dot(direction, way) > 0)
 		return true;
 	if (fabs(side) <= SAME_POINT)
@@ -304,8 +312,8 @@ bool klartext_circle_polar_line(struct lexer *lexer)
 }
 
 /*
- * "Circular path CP around pole CC", "Helical interpolation": PA is where the circle ends, IPA how far it turns,
- * which may be more than a turn; IZ is the height of a helix. The sign of IPA is that of DR.
+ * "Circular path CP around pole CC", "Helical interpolation": PA is the polar angle of the end; IPA is the angle of the
+ * turn, which may be more than 360 degrees; IZ is the height of a helix. IPA and DR have the same sign.
  */
 static bool shape_polar(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			struct klartext_path *path)

@@ -125,7 +125,7 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	if (!check_start(interp, column) || !find_radius(interp, column, &radius) ||
 	    (klartext_of(interp)->open.height && !klartext_comp_check_known(interp, column, "radius compensation")))
 		return false;
-	/* Beside the path by nothing. */
+	/* Without a radius there is no compensation. */
 	if (!(radius > 0))
 		return true;
 	if (path->arc || !moves_in_plane(path))
@@ -147,7 +147,9 @@ bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int col
 	return true;
 }
 
-/* R0 in a block without a move in the plane: the tool goes to the programmed point now, or with the next move. */
+/*
+ * R0 in a block without a move in the plane: the tool's centre goes to the programmed point now or with the next move.
+ */
 static bool stop_standing(struct interp *interp, int column)
 {
 	struct cutter_comp *comp = &interp->comp;

@@ -15,7 +15,7 @@
 
 /* ------------------------------------------------------------- definitions */
 
-/* "CONTOUR LABEL1 /2 /3", in any language: the numbers count. */
+/* "CONTOUR LABEL1 /2 /3" in any language: only the numbers are read. */
 bool klartext_contour_labels(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
@@ -60,7 +60,10 @@ static bool read_contour(struct lexer *lexer, int *label)
 	return klartext_integer(lexer, "a label", 1, 65535, label);
 }
 
-/* TNC 640 user's manual, "CONTOUR DEF": names contours as CYCL DEF 14 does, and says which are pockets or islands. */
+/*
+ * TNC 640 user's manual, "CONTOUR DEF": it names contours as CYCL DEF 14 does and says which are pockets and which are
+ * islands.
+ */
 bool klartext_contour_define(struct lexer *lexer)
 {
 	struct klartext_contour *contour = &klartext_of(lexer->context)->contour;
@@ -89,11 +92,11 @@ bool klartext_contour_data(struct interp *interp, const struct klartext_cycle *c
 
 /* ------------------------------------------------------------- the contour */
 
-/* The box around the part of a contour that was read; programmed coordinates, mm. */
+/* The box around the part of a contour that has been read; programmed coordinates, mm. */
 struct outline {
 	bool begun; /* a point is known */
-	bool has[2]; /* X and Y are */
-	double at[2]; /* where the contour is */
+	bool has[2]; /* X and Y are known */
+	double at[2]; /* where the part ends */
 	bool has_pole;
 	double pole[2];
 	double low[2], high[2];
@@ -164,7 +167,7 @@ static bool take_polar_line(struct outline *outline, struct lexer *lexer, const 
 	return true;
 }
 
-/* It stays at its distance from the pole, and counts whole. */
+/* Takes the whole circle about the pole, although the path may be an arc of it. */
 static bool take_circle(struct outline *outline, struct lexer *lexer, const struct klartext_words *words)
 {
 	if (!outline->has_pole || !outline->has[0] || !outline->has[1])
@@ -203,7 +206,7 @@ static bool take_path(struct outline *outline, struct lexer *lexer, const struct
 	return true;
 }
 
-/* Reads one block of a contour. RND and CHF stay inside the corner that they cut off. */
+/* Reads one block of a contour. RND and CHF are ignored: they stay inside the corner that they cut off. */
 static bool take_block(void *context, struct lexer *lexer)
 {
 	struct outline *outline = context;
@@ -254,7 +257,7 @@ static bool find_outline(const struct klartext_call_of *call, struct outline *ou
 
 /* ------------------------------------------------------------------- cycles */
 
-/* Q1, Q5, Q6 and Q7 of cycle 20: depth, surface, set-up clearance, and the height of moves between. */
+/* Q1, Q5, Q6 and Q7 of cycle 20: depth, surface, set-up clearance, and the height of moves between contours. */
 static bool find_heights(const struct klartext_call_of *data, struct klartext_region *region)
 {
 	double depth, surface, clearance, height;
@@ -285,8 +288,8 @@ static bool check(const struct klartext_call_of *call, const struct klartext_cal
 }
 
 /*
- * iTNC 530 user's manual, "SIDE FINISHING (Cycle 24)": where the allowance Q3 of cycle 20 is greater than the sum of
- * Q14 and the tool's radius, the cycle also mills along the outside of an island without a pocket around it.
+ * iTNC 530 user's manual, "SIDE FINISHING (Cycle 24)": if the allowance Q3 of cycle 20 is greater than the sum of Q14
+ * and the tool's radius, the cycle also mills outside an island that has no pocket around it. False: reported.
  */
 static bool check_outside(const struct klartext_call_of *call, const struct klartext_call_of *data, double radius)
 {
@@ -300,8 +303,8 @@ static bool check_outside(const struct klartext_call_of *call, const struct klar
 }
 
 /*
- * iTNC 530 user's manual, "SL cycles": the tool clears the inside of pockets, and its centre stays inside them by its
- * radius; with a negative allowance (Q3, Q14) it goes farther out.
+ * iTNC 530 user's manual, "SL cycles": the tool clears the inside of pockets, and its centre keeps the distance of its
+ * radius from their edge. A negative allowance (Q3, Q14) lets it go farther out.
  */
 bool klartext_contour_make(const struct klartext_call_of *call)
 {
@@ -309,7 +312,7 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	const struct klartext_call_of data = {
 	    .interp = interp, .cycle = &klartext_of(interp)->contour.data, .column = call->column};
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
-	/* Cycle 21 drills where the mill of Q13 plunges, which may be smaller than the drill. */
+	/* Cycle 21 drills at the points where the mill of Q13 plunges. The mill may be smaller than the drill. */
 	const bool mills = call->cycle->number != 21;
 	const double radius =
 	    tool && mills ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->tool.delta_radius)) : 0;

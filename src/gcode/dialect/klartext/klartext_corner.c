@@ -44,7 +44,7 @@ bool klartext_corner_follows(struct interp *interp)
 
 	if (reader_peek(reader, LOOK_AHEAD, &text))
 		return begins_corner(text, LOOK_AHEAD);
-	/* The next line is not in the buffer: reading it moves the one in hand. */
+	/* The next line is not in the buffer. Reading it overwrites the current line, so the current line is copied. */
 	strbuf_clear(&lines->text);
 	strbuf_addf(&lines->text, "%s", interp->at.text);
 	interp->at.text = strbuf_text(&lines->text);
@@ -63,7 +63,7 @@ bool klartext_corner_check_none(struct interp *interp)
 
 	if (!corner->waits)
 		return true;
-	/* It is reported once. */
+	/* The fault is reported once only. */
 	corner->waits = false;
 	return fault(&at, corner->column, "RND and CHF need a line or a circle in the plane behind them");
 }
@@ -97,7 +97,7 @@ void klartext_corner_keep_line(struct interp *interp)
 	struct klartext_corner *corner = &klartext_of(interp)->corner;
 	struct strbuf *text = corner->size > 0 ? &corner->text : &corner->path_text;
 
-	/* Of CC between the corner and its circle there is nothing to be told. */
+	/* CC between the corner and its circle is not a line that a message shows. */
 	if (interp->at.line != corner->line)
 		return;
 	strbuf_clear(text);
@@ -159,7 +159,7 @@ static struct comp_way way_of(const struct klartext_path *path, double side)
 	return way;
 }
 
-/* The point of a path next to the centre of the rounding. */
+/* The point where the rounding about this centre touches the path. */
 static vec3 touch(const struct klartext_path *path, vec3 corner, vec3 direction, vec3 centre)
 {
 	if (!path->arc)
@@ -248,7 +248,10 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 
 /* --------------------------------------------------------------------- moves */
 
-/* Carries out the held block up to this point, as if it were the current one, and sends the end of both lines. */
+/*
+ * Carries out the held block up to this point as if it were the current block, then ends the held line and the line of
+ * the corner.
+ */
 static bool release(struct interp *interp, vec3 end)
 {
 	const struct line_place at = interp->at;
@@ -280,7 +283,7 @@ static bool release(struct interp *interp, vec3 end)
 	return good;
 }
 
-/* An arc, or a straight line, from the present position to the other end of the corner. */
+/* Moves from the present position to the other end of the corner, on an arc or a straight line. */
 static bool cut_off(struct interp *interp, const struct shape *shape, const struct klartext_path *after)
 {
 	const struct klartext_corner *corner = &klartext_of(interp)->corner;
@@ -305,8 +308,8 @@ static bool cut_off(struct interp *interp, const struct shape *shape, const stru
 }
 
 /*
- * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the side length of the
- * chamfer, which is read as the length that is cut off each line.
+ * iTNC 530 user's manual, "Corner rounding RND": a tangential arc. "Inserting a chamfer CHF": the side length of the
+ * chamfer, which is taken as the length cut off each line.
  */
 bool klartext_corner_make(struct interp *interp, const struct klartext_words *words, struct klartext_path *path)
 {

@@ -24,7 +24,7 @@
 /* A larger number of pecks is a typing mistake, and the program would seem to hang. */
 #define PECKS_MAX 100000
 
-/* The pitch times the speed. */
+/* Finds the feed of a tap: the pitch times the spindle speed. */
 static bool find_tap_feed(const struct klartext_call_of *call, double pitch, double *feed)
 {
 	const struct state *state = &call->interp->state;
@@ -52,7 +52,10 @@ static bool find_heights(const struct klartext_call_of *call, struct klartext_ho
 	return true;
 }
 
-/* The height of the point of the active tool up to this diameter; Q<q> needs it. False: reported. */
+/*
+ * The height of the tool's point below the place where the tool has this diameter; parameter Q<q> needs it. False:
+ * reported.
+ */
 static bool find_point_height(const struct klartext_call_of *call, int q, double diameter, double *height)
 {
 	const struct interp *interp = call->interp;
@@ -68,7 +71,7 @@ static bool find_point_height(const struct klartext_call_of *call, int q, double
 }
 
 /*
- * "CENTERING (Cycle 240)": with Q343=1 to the diameter Q344, whose sign is that of a depth, and not to the depth Q201.
+ * "CENTERING (Cycle 240)": Q343=1 selects the diameter Q344 in place of the depth Q201. Q344 has the sign of a depth.
  */
 static bool centre_by_diameter(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
@@ -114,7 +117,7 @@ static bool find_pecks(const struct klartext_call_of *call, struct klartext_hole
 		return fault(&call->interp->at, call->column, "Q202: a peck cannot be negative");
 	hole->less = fmax(0, klartext_parameter_length_or(call, 212, 0));
 	hole->least = fmax(0, klartext_parameter_length_or(call, 205, 0));
-	/* 0: however the control divides the depth, the tool stays on this line. */
+	/* 0: the control divides the depth itself; the tool stays on this line in any case. */
 	if (!(hole->peck > 0))
 		hole->peck = depth;
 	if (depth / hole->peck > PECKS_MAX)
@@ -151,7 +154,10 @@ static bool drill(const struct klartext_call_of *call, struct klartext_hole *hol
 	return true;
 }
 
-/* 201: down, and back at the feed Q208 or at that of the way down; 202: the same, with a shift at the bottom. */
+/*
+ * 201: down, then up at the feed Q208, or at the feed of the way down if Q208 is 0. 202: the same, with a shift aside
+ * at the bottom.
+ */
 static bool ream(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double direction = klartext_parameter_or(call, 214, 0);
@@ -170,7 +176,7 @@ static bool ream(const struct klartext_call_of *call, struct klartext_hole *hole
 	return true;
 }
 
-/* 206: with a floating holder; 207, 209: without. The tool leaves the hole at the feed. */
+/* 206: tapping with a floating holder; 207, 209: without one. The tool leaves the hole at the feed. */
 static bool tap(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double pitch;
@@ -221,9 +227,9 @@ static bool by_q(const struct klartext_call_of *call)
 }
 
 /*
- * TNC 415/425 user's manual, "PECKING (Cycle 1)", "TAPPING (Cycle 2)", "RIGID TAPPING (Cycle 17)": the tool stands
- * at the set-up clearance over the surface where the cycle is called, and comes back there. 1: set-up, depth,
- * peck, dwell, F; 2: set-up, depth, dwell, F; 17: set-up, depth, pitch.
+ * TNC 415/425 user's manual, "PECKING (Cycle 1)", "TAPPING (Cycle 2)", "RIGID TAPPING (Cycle 17)": the cycle is called
+ * with the tool at the set-up clearance above the surface, and the tool returns there. Lines of cycle 1: set-up, depth,
+ * peck, dwell, F; of cycle 2: set-up, depth, dwell, F; of cycle 17: set-up, depth, pitch.
  */
 static bool by_parts(const struct klartext_call_of *call)
 {
@@ -233,7 +239,7 @@ static bool by_parts(const struct klartext_call_of *call)
 	       depth = klartext_parameter_part(call, 2) * scale;
 	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = fabs(set_up)};
 
-	/* The oldest controls take the sign of the direction of work for all of them. */
+	/* On the oldest controls every value has the sign of the direction of work. */
 	const bool all_down = set_up < 0 && depth < 0;
 
 	if (set_up < 0 && !all_down)
@@ -265,8 +271,8 @@ static bool by_parts(const struct klartext_call_of *call)
 /* --------------------------------------------------------------------- calls */
 
 /*
- * CYCL DEF has assigned the parameters of the cycle, and the program may have changed them since. The manuals do not
- * say whether the call uses the changed values. Parameters in `but` are not checked.
+ * CYCL DEF assigns the parameters of the cycle, and the program may change them later. The manuals do not say whether
+ * the call uses the changed values. The parameters in `but` are not checked.
  */
 static bool check_values(struct interp *interp, int column, const struct klartext_cycle *cycle, const char *const *but)
 {
@@ -292,7 +298,7 @@ static bool check_values(struct interp *interp, int column, const struct klartex
 
 bool klartext_cycle_check_values(struct interp *interp, int column, bool heights)
 {
-	/* Dwells do not matter to the path; the heights are those of a pattern. */
+	/* Dwells do not change the path; the pattern gives the heights. */
 	static const char *const all[] = {"Q210", "Q211", NULL};
 	static const char *const but_heights[] = {"Q200", "Q203", "Q204", "Q210", "Q211", NULL};
 
@@ -346,13 +352,18 @@ bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift
 	return good;
 }
 
-/* "PROGRAM CALL (Cycle 12)": calls the program. */
+/*
+ * "PROGRAM CALL (Cycle 12)": calls the program, which runs from the next line on. M89 is refused because M-functions at
+ * the end of a block would take effect before the program, and because every move of the program would call it again.
+ */
 static bool call_program(struct interp *interp, int column)
 {
 	const char *name = klartext_of(interp)->cycles.program;
 
 	if (klartext_of(interp)->cycles.modal)
-		return fault(&interp->at, column, "CYCL DEF 12 with M89 is not supported yet");
+		return fault(&interp->at, column,
+			     "M89 with CYCL DEF 12 (a program after every move) is not supported; write M99 into each "
+			     "block that calls the program");
 	return name[0] != '\0' ? klartext_flow_call_program(interp, name, column)
 			       : fault(&interp->at, column, "CYCL DEF 12 has not named a program");
 }

@@ -19,17 +19,17 @@
 /* FMAX as a number, as cycles write it. */
 #define FMAX_VALUE 99999
 
-/* What a cycle is to this control. */
+/* How a cycle takes effect. */
 enum cycle_use {
-	USE_CALLED, /* by CYCL CALL, M99, M89 */
-	USE_DEFINED, /* takes effect where it is defined */
-	USE_IGNORED /* moves no axis */
+	USE_CALLED, /* when CYCL CALL, M99 or M89 calls it */
+	USE_DEFINED, /* where it is defined */
+	USE_IGNORED /* never: it moves no axis */
 };
 
 struct cycle_row {
 	short number;
 	enum cycle_use use;
-	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle); /* DEFINED */
+	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle); /* for USE_DEFINED */
 };
 
 static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
@@ -42,8 +42,8 @@ static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
 }
 
 /*
- * "TOLERANCE (Cycle 32)": T is how far the control may leave the path to smooth it, TA the same in degrees of
- * rotary axes; without T the machine's own value counts again.
+ * "TOLERANCE (Cycle 32)": T is the largest deviation from the path when the control smooths it; TA is the same for
+ * rotary axes, in degrees. Without T the machine's own value is in force again.
  */
 static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
 {
@@ -158,7 +158,7 @@ static bool finish(struct interp *interp)
 	}
 	if (!row)
 		return klartext_builder_cycle_run(interp, definition);
-	/* Older cycles have taken effect line by line. */
+	/* Each line of an older cycle has already taken effect. */
 	return row->use != USE_DEFINED || !definition->by_q || row->run(interp, definition);
 }
 
@@ -182,7 +182,7 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 	return word;
 }
 
-/* Q200=2; a feed may be MAX (FMAX) or AUTO (FAUTO), that of TOOL CALL. */
+/* Q200=2; a feed may be MAX (FMAX), or AUTO (FAUTO) for the feed of TOOL CALL. */
 static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	struct interp *interp = lexer->context;
@@ -228,7 +228,7 @@ static bool is_letter(char byte)
 	return byte >= 'A' && byte <= 'Z';
 }
 
-/* Words of the lines n.1 and on of older cycles: X+10, IX-5, ROT+30, SCL 0.5, SET UP 2, T0.05, F100, #5. */
+/* Words of the lines n.1, n.2 ... of older cycles: X+10, IX-5, ROT+30, SCL 0.5, SET UP 2, T0.05, F100, #5. */
 static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	int column = klartext_column(lexer);
@@ -315,7 +315,7 @@ bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 	/* QS500="TEXT" of cycle 225. */
 	if (definition->open && definition->by_q && !numbered && klartext_string_follows(lexer))
 		return definition->number == 225;
-	/* In a program without block numbers, Q200 and on are the cycle's. */
+	/* In a program without block numbers, Q parameters from Q200 on belong to the cycle. */
 	return definition->open && definition->by_q && !numbered && is_q_word(lexer) &&
 	       (definition->numbered || definition->number < 200 || lexer->at->text[lexer->position + 1] >= '2');
 }
@@ -328,14 +328,14 @@ bool klartext_define_line(struct lexer *lexer)
 					      : read_words(lexer, &klartext_of(interp)->cycles.definition);
 }
 
-/* The name of a cycle, which says nothing that its number does not say. */
+/* Skips the name of a cycle; its number identifies it. */
 static void skip_name(struct lexer *lexer)
 {
 	while (!klartext_ends(lexer) && !is_q_word(lexer))
 		lexer_take(lexer);
 }
 
-/* A name alone: the values of an older cycle stand in the lines behind it. */
+/* Skips a name in line n.0: the values of an older cycle follow in the next lines. */
 static bool skip_name_of_lines(struct lexer *lexer)
 {
 	while (!klartext_ends(lexer)) {
@@ -349,7 +349,7 @@ static bool skip_name_of_lines(struct lexer *lexer)
 	return true;
 }
 
-/* The contour cycles with Q parameters have numbers among the older ones. */
+/* Some contour cycles with Q parameters have numbers below 200, among the older cycles. */
 static bool is_by_q(int number)
 {
 	return number >= 200 || (number >= 20 && number <= 25) || (number >= 27 && number <= 29) || number == 39;
@@ -361,7 +361,9 @@ static bool begin(struct lexer *lexer, int number, int column)
 	const struct cycle_row *row = find_row(number);
 	const bool known = row || klartext_builder_cycle_is_known(interp, number);
 
-	/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
+	/*
+	 * It is not known whether CYCL CALL would call this cycle, so the cycle defined before can no longer be called.
+	 */
 	if (!row)
 		klartext_of(interp)->cycles.active.number = 0;
 	klartext_of(interp)->cycles.definition =
@@ -386,7 +388,7 @@ static bool read_program(struct lexer *lexer)
 	       klartext_expect_end(lexer);
 }
 
-/* 7.0 begins a definition, 7.1 and on add to it, and take effect at once: each line stands for itself. */
+/* Line 7.0 begins a definition. Each of the lines 7.1, 7.2 ... adds to it and takes effect at once. */
 static bool read_part(struct lexer *lexer, int number, int part, int column)
 {
 	struct interp *interp = lexer->context;
@@ -436,7 +438,7 @@ bool klartext_define_probe(struct lexer *lexer)
 
 	if (!klartext_value(lexer, &value))
 		return false;
-	/* The older ones are written in lines 0.0, 0.1: the first one is reported. */
+	/* Older cycles are written in lines n.0 and n.1. Only the first line is reported. */
 	if (definition->refused && value > definition->number && value < definition->number + 1) {
 		while (!klartext_ends(lexer))
 			lexer_take(lexer);

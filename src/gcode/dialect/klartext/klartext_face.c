@@ -5,7 +5,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_shape.h"
 
-/* Over a rectangle of these signed sides from a corner on, and beside it the tool with its clearance Q357. */
+/* Covers a rectangle with these signed sides from a corner, and the tool and its clearance Q357 around it. */
 static bool cover(const struct klartext_call_of *call, const double corner[2], double from, double to,
 		  struct klartext_region *region)
 {
@@ -28,8 +28,8 @@ static bool cover(const struct klartext_call_of *call, const double corner[2], d
 }
 
 /*
- * "MULTIPASS MILLING (Cycle 230)" from Q227 down on the surface itself, "FACE MILLING (Cycle 232)" from Q227 down to
- * Q386: a rectangle Q218 by Q219 from Q225, Q226 on.
+ * "MULTIPASS MILLING (Cycle 230)": from Q227 down to the surface. "FACE MILLING (Cycle 232)": from Q227 down to Q386.
+ * Both mill a rectangle Q218 by Q219 that starts at Q225, Q226.
  */
 bool klartext_face_at(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -45,9 +45,9 @@ bool klartext_face_at(const struct klartext_call_of *call, struct klartext_regio
 }
 
 /*
- * TNC 640 user's manual, "FACE MILLING (Cycle 233)": from Q227 down to Q386, Q218 by Q219 about where the tool stands:
- * the centre of the surface (Q367=0), a corner of it (1 to 4, from the lower left on), or where the first side begins
- * (-1). Limits at its sides (Q347 to Q349) keep the tool inside, which is less.
+ * TNC 640 user's manual, "FACE MILLING (Cycle 233)": from Q227 down to Q386 over a rectangle Q218 by Q219. The tool
+ * stands at the centre of the surface (Q367=0), at a corner (1 to 4, from the lower left), or where the first side
+ * begins (-1). Limits at the sides (Q347 to Q349) only make the region smaller.
  */
 bool klartext_face_here(const struct klartext_call_of *call, struct klartext_region *region)
 {

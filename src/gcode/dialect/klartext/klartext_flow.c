@@ -16,7 +16,7 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 
-/* Bytes of the key of a label: its source and its name. */
+/* Bytes of the key of a label, which consists of its source and its name. */
 #define KEY (KLARTEXT_NAME + 24)
 
 enum { LABEL_FOUND, LABEL_TWICE };
@@ -50,7 +50,7 @@ static void make_key(char key[KEY], const struct sources *sources, const struct 
 	snprintf(key, KEY, "%zu %s", index, name);
 }
 
-/* The name behind "LBL" of a line; false: it is no such line. */
+/* Reads the name after "LBL". False: the line has no label. */
 static bool label_of_line(struct interp *interp, const char *text, char name[KLARTEXT_NAME])
 {
 	struct diag unheard = {0};
@@ -85,7 +85,7 @@ static bool add_label(struct interp *interp, const char *name)
 	return true;
 }
 
-/* Keeps the text of the line in hand, as the reader goes elsewhere. */
+/* Copies the text of the current line, because the reader will overwrite it. */
 static void keep_line(struct interp *interp)
 {
 	struct klartext_lines *lines = &klartext_of(interp)->lines;
@@ -97,7 +97,7 @@ static void keep_line(struct interp *interp)
 	interp->at.text = strbuf_text(&lines->text);
 }
 
-/* Reads the whole file in hand once and notes its labels; the line in hand stays. False: reported. */
+/* Reads the whole current file once and notes its labels; the current line stays. False: reported. */
 static bool scan_labels(struct interp *interp, int column)
 {
 	struct source *source = interp->program.source;
@@ -246,8 +246,8 @@ static bool same_place(const struct position *a, const struct position *b)
 }
 
 /*
- * "Program section repeats": the section from the label to CALL LBL n REP m runs m times more. What REP does with a
- * label that stands behind the call is not in the manuals.
+ * "Program section repeats": CALL LBL n REP m runs the section from the label to the call m more times. The manuals do
+ * not say what REP does if the label is behind the call.
  */
 static bool repeat(struct interp *interp, const struct position here, const struct label *label, int count, int column)
 {
@@ -287,7 +287,7 @@ static bool repeat(struct interp *interp, const struct position here, const stru
 static bool call_label(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	/* Before labels are searched for. */
+	/* Taken before the search for labels moves the reader. */
 	const struct position here = source_here(interp->program.source);
 	int column = klartext_column(lexer), count = 0;
 	char name[KLARTEXT_NAME], title[KLARTEXT_NAME + 8];
@@ -298,7 +298,7 @@ static bool call_label(struct lexer *lexer)
 		return false;
 	repeats = klartext_take(lexer, "REP");
 	if (repeats) {
-		/* Older controls list "REP 5/5", the second number being what is left. */
+		/* Older controls list "REP 5/5"; the second number is the count of repeats that are left. */
 		if (!klartext_integer(lexer, "REP", 0, 65534, &count))
 			return false;
 		if (lexer_peek(lexer) == '/') {

@@ -27,7 +27,7 @@ static bool same_byte(char a, char b)
 	return klartext_upper(a) == klartext_upper(b) || (is_separator(a) && is_separator(b));
 }
 
-/* The folders of both paths, as far as both say them: "A\X.H" may be "TNC:\A\X.H". */
+/* Compares two folders as far as both are written: "A\X.H" may be "TNC:\A\X.H". */
 static bool may_be_same(const char *a, size_t a_length, const char *b, size_t b_length)
 {
 	while (a_length && b_length) {
@@ -40,8 +40,9 @@ static bool may_be_same(const char *a, size_t a_length, const char *b, size_t b_
 }
 
 /*
- * Two paths that end in one name may be two files of the control, of which only one is here. Each file has a line with
- * its number and the folders of the first path to it that has some. False: it may be another file, which was reported.
+ * Two paths that end in the same name may be two files of the control, but only one of them is here. Each file has a
+ * line with its number and the folders of the first path that names some. False: the path may mean another file, which
+ * was reported.
  */
 static bool check(struct interp *interp, const char *path, const struct source *source, int column)
 {
@@ -69,7 +70,7 @@ static bool check(struct interp *interp, const char *path, const struct source *
 		     (int)strcspn(first, "\n"), first, bare_of(path), source->name);
 }
 
-/* The control does not tell upper from lower case in the names of files: as written, and all in either. */
+/* The control ignores the case of file names. The name is tried as written, in upper case and in lower case. */
 static bool find_spelling(struct interp *interp, const char *file, int column, struct source **source)
 {
 	char spelling[KLARTEXT_NAME + 4];

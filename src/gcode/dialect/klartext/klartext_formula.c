@@ -12,9 +12,9 @@
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/eval/expr.h"
 
-/* Brackets inside each other. */
+/* The largest depth of nested brackets. */
 #define DEPTH_MAX 64
-/* Numbers that differ by less than this share may be equal to the control. */
+/* A relative difference; numbers that differ by less may be equal on the control. */
 #define SAME_NUMBER 1e-9
 
 /* --------------------------------------------------------------- formulas */
@@ -25,7 +25,7 @@ static const struct expr_operator operators[] = {
     {"/", EXPR_DIVIDE, 2, false}, {"%", EXPR_MODULO, 2, false}, {"^", EXPR_POWER, 3, false},
 };
 
-/* A name comes before every name that it starts with. */
+/* A name that starts with another name comes first. */
 static const struct function_name functions[] = {
     {"sqrt", "SQRT", FUNCTION_SQRT, false}, {"sq", "SQ", FUNCTION_SQUARE, false},
     {"sin", "SIN", FUNCTION_SIN, false},    {"sgn", "SGN", FUNCTION_SIGN, false},
@@ -50,7 +50,7 @@ static size_t before_blanks(const char *text, size_t end)
 	return end;
 }
 
-/* Where the pair of brackets begins that ends at `end`; 0: it has no beginning. */
+/* The position of the bracket that the one at `end` closes; 0: there is none. */
 static size_t before_brackets(const char *text, size_t end)
 {
 	int depth = 0;
@@ -117,7 +117,7 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 	return isfinite(*value) || fault(at, column, "the result is infinite");
 }
 
-/* A function takes the value behind it, which may be a pair of brackets. */
+/* A function applies to the value that follows, which may be in brackets. */
 static bool compute(struct expr *expr, int column, const struct function_name *function, struct expr_operand *value)
 {
 	double *x = &value->number;
@@ -220,7 +220,7 @@ bool klartext_formula_assign(struct lexer *lexer)
 
 /* ---------------------------------------------------------- FN 9 to FN 12 */
 
-/* Is this "Q5 IS", of FN 9: IF Q5 IS UNDEFINED? Takes nothing. */
+/* Is this "Q5 IS" of FN 9: IF Q5 IS UNDEFINED? The lexer stays. */
 static bool asks_definition(const struct lexer *before)
 {
 	struct lexer lexer = *before;
@@ -237,7 +237,10 @@ static bool asks_definition(const struct lexer *before)
 	return klartext_take(&lexer, "IS");
 }
 
-/* What the program has not set is known after SET UNDEFINED alone: others may have a value from before. */
+/*
+ * A parameter that the program has not set is known to be undefined only after SET UNDEFINED; otherwise it may hold a
+ * value from before the program.
+ */
 static bool read_definition(struct lexer *lexer, bool *holds)
 {
 	struct lexer value = *lexer;
@@ -276,7 +279,7 @@ bool klartext_formula_condition(struct lexer *lexer, int number, bool *holds)
 		return fault(lexer->at, klartext_column(lexer), "FN %d compares by %s", number, names[number - 9]);
 	if (!klartext_value(lexer, &b))
 		return false;
-	/* The control rounds in a way of its own: so near it might find them equal, or not. */
+	/* The control rounds differently and may find numbers this close equal. */
 	if (!same_double(a, b) && fabs(a - b) < SAME_NUMBER * fmax(1, fmax(fabs(a), fabs(b))))
 		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal",
 			     a, b, a - b);
@@ -286,7 +289,7 @@ bool klartext_formula_condition(struct lexer *lexer, int number, bool *holds)
 
 /* ---------------------------------------------------------- FN 0 to FN 13 */
 
-/* The operator between the two values of a function; "DIV" is written out, LEN and ANG are words. */
+/* Takes the operator between the two values of a function; "DIV" is written out, LEN and ANG are words. */
 static bool take_operator(struct lexer *lexer, int number)
 {
 	static const char *const names[] = {[1] = "+", [2] = "-", [3] = "*", [4] = "DIV", [8] = "LEN", [13] = "ANG"};
@@ -296,7 +299,7 @@ static bool take_operator(struct lexer *lexer, int number)
 	return fault(lexer->at, klartext_column(lexer), "FN %d needs %s between its values", number, names[number]);
 }
 
-/* Values for which a function has no result. False: reported. */
+/* Refuses values for which a function has no result. False: reported. */
 static bool check_operands(struct lexer *lexer, int number, int column, double a, double b)
 {
 	if (number == 4 && is_zero(b))

@@ -48,7 +48,7 @@ void klartext_frame_update(struct interp *interp)
 		frame->origin = mat3_apply(&frame->tilt, frame->origin);
 		turn = mat3_mul(&frame->tilt, &turn);
 	}
-	/* A tangential circle or line would go on along a direction of the coordinates before. */
+	/* The end direction of the last move belongs to the coordinates before the change. */
 	if (!is_same_turn(&frame->turn, &turn))
 		klartext_of(interp)->last.known = false;
 	frame->turn = turn;
@@ -71,7 +71,7 @@ static vec3 offset_of(const struct interp *interp)
 	return (vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]};
 }
 
-/* A programmed point, as it lies from the work offset; and back. */
+/* Converts a programmed point to coordinates from the work offset. The function `back` converts the other way. */
 static vec3 forth(const struct klartext_frame *frame, vec3 point)
 {
 	return frame->any ? vec3_add(frame->origin, mat3_apply(&frame->turn, times(frame->scale, point))) : point;

@@ -9,10 +9,10 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/tool_length.h"
 
-/* TNC 640 user's manual: rows of a datum table. */
+/* TNC 640 user's manual: the last row of a datum table. */
 #define KLARTEXT_ROW_MAX 9999
 
-/* Reports what is wrong with a word of the definition, whose line may be another one; false. */
+/* Reports a fault of a word of the definition, whose line may not be the current one. Returns false. */
 __attribute__((format(printf, 3, 4))) static bool
 word_fault(const struct interp *interp, const struct klartext_cycle_word *word, const char *format, ...)
 {
@@ -26,7 +26,7 @@ word_fault(const struct interp *interp, const struct klartext_cycle_word *word, 
 	return fault(&at, word->column, "%s", text);
 }
 
-/* The linear axis of a word named X, IX, Y ...; -1: it is none. */
+/* The axis of a word X, IX, Y ...; -1: the word names no axis. */
 static int axis_of(const char *name, bool *increment)
 {
 	*increment = name[0] == 'I' && name[1] != '\0';
@@ -34,7 +34,7 @@ static int axis_of(const char *name, bool *increment)
 	return name[0] != '\0' && name[1] == '\0' ? slot_of_letter(name[0]) : -1;
 }
 
-/* Does anything lie between the shift and the coordinates that a shift would be counted in? */
+/* Does a mirror image, a rotation or a scaling act between an existing shift and a new one? */
 static bool has_turned(const struct klartext_frame *frame)
 {
 	struct klartext_frame bare = *frame;
@@ -43,7 +43,7 @@ static bool has_turned(const struct klartext_frame *frame)
 	return klartext_frame_is_inner(&bare);
 }
 
-/* A line without values, as posts write it: an editor of the control has none. False: reported. */
+/* Refuses a line without values, which posts write but an editor of the control does not. False: reported. */
 static bool check_values(const struct interp *interp, const struct klartext_cycle *cycle, bool in_force,
 			 const char *what, const char *words)
 {
@@ -78,7 +78,7 @@ static const struct work_offset *find_row(const struct interp *interp, int numbe
 	return NULL;
 }
 
-/* The row of the datum table as the words of a shift of all axes. False: reported. */
+/* Reads a row of the datum table as the words of a shift of all axes. False: reported. */
 static bool read_row(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_cycle *row)
 {
 	const struct klartext_cycle_word *word = &cycle->words[0];
@@ -112,8 +112,8 @@ static bool read_row(struct interp *interp, const struct klartext_cycle *cycle, 
 }
 
 /*
- * The manual wants shifts taken back in the reverse order. What remains of a shift from before the plane when the same
- * axis is shifted in the plane, as posts do to end both, is not in it.
+ * The manual requires that shifts are cancelled in the reverse order. Posts cancel a shift from before the plane and a
+ * shift in the plane of the same axis at once; the manual does not say what then remains of the first shift.
  */
 static void note_order(struct klartext *klartext, int slot, bool increment)
 {
@@ -128,9 +128,9 @@ static void note_order(struct klartext *klartext, int slot, bool increment)
 
 /*
  * iTNC 530 user's manual, "DATUM SHIFT (Cycle 7)": absolute values count from the preset, I values from the shift in
- * force. "WORKING PLANE (Cycle 19)", combining cycles: a shift before the tilting is one of the machine-based
- * coordinates, and a later one of the tilted coordinates. What a shift does while mirror, rotation or scaling is in
- * force is known for 0 alone, where no order matters.
+ * force. "WORKING PLANE (Cycle 19)", combining cycles: a shift before the tilting is in machine coordinates; a shift
+ * after the tilting is in the tilted coordinates. While a mirror image, a rotation or a scaling is in force, only a
+ * shift of 0 is known, because then the order does not matter.
  */
 static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 {
@@ -187,7 +187,9 @@ bool klartext_frame_cycle_shift(struct interp *interp, const struct klartext_cyc
 	return read_row(interp, cycle, &row) && shift(interp, &row);
 }
 
-/* Two of mirror, rotation and unequal scaling do not commute: which one the control takes first is not known here. */
+/*
+ * The order of mirror image, rotation and unequal scaling matters, and it is not known which the control applies first.
+ */
 static bool check_order(struct interp *interp, const struct klartext_cycle *cycle, const struct klartext_frame *frame)
 {
 	const struct line_place at = klartext_frame_place(interp, cycle->line);
@@ -215,7 +217,7 @@ static bool put(struct interp *interp, const struct klartext_cycle *cycle, const
 	return true;
 }
 
-/* "MIRROR IMAGE (Cycle 8)": the axes named are mirrored at the datum; none cancels it. */
+/* "MIRROR IMAGE (Cycle 8)": mirrors the named axes at the datum; a cycle without axes cancels it. */
 bool klartext_frame_cycle_mirror(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	struct klartext_frame frame = klartext_of(interp)->frame;
@@ -260,7 +262,10 @@ static bool check_factor(struct interp *interp, const struct klartext_cycle_word
 	       word_fault(interp, word, "a scaling factor must be more than 0 and less than 100");
 }
 
-/* Whether cycles 11 and 26 multiply, and which of them a factor of 1 cancels, is not in the manuals. */
+/*
+ * The manuals do not say whether the factors of cycles 11 and 26 multiply, or which of the cycles a factor of 1
+ * cancels.
+ */
 static bool check_one_scaling(struct interp *interp, const struct klartext_cycle *cycle, int number)
 {
 	const int before = klartext_of(interp)->frame.scaled_by;
@@ -270,7 +275,10 @@ static bool check_one_scaling(struct interp *interp, const struct klartext_cycle
 	       fault(&at, cycle->column, "CYCL DEF %d while CYCL DEF %d scales: cancel that first", number, before);
 }
 
-/* "SCALING FACTOR (Cycle 11)": from the datum, of all three axes or in the plane alone, by a machine parameter. */
+/*
+ * "SCALING FACTOR (Cycle 11)": scales from the datum. A machine parameter decides whether it scales all three axes or
+ * the plane only.
+ */
 bool klartext_frame_cycle_scale(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	const enum cycle_11_axes axes = interp->config->controller.cycle_11_axes;

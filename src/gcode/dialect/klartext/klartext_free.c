@@ -16,7 +16,7 @@
 #include "gcode/dialect/klartext/klartext_words.h"
 #include "geom/tolerance.h"
 
-/* mm: how far what a block says twice may differ, as a drawing rounds it. */
+/* mm: the largest difference between two statements of one block about the same thing, because drawings round. */
 #define AGREEMENT 0.016
 
 static bool run(struct lexer *lexer, klartext_path_shape shape)
@@ -37,14 +37,14 @@ static bool run(struct lexer *lexer, klartext_path_shape shape)
 
 /* --------------------------------------------------------------- solutions */
 
-/* What one block says. */
+/* The data of one block. */
 struct element {
 	struct interp *interp;
 	const struct klartext_words *words;
 	const struct klartext_free *free;
 	const struct klartext_path *path; /* its start */
 	bool has_x, has_y, has_direction;
-	double x, y; /* mm: the end, as far as it is given */
+	double x, y; /* mm: the given coordinates of the end */
 	vec3 direction; /* at the start, unit */
 };
 
@@ -61,13 +61,16 @@ static bool contradict(const struct element *element)
 		     "FK: the data of this element contradict each other");
 }
 
-/* CLSD-: the element ends where the one with CLSD+ has begun. */
+/* CLSD-: the element ends where the element with CLSD+ began. */
 static bool closes(const struct element *element)
 {
 	return element->free->value[KLARTEXT_FREE_CLOSED] < 0 && element->free->has_begin;
 }
 
-/* The end, if X and Y, PR and PA, or CLSD- at the end of a closed contour give it. */
+/*
+ * Finds the end from X and Y, from PR and PA, or from CLSD- at the end of a closed contour. False: the block does not
+ * give it.
+ */
 static bool has_end(const struct element *element, vec3 *end)
 {
 	const struct klartext_free *free = element->free;
@@ -90,7 +93,7 @@ static bool has_end(const struct element *element, vec3 *end)
 	return true;
 }
 
-/* Does all that the block says of the end hold for this one? */
+/* Do all given data of the end agree with this point? */
 static bool agrees(const struct element *element, vec3 end)
 {
 	vec3 polar = end;
@@ -150,9 +153,9 @@ static bool begin(struct interp *interp, const struct klartext_words *words, con
 }
 
 /*
- * Where a tangential element leaves this circle: a straight line that ends at the next circle, or the next circle
- * itself. The unit vector n points to the left of the common direction: the element touches each circle at the point
- * centre - turn radius n. False: the two circles have no such tangent.
+ * Finds the point where a tangential element leaves this circle. The element is a straight line that ends at the next
+ * circle, or it is the next circle itself. The unit vector n points to the left of the common direction: the element
+ * touches each circle at the point centre - turn radius n. False: the two circles have no such tangent.
  */
 static bool leave_circle(const struct klartext_free_circle *circle, const struct klartext_free_ahead *ahead, vec3 *end)
 {
@@ -190,7 +193,9 @@ static bool find_touch(const struct element *element, vec3 *end)
 	return true;
 }
 
-/* The way along the direction to the end that one coordinate gives; not positive: none. */
+/*
+ * The distance along the direction to the end that one given coordinate determines; not positive: there is no such end.
+ */
 static double way_along(const struct element *element)
 {
 	const vec3 start = element->path->start, direction = element->direction;
@@ -252,7 +257,7 @@ static bool find_centre(const struct element *element, vec3 *centre)
 	} else if (!element->has_direction || !has_end(element, &end)) {
 		return open(element, "the block does not say where the centre of its circle is");
 	} else {
-		/* As far from the start, across its direction, as from the end. */
+		/* The centre lies on the normal at the start and has the same distance from the start and the end. */
 		const vec3 across = vec3_cross(z, element->direction), way = vec3_sub(end, element->path->start);
 
 		if (!(fabs(vec3_dot(across, way)) > SAME_POINT))
@@ -262,7 +267,7 @@ static bool find_centre(const struct element *element, vec3 *centre)
 	return true;
 }
 
-/* Does all that the block says of the circle hold for this centre? */
+/* Do all given data of the circle agree with this centre? */
 static bool circle_agrees(const struct element *element, vec3 centre)
 {
 	const struct klartext_free *free = element->free;

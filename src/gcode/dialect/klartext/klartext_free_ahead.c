@@ -7,13 +7,16 @@
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* The words of FCT that do not belong to FK alone. */
+/* The words of FCT that are not words of FK. */
 struct others {
 	double radius; /* without conversion; 0: none */
 	int turn;
 };
 
-/* Takes one word: R, DR, or an end or a feed rate, which do not change the circle. False: it is another word. */
+/*
+ * Takes one word: R, DR, an end or a feed rate; an end and a feed rate do not change the circle. False: it is another
+ * word.
+ */
 static bool take_other(struct lexer *lexer, struct others *others)
 {
 	double unused;
@@ -28,7 +31,7 @@ static bool take_other(struct lexer *lexer, struct others *others)
 	       klartext_value_follows(lexer) && klartext_value(lexer, &unused);
 }
 
-/* Reads the words of FCT. False: they do not give its circle, or are not all known here. */
+/* Reads the words of FCT. False: they do not determine its circle, or one of them is not supported here. */
 static bool read_circle(struct lexer *lexer, struct klartext_free_circle *circle)
 {
 	const struct interp *interp = lexer->context;
@@ -56,7 +59,7 @@ static bool read_circle(struct lexer *lexer, struct klartext_free_circle *circle
 	return circle->radius > 0 && circle->turn != 0;
 }
 
-/* Reads one line; *done: no further line is needed. False: it is no block that determines the end. */
+/* Reads one line; *done is set if no further line is needed. False: the line does not determine the end. */
 static bool read_line(struct lexer *lexer, struct klartext_free_ahead *ahead, bool *done)
 {
 	bool slash;
@@ -82,7 +85,7 @@ bool klartext_free_ahead_read(struct interp *interp, struct klartext_free_ahead 
 	bool done = false;
 
 	*ahead = (struct klartext_free_ahead){0};
-	/* Reading gives up the text of the current line. */
+	/* Reading overwrites the current line, so the line is copied. */
 	strbuf_clear(kept);
 	strbuf_addf(kept, "%s", interp->at.text);
 	interp->at.text = strbuf_text(kept);

@@ -17,7 +17,7 @@ double klartext_free_axis_zero(const struct interp *interp, int slot)
 	return zero + here - left;
 }
 
-/* How far the machine's X, with this axis at this angle, lies along the tilted X. */
+/* The component of the machine's X along the tilted X when this axis is at this angle. */
 static bool along_tilted_x(struct interp *interp, int column, struct kinematics_turn *turn, int slot, double angle,
 			   const mat3 *tilt, double *found)
 {
@@ -29,8 +29,8 @@ static bool along_tilted_x(struct interp *interp, int column, struct kinematics_
 }
 
 /*
- * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's, whose
- * X turns with the axis: two positions tell the angle.
+ * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's
+ * coordinates. The X of the machine turns with the axis, so its components at two positions give the angle.
  */
 static bool turn_table(struct interp *interp, int column,
 		       const struct kinematics_solution *chosen, const mat3 *tilt, int slot, double *to)
@@ -86,8 +86,8 @@ static bool turn_coordinates(struct interp *interp, int column, int slot, double
 }
 
 /*
- * The machine's answer, of which swivel_pole="zero" is a part: it is TNC 640's, which turns the coordinates alone (TNC7
- * user's manual, "Transformation type").
+ * The rotation that the machine file gives. swivel_pole="zero" describes TNC 640, which turns only the coordinates
+ * (TNC7 user's manual, "Transformation type").
  */
 static enum plane_rotation find_rotation(const struct controller *controller)
 {
@@ -101,7 +101,7 @@ bool klartext_free_axis_turn(struct interp *interp, int column, enum plane_rotat
 {
 	const enum plane_rotation rotation = asked ? asked : find_rotation(&interp->config->controller);
 
-	/* A plane whose X lies along the workpiece's turns no coordinates. */
+	/* If the tilted X lies along the X of the workpiece, no coordinates turn. */
 	if (!rotation && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
 		return fault(&interp->at, column,
 			     "any angle of %c suits this plane: a parameter of the control decides whether the "

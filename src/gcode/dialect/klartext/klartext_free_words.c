@@ -5,7 +5,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* Words that refer to other elements and to points of the element, which are not solved here. */
+/* Words that refer to other elements or to points of the element; they are not supported. */
 static const char *const relations[] = {"RX",  "RY",  "RAN", "RPR", "RPA", "RCCX", "RCCY", "RCCPR",
 					"RCCPA", "PAR", "DP",  "PDX", "PDY", "PX",  "PY",  "P1X",
 					"P1Y", "P2X", "P2Y", "P3X", "P3Y", NULL};

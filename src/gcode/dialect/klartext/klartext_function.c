@@ -15,7 +15,10 @@
 
 /* ---------------------------------------------------------------------- FN */
 
-/* iTNC 530 user's manual, "Additional functions": what they do that a checker cannot know; NULL: they move nothing. */
+/*
+ * iTNC 530 user's manual, "Additional functions": the effect that a checker cannot know; NULL: the function moves
+ * nothing.
+ */
 static bool run_other(struct lexer *lexer, int number, int column)
 {
 	switch (number) {
@@ -24,7 +27,7 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	case 15: /* prints */
 	case 16:
 	case 26: /* opens a table */
-	case 27: /* writes into it */
+	case 27: /* writes into a table */
 	case 29: /* tells the PLC */
 	case 38: /* sends */
 		return true;
@@ -36,7 +39,7 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	case 18:
 		return klartext_system_read(lexer);
 	case 20:
-		/* It waits until the axes have done what was read ahead. */
+		/* The control waits until the axes have carried out all blocks that were read ahead. */
 		if (klartext_take(lexer, "WAIT") && klartext_take(lexer, "FOR") && klartext_take(lexer, "SYNC")) {
 			klartext_system_synchronise(lexer->context);
 			return true;
@@ -83,7 +86,7 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 	       tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
 }
 
-/* Behind F: TCP or CONT; MAX or a value limits the feed of compensating moves alone. */
+/* Reads TCP or CONT after F. MAX or a value limits only the feed of compensating moves. */
 static bool read_tcpm_feed(struct lexer *lexer, int column)
 {
 	double unused;
@@ -95,9 +98,9 @@ static bool read_tcpm_feed(struct lexer *lexer, int column)
 }
 
 /*
- * "FUNCTION TCPM": F TCP or F CONT is what the feed counts; AXIS POS: rotary words are positions of the axes, AXIS
- * SPAT: spatial angles; PATHCTRL AXIS: the axes go linearly, PATHCTRL VECTOR: the tool in the plane between its
- * directions.
+ * "FUNCTION TCPM": F TCP and F CONT select what the feed rate refers to. With AXIS POS, rotary words are positions of
+ * the axes; with AXIS SPAT, spatial angles. With PATHCTRL AXIS the axes move linearly; with PATHCTRL VECTOR the tool
+ * turns in the plane of its first and last directions.
  */
 static bool read_tcpm(struct lexer *lexer)
 {
@@ -140,7 +143,7 @@ static bool read_tcpm(struct lexer *lexer)
 	return true;
 }
 
-/* TNC 640 user's manual: what moves no axis, and changes feed rates, speeds, monitoring or a counter at most. */
+/* TNC 640 user's manual: functions that move no axis and change at most feed rates, speeds, monitoring or a counter. */
 static bool is_harmless(const char *word)
 {
 	static const char *const words[] = {"FEED", "DWELL", "S", "DCM", "AFC", "COUNT", "HEARTBEAT", "LIFTOFF"};
@@ -167,7 +170,10 @@ static bool change_files(struct lexer *lexer, int column)
 	return false;
 }
 
-/* What begins with them is not supported, so that they end nothing. DISPLAY needs a parallel axis to matter. */
+/*
+ * Takes words that end a function which is not supported, so that they end nothing. PARAXCOMP DISPLAY matters only on a
+ * machine with parallel axes.
+ */
 static bool ends_nothing(struct lexer *lexer)
 {
 	const bool *has = ((const struct interp *)lexer->context)->config->has_axis;

@@ -11,7 +11,7 @@ struct drill {
 	struct interp *interp;
 	const struct klartext_hole *hole;
 	vec3 at; /* programmed */
-	double feed; /* of a way without one, so that its time is finite */
+	double feed; /* for moves without a feed, so that their time is finite */
 };
 
 static bool go(struct drill *drill, double feed)
@@ -48,8 +48,8 @@ static bool rest(struct drill *drill)
 }
 
 /*
- * Peck after peck: chips are broken, or the tool goes up to the set-up clearance and down to just over the last
- * depth.
+ * Drills peck by peck. Between pecks the tool breaks chips, or it retracts to the set-up clearance and returns to just
+ * above the last depth.
  */
 static bool peck(struct drill *drill)
 {

@@ -6,7 +6,7 @@
 
 enum joined { JOINED_NOT, JOINED_FORMULA, JOINED_BLOCK };
 
-/* What the line in hand begins that goes on in the next one. */
+/* The kind of block that begins in the current line and continues in the next one. */
 static enum joined kind_of_line(struct interp *interp)
 {
 	static const char *const by_line[] = {"CYCL", "CYCLE", "TCH", "PATTERN"};
@@ -16,7 +16,7 @@ static enum joined kind_of_line(struct interp *interp)
 
 	if (klartext_of(interp)->cycles.definition.open || !klartext_continues(text))
 		return JOINED_NOT;
-	/* A block number, and the mark of a block that may be left out, before or behind it. */
+	/* Skips a block number and the mark for block skip, which stands before or after the number. */
 	lexer.position += strspn(text + lexer.position, " \t0123456789/");
 	if (klartext_upper(lexer_peek(&lexer)) == 'Q')
 		return JOINED_FORMULA;
@@ -36,7 +36,7 @@ static bool begins_with_digit(const char *text)
 	return byte >= '0' && byte <= '9';
 }
 
-/* Does this line begin a block of its own? What some blocks ignore, would swallow it. */
+/* Does this line begin a new block? A block that ignores its words would otherwise swallow it. */
 static bool is_own_block(struct interp *interp, const char *text, bool (*begins_block)(const char *word))
 {
 	const struct line_place at = interp->at;
@@ -50,11 +50,14 @@ static bool is_own_block(struct interp *interp, const char *text, bool (*begins_
 	interp->at = at;
 	if (word[0] == 'Q')
 		return strchr(text, '=') != NULL;
-	/* "L+5", "C+90": a length and an axis. */
+	/* "L+5" and "C+90" are a length and an axis, not blocks. */
 	return begins_block(word) && (behind == '\0' || behind == ' ' || behind == '\t');
 }
 
-/* Adds the line without its '~' and, where others follow, without its comment; within it '~' stays, and is refused. */
+/*
+ * Adds the line without its final '~', and without its comment if another line follows. Another '~' in the line stays
+ * and is refused later.
+ */
 static void add_part(struct strbuf *line, const char *text)
 {
 	size_t length = strlen(text);
@@ -64,14 +67,14 @@ static void add_part(struct strbuf *line, const char *text)
 	strbuf_addf(line, "%.*s", (int)length, text);
 }
 
-/* The reader has given up the first line: what was joined so far stands for it. */
+/* Reports a fault with the joined text, because the reader has overwritten the first line. */
 static bool fault_joined(struct interp *interp, const char *message)
 {
 	interp->at.text = strbuf_text(&klartext_of(interp)->lines.joined);
 	return fault(&interp->at, 1, "%s", message);
 }
 
-/* It would fill the memory, and is too long to be shown. */
+/* Refuses a block that could fill the memory. Its text is too long for a message. */
 static bool fault_long(struct interp *interp)
 {
 	interp->at.text = strbuf_text(&klartext_of(interp)->lines.joined);
@@ -97,7 +100,7 @@ bool klartext_join(struct interp *interp, bool (*begins_block)(const char *word)
 							      "read"
 							    : "the next line, in which this block goes on, cannot be "
 							      "read");
-		/* Behind a value, a number would become part of it. */
+		/* A number would become part of the value at the end of the line before. */
 		if (kind == JOINED_BLOCK && begins_with_digit(text))
 			return fault_joined(interp, "'~' continues this block, but the next line begins with a number");
 		if (kind == JOINED_BLOCK && is_own_block(interp, text, begins_block))

@@ -9,7 +9,10 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
-/* "Q12", "QR5", "QS7": the number behind the letters, in one spelling; -1: it is none, or there are no so many. */
+/*
+ * The number after the letters of "Q12", "QR5" or "QS7"; only one spelling is valid. -1: not a number, or not below
+ * `count`.
+ */
 static long number_behind(const char *name, size_t letters, long count)
 {
 	const char *digits = name + letters;
@@ -20,7 +23,10 @@ static long number_behind(const char *name, size_t letters, long count)
 	return number < count ? number : -1;
 }
 
-/* iTNC 530 user's manual, "Preassigned Q parameters": tool, spindle, coolant, unit, and the angles of PLANE. */
+/*
+ * iTNC 530 user's manual, "Preassigned Q parameters": does the control change this parameter (tool, spindle, coolant,
+ * unit, angles of PLANE)?
+ */
 static bool changes(long number)
 {
 	return (number >= 108 && number <= 111) || number == 113 || number == 114 || (number >= 120 && number <= 122);
@@ -51,7 +57,10 @@ static bool load(struct lexer *lexer, const struct control_variable *variable)
 	return true;
 }
 
-/* The text behind a word and its number, which has one spelling and at most six digits; NULL: it does not go on so. */
+/*
+ * Takes a word and its number, which has one spelling and at most six digits, and returns the text after them. NULL:
+ * the text does not begin so.
+ */
 static const char *take_numbered(const char *text, const char *word, int *number)
 {
 	const char *digits = text + strlen(word);
@@ -66,7 +75,7 @@ static const char *take_numbered(const char *text, const char *word, int *number
 	return digits + length;
 }
 
-/* "ID50NR3IDX1", as FN 18 asks for it, of a table that no program changes. */
+/* Checks data such as "ID50NR3IDX1", which FN 18 reads from a table that no program changes. False: reported. */
 static bool check_data(struct lexer *lexer, const struct control_variable *variable)
 {
 	const char *name = variable->name;

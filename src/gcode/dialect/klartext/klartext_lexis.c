@@ -59,7 +59,7 @@ size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD])
 	return length;
 }
 
-/* "Q5", "QL5": a parameter may stand right behind a word, as in REPQ5. */
+/* "Q5", "QL5": a parameter may follow a word without a blank, as in REPQ5. */
 static bool is_parameter(const char *text)
 {
 	if (klartext_upper(*text) != 'Q')

@@ -39,7 +39,7 @@ static bool chamfer_corner(struct lexer *lexer)
 	return klartext_corner_read(lexer, true);
 }
 
-/* "BEGIN PGM NAME MM": what lengths count. */
+/* "BEGIN PGM NAME MM": the unit of lengths. */
 static bool begin(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
@@ -119,7 +119,7 @@ static bool cycle(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
 }
 
-/* Some posts write CYCLE. A control that does not accept it stops there, and nothing moves. */
+/* Some posts write CYCLE for CYCL. A control that does not accept it stops there, so nothing moves. */
 static bool cycle_in_full(struct lexer *lexer)
 {
 	struct klartext_lines *lines = &klartext_of(lexer->context)->lines;
@@ -148,7 +148,7 @@ static const struct statement {
 	const char *word;
 	bool (*run)(struct lexer *lexer);
 	bool bare;
-	bool compensated; /* may stand under radius compensation */
+	bool compensated; /* is allowed under radius compensation */
 } statements[] = {
     {"L", klartext_straight_run, false, true},
     {"CC", klartext_circle_pole, false, true},
@@ -206,7 +206,7 @@ static const struct statement *find_statement(const char *word)
 	return NULL;
 }
 
-/* Is this the first word of a block? The lines of a pattern's definition are no blocks of their own. */
+/* Is this the first word of a block? The further lines of a pattern's definition are not blocks. */
 static bool begins_block(const char *word)
 {
 	const struct statement *statement = find_statement(word);
@@ -235,7 +235,7 @@ static bool starts_word(const char *word, char behind)
 
 	if (word[0] == '\0' || (word[0] == 'I' && slot_of_letter(*++word) < 0))
 		return false;
-	/* "FMAX", "M", "R0": the letters that stand without a value, too. */
+	/* "FMAX", "M" and "R" may also have no value. */
 	if (!strcmp(word, "FMAX") || !strcmp(word, "RL") || !strcmp(word, "RR"))
 		return blank;
 	if (word[1] != '\0' && strcmp(word, "MQ") != 0 && strcmp(word, "SQ") != 0 && strcmp(word, "FQ") != 0)
@@ -262,7 +262,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	behind = lexer->at->text[lexer->position];
 	statement = find_statement(word);
 	*bare = statement && statement->bare;
-	/* C+45 is an axis, C X+5 a circle; so is L. */
+	/* "C+45" is an axis; "C X+5" is a circle. */
 	if (statement && !(word[1] == '\0' && word[0] == 'C' && starts_word(word, behind)))
 		return check_comp(lexer, statement) && run_statement(lexer, statement, start);
 	lexer->position = start;
@@ -289,7 +289,7 @@ static bool count_block(struct interp *interp)
 	       program_count(&interp->program, interp->config->read.max_blocks, &interp->at);
 }
 
-/* After M2 and M30 the subprograms follow, up to END PGM. */
+/* After M2 and M30 only subprograms follow, up to END PGM: their lines are skipped. */
 static bool pass_by(struct lexer *lexer)
 {
 	return !klartext_take(lexer, "END") || end(lexer);
@@ -338,8 +338,8 @@ static bool is_like_block(const struct lexer *before)
 }
 
 /*
- * Is this line a comment, or does it go on with one that '~' continues? Only lines without a number go on, and only
- * behind a comment with one: a block of a program with numbers is never taken for a comment.
+ * Is this line a comment, or does it continue a comment that ends in '~'? Only a line without a block number continues
+ * a comment, and only a comment with a block number. So a numbered block is never taken for a comment.
  */
 static bool is_comment(struct lexer *lexer, bool numbered)
 {
@@ -352,8 +352,8 @@ static bool is_comment(struct lexer *lexer, bool numbered)
 }
 
 /*
- * Behind a block with a comment that ends in '~', do words without a block follow? They may be the comment's, or the
- * block's, whose move they would change.
+ * Does this line hold words without a block, behind a block whose comment ends in '~'? The words may belong to the
+ * comment or to the block, and they would change the block's move.
  */
 static bool may_belong_before(struct lexer *lexer, bool numbered)
 {
@@ -416,7 +416,9 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	return run_block(lexer, bare);
 }
 
-/* Ends a definition before this line, unless the line continues it: without '~' only a line of parameters does. */
+/*
+ * Ends a definition before this line unless the line continues it. Without '~' only a line of parameters continues it.
+ */
 static bool end_definition(struct interp *interp, const struct lexer *before)
 {
 	struct lexer lexer = *before;
@@ -440,7 +442,7 @@ static bool says_nothing(const char *text)
 	return first == '\0' || first == ';';
 }
 
-/* A definition in one line, or the last line of one with '~'. */
+/* Is this a definition in one line, or the last line of a definition with '~'? */
 static bool ends_definition(const struct interp *interp)
 {
 	const struct klartext_cycle *definition = &klartext_of(interp)->cycles.definition;
@@ -463,7 +465,10 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	if (!klartext_join(interp, begins_block))
 		return false;
 	lexer = klartext_lexer(interp);
-	/* A fault of the definition does not concern the current line: it is carried out, because it can be a label. */
+	/*
+	 * A fault of the definition is not a fault of the current line, which may be a label. So the line is carried
+	 * out.
+	 */
 	good = !definition->open || end_definition(interp, &lexer);
 	if (!good && !interp->config->read.all_faults)
 		return false;
@@ -481,7 +486,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 		klartext_approach_keep_line(interp);
 		return true;
 	}
-	/* Only blocks with moves count as those that do not move in the plane. */
+	/* A block without any move does not count as a block without a move in the plane. */
 	interp->comp.moved |= interp->moves == 0;
 	return bare || cutter_comp_end_block(interp);
 }

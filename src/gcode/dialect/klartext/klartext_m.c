@@ -60,7 +60,7 @@ static enum m_action action_of(int number)
 	return M_HARMLESS;
 }
 
-/* What to write instead of a function that changes where the tool is; NULL: the function may be left out. */
+/* What to write instead of a function that changes the position of the tool; NULL: the function may be left out. */
 static const char *instead_of(int number)
 {
 	switch (number) {
@@ -106,7 +106,7 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			     "M%d: %s is not supported yet; if it may be left out, set <mcode number=\"%d\" "
 			     "action=\"ignore\"/> in the machine file's <controller>",
 			     m->number, found->what, m->number);
-	/* "M118" without limits ends what one with limits has allowed. */
+	/* "M118" without limits ends an M118 with limits. */
 	if (m->number == 118 && m->way > 0)
 		return fault(
 		    &interp->at, m->column,
@@ -116,7 +116,7 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 	return true;
 }
 
-/* Under radius compensation moves wait, and some functions would change their way. */
+/* Under radius compensation moves are delayed, and some functions would change the delayed moves. False: reported. */
 static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m_action action)
 {
 	if (!klartext_comp_is_selected(interp))
@@ -144,7 +144,7 @@ static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m
 		     m->number);
 }
 
-/* At the end of a block, and without a move. */
+/* Does the function take effect at the end of a block, without a move? */
 static bool is_end(enum m_action action)
 {
 	return action == M_END || action == M_STAND || action == M_PLAIN;
@@ -188,11 +188,14 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 	       tool_length_switch_tcp(interp, m->column, TCP_BY_MCODE);
 }
 
-/* "M94": reduces the display of rotary axes to less than 360 degrees; of positions there it does nothing. */
+/*
+ * "M94": reduces the display of rotary axes to less than 360 degrees. It does nothing if the positions already lie
+ * there.
+ */
 static bool reduce(struct interp *interp, const struct klartext_m *m)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		/* With wrap the display is always reduced. */
+		/* An axis with wrap always has a reduced display. */
 		if (!interp->config->has_axis[slot] || interp->config->wrap[slot] != WRAP_NONE ||
 		    (m->way > 0 && !((unsigned)m->way & 1U << slot)))
 			continue;
@@ -204,7 +207,7 @@ static bool reduce(struct interp *interp, const struct klartext_m *m)
 	return true;
 }
 
-/* "M138": only the axes named tilt the plane. With all of them named, or none, nothing is left out. */
+/* "M138": only the named axes tilt the plane. If all are named, or none, M138 changes nothing. */
 static bool select_axes(struct interp *interp, const struct klartext_m *m)
 {
 	unsigned named = (unsigned)m->way;
