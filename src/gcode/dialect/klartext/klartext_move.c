@@ -13,12 +13,12 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-/* Degrees: what Q120 to Q122 can be off by where a post writes them with three decimals. */
+/* Degrees: the error of Q120 to Q122 if a post writes them with three decimals. */
 #define ROUNDED_ANGLE 0.00051
 
 /* ----------------------------------------------------------------- targets */
 
-/* Where an axis goes by the difference of an angle and its display, which is reduced to 360 degrees. */
+/* The target of an axis that moves by the difference of the angle and its display, which is reduced to 360 degrees. */
 static double difference_target(const struct interp *interp, int slot, double value)
 {
 	const double offset = interp->state.offset.v[slot];
@@ -32,9 +32,9 @@ static double reduced(double value)
 }
 
 /*
- * "M126" (iTNC 530 user's manual): with it a rotary axis with a reduced display goes the shorter way, without it as a
- * parameter of the machine says. The machine file tells by wrap whether the display is reduced. Whether the control
- * reduces an angle of the program before it takes the difference is not in the manual.
+ * "M126" (iTNC 530 user's manual): a rotary axis with a reduced display takes the shorter way. Without M126 a machine
+ * parameter decides. In the machine file, wrap says whether the display is reduced. The manual does not say whether the
+ * control reduces a programmed angle before it takes the difference.
  */
 static bool check_way(struct interp *interp, int slot, double value, double target, int column)
 {
@@ -73,7 +73,7 @@ static bool check_way(struct interp *interp, int slot, double value, double targ
 	    AXIS_LETTERS[slot]);
 }
 
-/* Does the axis go by the difference of the angle and the reduced display? Then the target. */
+/* Does the axis move by the difference of the angle and the reduced display? If so, finds the target. */
 static bool goes_plain(const struct interp *interp, int slot, double value, double *target)
 {
 	const struct controller *controller = &interp->config->controller;
@@ -116,7 +116,7 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 {
 	double point[3];
 
-	/* Before coordinates are asked for: the preset gives them. */
+	/* The preset comes first, because it gives the coordinates. */
 	if (words->axes && (!klartext_preset_check(interp, words->first_column) ||
 			    !klartext_preset_check_plane(interp, words->first_column) ||
 			    !klartext_frame_check_shift(interp, words->axes, words->first_column)))

@@ -17,10 +17,13 @@ bool klartext_orient_is_no_farther(const axis_values *from, const struct kinemat
 	return true;
 }
 
-/* How far the length of a vector that posts write with a few decimals may be off. */
+/* The largest error in the length of a unit vector that posts write with a few decimals. */
 #define NORMALISED 0.01
 
-/* The control goes on to the nearer one: that is certain where no axis has a longer way to it. */
+/*
+ * Chooses the nearer position, as the control does. The choice is certain if no axis has a longer way to it. False:
+ * reported.
+ */
 static bool choose(struct interp *interp, int column, const struct kinematics_solutions *solutions,
 		   const struct kinematics_solution **chosen)
 {
@@ -51,9 +54,9 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 }
 
 /*
- * "Three-dimensional tool compensation": TX, TY and TZ are the direction from the tip to the spindle, in coordinates of
- * the workpiece. "FUNCTION TCPM", AXIS SPAT: A, B and C turn it as PLANE SPATIAL does, and the first block has all
- * three.
+ * "Three-dimensional tool compensation": TX, TY and TZ are the direction from the tip to the spindle in coordinates of
+ * the workpiece. "FUNCTION TCPM", AXIS SPAT: A, B and C turn this direction as PLANE SPATIAL does; the first block must
+ * have all three.
  */
 static bool find_direction(struct interp *interp, const struct klartext_words *words, vec3 *direction)
 {

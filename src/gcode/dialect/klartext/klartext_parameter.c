@@ -27,7 +27,7 @@ bool klartext_parameter_find(const struct klartext_call_of *call, int q, double 
 	return false;
 }
 
-/* A parameter that the cycle must have. False: reported. */
+/* Finds a parameter that the cycle must have. False: reported. */
 bool klartext_parameter_need(const struct klartext_call_of *call, int q, double *value)
 {
 	return klartext_parameter_find(call, q, value) ||
@@ -57,7 +57,7 @@ double klartext_parameter_length_or(const struct klartext_call_of *call, int q, 
 	return klartext_parameter_find(call, q, &value) ? value * call->interp->state.scale : otherwise;
 }
 
-/* mm/s, of F in mm/min or tenths of an inch a minute. */
+/* Converts F, in mm/min or in tenths of an inch a minute, to mm/s. */
 double klartext_parameter_per_second(const struct klartext_call_of *call, double feed)
 {
 	double scale = call->interp->state.scale;
@@ -77,8 +77,8 @@ double klartext_parameter_part(const struct klartext_call_of *call, int part)
 /* ------------------------------------------------------------------- feeds */
 
 /*
- * Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time
- * finite.
+ * A feed such as Q206. For 0 and for the feed of TOOL CALL (FAUTO) any feed that keeps the time finite serves, because
+ * the path does not depend on it.
  */
 bool klartext_parameter_feed(const struct klartext_call_of *call, int q, double *feed)
 {

@@ -11,7 +11,7 @@
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "geom/tolerance.h"
 
-/* A circle whose plane is open: nothing that needs its direction may stand beside it. */
+/* Moves on a circle whose plane is not certain. Refused where another element needs the direction of the circle. */
 static bool make_open(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 		      struct klartext_path *path)
 {
@@ -62,7 +62,7 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 	return true;
 }
 
-/* Words that no circle and no polar line has. */
+/* Refuses words that neither a circle nor a polar line can have. False: reported. */
 static bool check_words(struct interp *interp, const struct klartext_words *words)
 {
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {

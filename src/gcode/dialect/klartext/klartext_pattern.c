@@ -39,14 +39,14 @@ static vec3 polar(vec3 from, double radius, double angle)
 	return (vec3){from.x + radius * math_cos_degrees(angle), from.y + radius * math_sin_degrees(angle), from.z};
 }
 
-/* Lines of points. */
+/* Rows of points. */
 struct grid {
 	vec3 start;
-	double spacing[2]; /* along a row, and from row to row */
-	double angle[2]; /* degrees: of the rows, and of the way from row to row */
-	int count[2]; /* in a row, and of rows */
-	bool zigzag; /* in every second row back again */
-	bool frame; /* the points at the edge alone */
+	double spacing[2]; /* along a row, and between rows */
+	double angle[2]; /* degrees: of a row, and of the step to the next row */
+	int count[2]; /* points of a row, and rows */
+	bool zigzag; /* every second row runs backwards */
+	bool frame; /* only the points at the edge */
 };
 
 static bool add_grid(struct interp *interp, int column, const struct grid *grid)
@@ -80,14 +80,14 @@ static bool add_circle(struct interp *interp, int column, vec3 centre, double di
 
 /* -------------------------------------------------------------------- calls */
 
-/* The cycle at every point. */
+/* How the cycle is carried out at every point. */
 struct visit {
 	struct interp *interp;
 	int column;
-	double height; /* between the points, programmed Z in mm */
-	bool low; /* between the points the tool stays where the cycle has left it */
+	double height; /* of the moves between points, programmed Z in mm */
+	bool low; /* between points the tool stays at the height where the cycle has left it */
 	bool rapid;
-	struct canon_feed feed; /* else */
+	struct canon_feed feed; /* if not rapid */
 };
 
 static bool go_to(const struct visit *visit, vec3 point)
@@ -105,7 +105,7 @@ static bool go_up(const struct visit *visit)
 	return go_to(visit, at);
 }
 
-/* Down to a height, or at it, anywhere in the rectangle of these half sides about where the tool stands. */
+/* Moves to a height, or at this height, anywhere in a rectangle with these half sides about the tool. */
 static bool go_within(const struct visit *visit, double half_x, double half_y, double height)
 {
 	struct interp *interp = visit->interp;
@@ -123,8 +123,9 @@ static bool go_within(const struct visit *visit, double half_x, double half_y, d
 }
 
 /*
- * The way from point to point in any order: all of the rectangle about them and the tool, at the height between them.
- * Behind the last point the tool stands over any of them at a height of `end`, and as far aside as the cycle leaves it.
+ * Covers the moves between the points in any order: the rectangle about the points and the tool, at the height between
+ * them. After the last point the tool is above any of them at the height `end`, and as far aside as the cycle leaves
+ * it.
  */
 static bool cover_rectangle(const struct visit *visit, bool ends, double end)
 {
@@ -194,8 +195,8 @@ static bool call_at_points(const struct visit *visit)
 }
 
 /*
- * TNC 640 user's manual, "CYCL CALL PAT": between the points the tool is at the clearance height: where it stands in Z,
- * or the second set-up clearance, whichever is higher. F is the feed rate between the points.
+ * TNC 640 user's manual, "CYCL CALL PAT": between the points the tool is at the clearance height. This is the higher
+ * one of its present Z and the second set-up clearance. F is the feed rate between the points.
  */
 bool klartext_pattern_call(struct interp *interp, int column, const struct canon_feed *feed)
 {
@@ -210,7 +211,7 @@ bool klartext_pattern_call(struct interp *interp, int column, const struct canon
 	if (klartext->points.count == 0)
 		return fault(&interp->at, column,
 			     "CYCL CALL PAT, but neither PATTERN DEF nor SEL PATTERN has given points");
-	/* The way between the points is at least as high as the tool stands now. */
+	/* Moves between the points are not below the present height of the tool. */
 	if (!klartext_cycle_check_values(interp, column, true) ||
 	    (klartext->open.height && !klartext_comp_check_known(interp, column, "CYCL CALL PAT")))
 		return false;
@@ -225,8 +226,8 @@ bool klartext_pattern_call(struct interp *interp, int column, const struct canon
 }
 
 /*
- * "POLAR PATTERN (Cycle 220)", "CARTESIAN PATTERN (Cycle 221)": Q200, Q203 and Q204 count in place of the cycle's;
- * between the points the tool is at the set-up clearance, or with Q301=1 at the second one.
+ * "POLAR PATTERN (Cycle 220)", "CARTESIAN PATTERN (Cycle 221)": their Q200, Q203 and Q204 replace those of the cycle.
+ * Between the points the tool is at the set-up clearance, or with Q301=1 at the second one.
  */
 static bool call_with(struct interp *interp, const struct klartext_call_of *pattern)
 {
@@ -281,7 +282,7 @@ bool klartext_pattern_circle(struct interp *interp, const struct klartext_cycle 
 		return fault(&interp->at, cycle->column,
 			     "CYCL DEF 220 with Q365=1, on circles from point to point, is not "
 			     "supported yet");
-	/* A step of 0: the points are spread between the angles; the whole circle has no point twice. */
+	/* A step of 0 spreads the points over the angle; on a whole circle the last point is not the first one. */
 	if (same_double(step, 0))
 		step = (end - start) / (same_double(fabs(end - start), 360) ? count : fmax(1, count - 1));
 	klartext_pattern_begin(interp);
@@ -393,8 +394,8 @@ static bool find_count(struct lexer *lexer, const struct item *item, int word, i
 }
 
 /*
- * A pattern, and the frame about one: ROT turns it whole about its start, ROTX its rows alone and ROTY the way from row
- * to row. In which order the points of a frame come is not in the manual.
+ * A pattern of rows, or only its edge (FRAME). ROT turns the whole about its start, ROTX only the rows, and ROTY the
+ * direction from row to row. The manual does not say in which order the points of a frame come.
  */
 static bool add_rows(struct lexer *lexer, const struct item *item, bool frame)
 {
@@ -412,7 +413,7 @@ static bool add_rows(struct lexer *lexer, const struct item *item, bool frame)
 	       find_count(lexer, item, WORD_NUMY, &grid.count[1]) && add_grid(interp, item->column, &grid);
 }
 
-/* "POS2 (X+15 IY+6.5 Z+0)": IX and IY count from the POS before. */
+/* "POS2 (X+15 IY+6.5 Z+0)": IX and IY count from the POS before this one. */
 static bool add_single(struct lexer *lexer, const struct item *item)
 {
 	struct interp *interp = lexer->context;

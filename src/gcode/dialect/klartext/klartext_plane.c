@@ -25,7 +25,10 @@ static bool read_feed(struct lexer *lexer, struct klartext_swivel *request)
 	return klartext_value(lexer, &request->feed);
 }
 
-/* "PLANE ... TURN MB": how far the tool retracts along its axis before it turns; MAX: up to the limit of travel. */
+/*
+ * "PLANE ... TURN MB": how far the tool retracts along its axis before the rotary axes turn; MAX: up to the limit of
+ * travel.
+ */
 static bool read_retract(struct lexer *lexer, struct klartext_swivel *request)
 {
 	const struct interp *interp = lexer->context;
@@ -127,8 +130,8 @@ bool klartext_plane_run(struct lexer *lexer)
 }
 
 /*
- * The angles of cycle 19; with F the control turns the rotary axes itself, as PLANE ... MOVE does, about the point by
- * which the set-up clearance (ABST) extends the tool. False: reported.
+ * Reads the angles of cycle 19. With F the control turns the rotary axes itself as PLANE ... MOVE does; the fixed point
+ * lies the set-up clearance (ABST) in front of the tool's tip. False: reported.
  */
 static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt,
 		       struct klartext_swivel *request)
@@ -138,7 +141,7 @@ static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle
 		int slot = word->name[1] == '\0' ? slot_of_letter(word->name[0]) : -1;
 
 		if (!strcmp(word->name, "FMAX")) {
-			/* A clearance behind it has become its value. */
+			/* A clearance that follows F has been read as its value. */
 			request->positioning = KLARTEXT_TURN_MOVE;
 			request->rapid = true;
 			request->distance = word->given ? word->value * interp->state.scale : request->distance;
@@ -160,8 +163,8 @@ static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle
 }
 
 /*
- * TNC 640 cycle user's manual, "WORKING PLANE (Cycle 19)": an angle that is left out keeps its value, which is why the
- * manual wants all three. False: reported.
+ * TNC 640 cycle user's manual, "WORKING PLANE (Cycle 19)": an angle that is left out keeps its value, so the manual
+ * asks for all three. False: reported.
  */
 static bool complete(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt)
 {
@@ -195,7 +198,7 @@ static bool is_level(const struct klartext_tilt *tilt)
 	       same_double(tilt->angle[SLOT_C], 0);
 }
 
-/* By positions of the rotary axes: the machine must have all that are named, unless they are 0. */
+/* Tilts the plane by positions of the rotary axes. The machine must have each named axis unless its position is 0. */
 static bool tilt_by_axes(struct interp *interp, const struct klartext_swivel *request, const struct klartext_tilt *tilt)
 {
 	unsigned axes = tilt->axes;
@@ -211,9 +214,10 @@ static bool tilt_by_axes(struct interp *interp, const struct klartext_swivel *re
 }
 
 /*
- * "WORKING PLANE (Cycle 19)": a machine parameter says whether its angles are spatial angles or positions of the
- * rotary axes. Without angles, or with 0 alone, it takes the tilting back. Without F no axis moves: the program turns
- * the rotary axes to Q120 to Q122. Of two positions it takes the one that is nearer to the zero of the axes.
+ * "WORKING PLANE (Cycle 19)": a machine parameter says whether the angles are spatial angles or positions of the rotary
+ * axes. Without angles, or with all of them 0, the cycle cancels the tilting. Without F no axis moves; the program then
+ * turns the rotary axes to Q120 to Q122. Of two positions the cycle takes the one that is nearer to the zero of the
+ * axes.
  */
 bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
 {

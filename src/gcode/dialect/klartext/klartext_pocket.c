@@ -11,7 +11,7 @@
 #include "gcode/dialect/klartext/klartext_shape.h"
 #include "gcode/dialect/klartext/klartext_stud.h"
 
-/* "RECTANGULAR POCKET (Cycle 251)": Q218 by Q219, turned by Q224 about where the tool stands. */
+/* "RECTANGULAR POCKET (Cycle 251)": Q218 by Q219, turned by Q224 about the position of the tool. */
 static bool rectangular_pocket(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	static const double places[5][2] = {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -34,7 +34,10 @@ static bool slot(const struct klartext_call_of *call, struct klartext_region *re
 
 	if (!klartext_shape_size(call, 218, &length) || !klartext_shape_size(call, 219, &width))
 		return false;
-	/* Its left end, the centre of its left circle, that of its right circle, its right end. */
+	/*
+	 * The shift of the slot for Q367 = 0 to 4. The tool stands at the centre, at the left end, at the centre of the
+	 * left circle, at the centre of the right circle, or at the right end.
+	 */
 	const double places[5][2] = {
 	    {0, 0}, {length / 2, 0}, {(length - width) / 2, 0}, {(width - length) / 2, 0}, {-length / 2, 0}};
 
@@ -45,7 +48,10 @@ static bool slot(const struct klartext_call_of *call, struct klartext_region *re
 	return true;
 }
 
-/* "CIRCULAR POCKET (Cycle 252)": Q223; "BORE MILLING (Cycle 208)": Q335, with the tool where it is called. */
+/*
+ * "CIRCULAR POCKET (Cycle 252)": diameter Q223. "BORE MILLING (Cycle 208)": diameter Q335. The tool stands at the
+ * centre when the cycle is called.
+ */
 static bool circular_pocket(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double diameter;
@@ -73,7 +79,7 @@ static bool circular_slot(const struct klartext_call_of *call, struct klartext_r
 
 /*
  * TNC 426 user's manual: "SLOT (oblong hole) with reciprocating plunge-cut (Cycle 210)", Q218 by Q219 about Q216, Q217,
- * turned by Q224, and "CIRCULAR SLOT (Cycle 211)", Q219 wide on a pitch circle Q244.
+ * turned by Q224; "CIRCULAR SLOT (Cycle 211)", Q219 wide on a pitch circle Q244.
  */
 static bool old_slot(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -100,8 +106,8 @@ static bool old_circular_slot(const struct klartext_call_of *call, struct klarte
 }
 
 /*
- * The same manual: "POCKET FINISHING (Cycle 212)", Q218 by Q219, and "CIRCULAR POCKET FINISHING (Cycle 214)", from a
- * diameter Q222 to Q223, about Q216, Q217.
+ * The same manual: "POCKET FINISHING (Cycle 212)", Q218 by Q219 about Q216, Q217; "CIRCULAR POCKET FINISHING (Cycle
+ * 214)", from a diameter Q222 to Q223 about the same point.
  */
 static bool finished_pocket(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -128,7 +134,10 @@ static bool finished_circular_pocket(const struct klartext_call_of *call, struct
 	return true;
 }
 
-/* "THREAD MILLING (Cycle 262)": Q335 and the pitch Q239, by which it may begin above or end below. */
+/*
+ * "THREAD MILLING (Cycle 262)": diameter Q335 and pitch Q239. The helix may begin one pitch above the thread or end one
+ * pitch below it.
+ */
 static bool thread(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double diameter, pitch;
@@ -142,7 +151,7 @@ static bool thread(const struct klartext_call_of *call, struct klartext_region *
 
 /*
  * "THREAD MILLING/COUNTERSINKING (Cycle 263)", "THREAD DRILLING/MILLING (264)", "HELICAL THREAD DRILLING (265)": Q356
- * is the depth of the bore, Q358 and Q359 the depth and the offset of the countersink at the front.
+ * is the depth of the bore. Q358 and Q359 are the depth and the offset of the countersink at the front.
  */
 static bool deep_thread(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -158,8 +167,9 @@ static bool deep_thread(const struct klartext_call_of *call, struct klartext_reg
 }
 
 /*
- * "BACK BORING (Cycle 204)": through the bore, Q251 beside its centre, until the edge stands Q200 below the workpiece
- * of thickness Q250; the underside of the tool is Q252 lower. A depth Q249 of 0 does nothing.
+ * "BACK BORING (Cycle 204)": the tool goes through the bore, Q251 beside its centre, until the edge is Q200 below the
+ * workpiece of thickness Q250. The underside of the tool is Q252 lower than the edge. With a depth Q249 of 0 the cycle
+ * does nothing.
  */
 static bool back_bore(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -185,7 +195,7 @@ static bool back_bore(const struct klartext_call_of *call, struct klartext_regio
 
 /* ------------------------------------------------------------------- cycles */
 
-/* `levels`: Q200, Q201, Q203 and Q204 are its heights. */
+/* `levels`: the heights of the cycle are Q200, Q201, Q203 and Q204. */
 static const struct {
 	int number, feed;
 	bool levels;
@@ -250,7 +260,7 @@ static bool check_scaling(const struct klartext_call_of *call)
 
 static bool carry_out(const struct klartext_call_of *call, struct klartext_region *region)
 {
-	/* A finishing allowance that is negative lets the tool go farther. */
+	/* A negative finishing allowance lets the tool go farther out. */
 	const double more = fmax(0, -klartext_parameter_length_or(call, 368, 0));
 
 	if (region->nothing)
@@ -280,7 +290,7 @@ bool klartext_pocket_make(const struct klartext_call_of *call)
 
 /* ------------------------------------------------------------- older cycles */
 
-/* X and Y of lines 4 and 5, of which `share` counts to each side. */
+/* Reads X and Y of lines 4 and 5; the region reaches `share` of them to each side. */
 static bool find_sides(const struct klartext_call_of *call, struct klartext_region *region, double share, double radius)
 {
 	bool found[2] = {false, false};
@@ -299,9 +309,9 @@ static bool find_sides(const struct klartext_call_of *call, struct klartext_regi
 }
 
 /*
- * TNC 407 user's manual: "SLOT MILLING (Cycle 3)" from one end of a slot X by Y, in the direction of their signs;
- * "POCKET MILLING (Cycle 4)" X by Y, "CIRCULAR POCKET (Cycle 5)" of a radius, both about where the tool stands. Lines 1
- * and 2 are set-up clearance and depth, the last one has F.
+ * TNC 407 user's manual: "SLOT MILLING (Cycle 3)" begins at one end of a slot X by Y and runs in the direction of their
+ * signs. "POCKET MILLING (Cycle 4)", X by Y, and "CIRCULAR POCKET (Cycle 5)", of a radius, lie about the position of
+ * the tool. Lines 1 and 2 are set-up clearance and depth; the last line has F.
  */
 bool klartext_pocket_make_old(const struct klartext_call_of *call)
 {

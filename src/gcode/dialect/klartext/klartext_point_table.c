@@ -10,14 +10,14 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/text/number.h"
 
-/* Columns of one table. */
+/* The largest number of columns of a table. */
 #define COLUMNS_MAX 32
-/* mm: "Point tables", range of input. */
+/* mm: the largest coordinate ("Point tables", range of input). */
 #define COORDINATE_MAX 1e5
 
 enum column { COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_FADE, COLUMN_CLEARANCE, COLUMN_OTHER };
 
-/* The widths of the columns are those of the line with their names: a value begins below its name, or behind. */
+/* The line with the names gives the columns: a value begins below its column's name or to the right of it. */
 struct table {
 	struct interp *interp;
 	struct reader *reader;
@@ -41,7 +41,7 @@ static bool next_line(struct table *table)
 		     "the columns of a point table are told by blanks: a tab hides below which name a value stands");
 }
 
-/* The next word from *position on; 0: none. */
+/* Moves *position to the next word and returns its length; 0: there is none. */
 static size_t take_word(const char *text, size_t *position)
 {
 	*position += strspn(text + *position, " \t");
@@ -100,7 +100,7 @@ static bool read_names(struct table *table)
 	       fault(&table->at, 1, "the second line of a point table names its columns: X and Y are missing");
 }
 
-/* The column in which the word from `at` on stands whole. False: reported. */
+/* Finds the column that contains the whole word at `at`. False: reported. */
 static bool find_column(struct table *table, size_t at, size_t length, int *found)
 {
 	int i = 0;
@@ -124,7 +124,7 @@ static bool read_value(struct table *table, size_t at, size_t length, double *va
 	       fault(&table->at, (int)at + 1, "a coordinate is less than %g mm", COORDINATE_MAX);
 }
 
-/* A line of values. FADE hides a point: the control leaves it out. */
+/* Reads a line of values. The control leaves out a point that FADE hides. */
 static bool read_row(struct table *table)
 {
 	const char *text = table->at.text;
@@ -136,7 +136,7 @@ static bool read_row(struct table *table)
 	for (; (length = take_word(text, &at)) > 0; at += length) {
 		if (!find_column(table, at, length, &i))
 			return false;
-		/* Blanks within a name, which is no size, do not count. */
+		/* The text of a column that is not read may contain blanks. */
 		if (i == before && (table->kind[i] != COLUMN_OTHER || i == 0))
 			return fault(&table->at, (int)at + 1, "two values stand below the name of one column");
 		before = i;
@@ -162,7 +162,7 @@ static bool read_row(struct table *table)
 
 /*
  * iTNC 530 user's manual, "Point tables": BEGIN, the names of the columns, the points, [END]. Z is the surface of the
- * workpiece where Q203 of the cycle is 0.
+ * workpiece if Q203 of the cycle is 0.
  */
 static bool read_table(struct table *table)
 {

@@ -7,7 +7,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "geom/tolerance.h"
 
-/* mm: what coordinates with three decimals put the tool beside where PR and PA say. */
+/* mm: the distance between the tool and the point of PR and PA if coordinates have three decimals. */
 #define RADIUS_SAME 0.002
 
 /* ------------------------------------------------------------------ planes */
@@ -46,7 +46,7 @@ void klartext_pole_put(vec3 *v, int across, struct plane_point point)
 	klartext_pole_set_coordinate(v, b, point.b);
 }
 
-/* Coordinates may change behind CC: does this one of its pole still lie where it lay then? */
+/* Coordinates may change after CC. Does this coordinate of the pole still mean the same place? */
 static bool stands(const struct interp *interp, int slot)
 {
 	const struct klartext_pole *pole = &klartext_of(interp)->pole;
@@ -84,15 +84,15 @@ bool klartext_pole_find(struct interp *interp, int column, struct plane_point *p
 	    interp, klartext->pole.spatial ? 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z : 1U << a | 1U << b, column);
 }
 
-/* Degrees: where the tool stands as seen from the pole. */
+/* The direction from the pole to the point, in degrees. */
 static double polar_angle(struct plane_point pole, struct plane_point point)
 {
 	return math_atan2_degrees(point.b - pole.b, point.a - pole.a);
 }
 
 /*
- * What is left out or an increment counts from the last PR and PA, or from where the tool stands as seen from the pole:
- * which of them is not in the manuals. False: they differ, which was reported.
+ * The manuals do not say whether an increment, or a value that is left out, counts from the last PR and PA or from the
+ * position of the tool as seen from the pole. False: the two differ, which was reported.
  */
 static bool check_last(struct interp *interp, const struct klartext_words *words, double radius, double angle)
 {
@@ -133,7 +133,7 @@ bool klartext_pole_point(struct interp *interp, const struct klartext_words *wor
 	here = klartext_pole_flat(path->start, across);
 	radius = math_hypot(here.a - pole.a, here.b - pole.b);
 	angle = polar_angle(pole, here);
-	/* CP, which alone has a direction of rotation, begins where the tool stands. */
+	/* Only CP has a direction of rotation, and CP begins at the position of the tool. */
 	if (!words->direction && !check_last(interp, words, radius, angle))
 		return false;
 	if (words->has_radius)

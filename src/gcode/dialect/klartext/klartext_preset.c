@@ -76,7 +76,7 @@ bool klartext_preset_select(struct interp *interp, const struct klartext_cycle *
 	klartext->preset.settled = true;
 	klartext->preset.row = (int)word->value;
 	klartext->preset.in_plane = klartext->frame.tilted;
-	/* The line in hand may be the one behind the definition. */
+	/* The fault is placed at the definition; the current line may be the next one. */
 	interp->at = at;
 	known = work_offset_use_require(interp, state->system, word->column);
 	interp->at = here;
@@ -115,7 +115,7 @@ bool klartext_preset_check(struct interp *interp, int column)
 		known++;
 		only = system;
 	}
-	/* Presets that are alike leave nothing open. */
+	/* If all presets are equal, it does not matter which one is in force. */
 	if (others > 0)
 		return fault(
 		    &interp->at, column,

@@ -4,10 +4,10 @@
 
 #include "gcode/dialect/klartext/klartext_frame.h"
 
-/* mm: more than 0, so that a move counts as one of a set, of which no path is certain. */
+/* mm: more than 0, so that a move counts as one of a set of parallel moves, whose exact path is not known. */
 #define NARROW 1e-9
 
-/* To a point, anywhere in the region about the way there. A feed of 0 is a rapid. */
+/* Moves to a point, anywhere in the region about the straight way. A feed of 0 is a rapid. */
 static bool go(const struct klartext_call_of *call, const struct klartext_region *region, vec3 point, double feed)
 {
 	struct interp *interp = call->interp;
@@ -51,7 +51,7 @@ void klartext_region_find_aside(const struct interp *interp, double aside[2])
 	}
 }
 
-/* Where the tool stands may be open already: then so is where a region about it lies. */
+/* Widens the region: if the position of the tool is already uncertain, so is the place of a region about it. */
 static void widen(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double *loose = call->interp->comp.loose;
@@ -63,7 +63,10 @@ static void widen(const struct klartext_call_of *call, struct klartext_region *r
 	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
 }
 
-/* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
+/*
+ * Moves from the position of the tool to above the region. The axes may move one after the other or all at once, so the
+ * whole box between is covered.
+ */
 static bool approach(const struct klartext_call_of *call, const struct klartext_region *region, const double aside[2])
 {
 	const struct klartext_region nowhere = {.half = {0, 0}};
@@ -97,7 +100,7 @@ bool klartext_region_carry_out(const struct klartext_call_of *call, const struct
 	klartext_region_find_aside(call->interp, aside);
 	widen(call, &region);
 	at.z = region.top;
-	/* The approach covers the way to the middle of the region, and the way down all of the way up. */
+	/* The approach covers the way to the middle of the region; the way down covers every way up. */
 	if (!approach(call, &region, aside) || !go(call, &within, at, 0))
 		return false;
 	at.z = region.bottom;

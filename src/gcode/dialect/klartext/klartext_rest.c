@@ -3,7 +3,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_skip.h"
 
-/* Blank lines, comments, and what ends a transmission. */
+/* Is this a blank line, a comment, or a byte that ends a transmission? */
 static bool says_nothing(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
@@ -18,7 +18,7 @@ bool klartext_rest_check(struct interp *interp)
 	bool cautioned = false;
 	const char *text;
 
-	/* The text of END PGM, which the reader gives up. */
+	/* Copies the text of END PGM, because the reader will overwrite it. */
 	if (interp->at.text != line->text) {
 		strbuf_clear(line);
 		strbuf_addf(line, "%s", interp->at.text);

@@ -17,7 +17,7 @@
 
 /* --------------------------------------------------------------------- L */
 
-/* From where M92 counts an axis, as machine coordinate; 0 for M91. False: reported. */
+/* Finds the machine coordinate from which M92 counts an axis; 0 for M91. False: reported. */
 static bool find_zero(struct interp *interp, const struct klartext_words *words, int slot, double *zero)
 {
 	const struct control_place *place = &interp->config->controller.references[0];
@@ -35,9 +35,9 @@ static bool find_zero(struct interp *interp, const struct klartext_words *words,
 }
 
 /*
- * M91: coordinates of the machine's axes; M92: from a point that the machine's builder has set. Work offsets, the frame
- * and the tool's length do not count ("M91", "M92" in the iTNC 530 user's manual). That the plane stays tilted
- * meanwhile is from memory.
+ * M91: coordinates of the machine's axes. M92: coordinates from a point that the machine's builder has set. Work
+ * offsets, the frame and the tool's length do not count ("M91", "M92" in the iTNC 530 user's manual). No manual was
+ * found for the assumption that the plane stays tilted meanwhile.
  */
 static bool run_in_machine(struct interp *interp, const struct klartext_words *words, bool rapid,
 			   const struct canon_feed *feed)
@@ -83,13 +83,13 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 	klartext_of(interp)->tool.moved = true;
 	if (!motion_commands_go(interp, &target, &move) || !tool_length_resume(interp, column, &suspended))
 		return false;
-	/* In a tilted plane, X and Y of the machine alone do not say where the tool stands in it. */
+	/* In a tilted plane, X and Y of the machine alone do not determine the position of the tool in the plane. */
 	if (suspended.tcp == TCP_OFF)
 		klartext_comp_settle(interp, words);
 	return true;
 }
 
-/* The rotary axes have reached the plane of PLANE ... STAY: from here on coordinates are tilted. */
+/* After the rotary axes have reached the plane of PLANE ... STAY, coordinates are tilted. */
 static bool settle_plane(struct interp *interp, const struct klartext_target *target, int column)
 {
 	struct klartext_stay *stay = &klartext_of(interp)->stay;
@@ -102,7 +102,7 @@ static bool settle_plane(struct interp *interp, const struct klartext_target *ta
 	return tool_length_switch_tcp(interp, column, TCP_BY_PLANE);
 }
 
-/* Axis words between STAY and the plane: only rotary ones. */
+/* Refuses words of linear axes between STAY and the move of the rotary axes to the plane. False: reported. */
 static bool check_waiting(struct interp *interp, const struct klartext_words *words)
 {
 	if (!klartext_of(interp)->stay.waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
@@ -110,7 +110,7 @@ static bool check_waiting(struct interp *interp, const struct klartext_words *wo
 	return klartext_move_refuse_waiting(interp, words->first_column);
 }
 
-/* PATHCTRL VECTOR. */
+/* PATHCTRL VECTOR: the tool turns in the plane of its first and last directions. */
 static bool turn_by_vector(struct interp *interp, const struct klartext_words *words,
 			   const struct klartext_target *target, const struct klartext_path *path)
 {
@@ -163,7 +163,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 	if (!words->axes && !klartext_comp_switch_standing(interp, words))
 		return false;
 	if (!words->axes && !words->has_tool && !words->has_spatial) {
-		/* F alone counts for what comes next. */
+		/* F alone applies to the next moves. */
 		return (words->feed != KLARTEXT_FEED_VALUE && words->feed != KLARTEXT_FEED_AUTO) ||
 		       klartext_move_feed(interp, words, &rapid, &feed);
 	}
@@ -206,8 +206,8 @@ bool klartext_straight_run(struct lexer *lexer)
 }
 
 /*
- * "Three-dimensional tool compensation": with a surface normal the control moves the tool by the oversizes of TOOL CALL
- * along it; without oversizes the path is that of L.
+ * "Three-dimensional tool compensation": if the block has a surface normal, the control shifts the tool along it by the
+ * oversizes of TOOL CALL. Without oversizes the path is that of L.
  */
 bool klartext_straight_run_normal(struct lexer *lexer)
 {
@@ -225,8 +225,8 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 }
 
 /*
- * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the rest; Z
- * "serves as an additional datum shift". What it does from below is refused.
+ * "Calling a cycle with CYCL CALL POS": from above the workpiece the tool moves in the plane, then the cycle runs. Z
+ * "serves as an additional datum shift". A start below the set-up clearance is refused.
  */
 bool klartext_straight_cycle_position(struct lexer *lexer, double *shift)
 {

@@ -24,7 +24,7 @@ static struct klartext_string *find(struct klartext *klartext, int number)
 	return NULL;
 }
 
-/* "QS5": its number. */
+/* Reads the number of "QS5". */
 static bool read_number(struct lexer *lexer, int *number)
 {
 	if (!klartext_string_follows(lexer))
@@ -60,7 +60,7 @@ bool klartext_string_name(struct lexer *lexer, const char *what, char name[KLART
 					      : klartext_name(lexer, what, name, KLARTEXT_NAME);
 }
 
-/* A text in quotation marks, "" included, or a string parameter. */
+/* Reads a text in quotation marks, which may be empty, or a string parameter. */
 static bool read_term(struct lexer *lexer, char text[KLARTEXT_NAME])
 {
 	const int column = klartext_column(lexer);
@@ -107,7 +107,7 @@ bool klartext_string_assign(struct lexer *lexer)
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	do {
-		/* The '=', and the first bar of || */
+		/* Takes the '=' or the first bar of "||". */
 		lexer_take(lexer);
 		if (lexer->at->text[lexer->position] == '|')
 			lexer_take(lexer);

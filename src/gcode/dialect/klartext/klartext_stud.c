@@ -10,15 +10,15 @@
 #define STUD_SIDE 2.0
 
 /*
- * The tool comes to the blank from outside on a semicircle, for which the manual wants room of its diameter and 2 mm;
- * on some controls from the set-up clearance beside the blank.
+ * The room beside the blank where the tool may start. The manual asks for the tool's diameter and 2 mm, for a
+ * semicircle from outside. Some controls start at the set-up clearance beside the blank.
  */
 static double beside_stud(const struct klartext_call_of *call, double radius)
 {
 	return 3 * radius + fmax(STUD_SIDE, klartext_parameter_length_or(call, 200, 0));
 }
 
-/* "RECTANGULAR STUD (Cycle 256)": Q218 by Q219, of a blank Q424 by Q425. */
+/* "RECTANGULAR STUD (Cycle 256)": Q218 by Q219 from a blank Q424 by Q425. */
 bool klartext_stud_rectangle(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	static const double places[5][2] = {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -36,8 +36,9 @@ bool klartext_stud_rectangle(const struct klartext_call_of *call, struct klartex
 }
 
 /*
- * TNC 426 user's manual, "STUD FINISHING (Cycle 213)", "CIRCULAR STUD FINISHING (Cycle 215)": about Q216, Q217, of a
- * blank Q218 by Q219 with the allowance Q221, or of Q222; the tool comes from "3.5 times the tool radius" beside it.
+ * TNC 426 user's manual, "STUD FINISHING (Cycle 213)", "CIRCULAR STUD FINISHING (Cycle 215)": about Q216, Q217, from a
+ * blank Q218 by Q219 with the allowance Q221, or from a blank of diameter Q222. The tool comes from "3.5 times the tool
+ * radius" beside it.
  */
 bool klartext_stud_finish(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -53,7 +54,7 @@ bool klartext_stud_finish(const struct klartext_call_of *call, struct klartext_r
 	return true;
 }
 
-/* "CIRCULAR STUD (Cycle 257)": Q223, of a blank Q222. */
+/* "CIRCULAR STUD (Cycle 257)": diameter Q223 from a blank of diameter Q222. */
 bool klartext_stud_circle(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double diameter, blank, radius;
@@ -66,7 +67,8 @@ bool klartext_stud_circle(const struct klartext_call_of *call, struct klartext_r
 }
 
 /*
- * "POLYGON STUD (Cycle 258)": Q572 corners, on a circle of Q571, or with Q573=0 about it; of a blank Q222.
+ * "POLYGON STUD (Cycle 258)": Q572 corners on a circle of diameter Q571, or about this circle with Q573=0; from a blank
+ * of diameter Q222.
  */
 bool klartext_stud_polygon(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -86,7 +88,7 @@ bool klartext_stud_polygon(const struct klartext_call_of *call, struct klartext_
 	return true;
 }
 
-/* "OUTSIDE THREAD MILLING (Cycle 267)": Q335 and the pitch Q239; Q358 and Q359 countersink at the front. */
+/* "OUTSIDE THREAD MILLING (Cycle 267)": diameter Q335 and pitch Q239; Q358 and Q359 countersink at the front. */
 bool klartext_stud_thread(const struct klartext_call_of *call, struct klartext_region *region)
 {
 	double diameter, pitch, radius;

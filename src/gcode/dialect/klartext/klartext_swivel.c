@@ -37,7 +37,7 @@ static double angle_of(const struct interp *interp, const struct kinematics_solu
 	return state_from_canonical(slot, solution->rotary.v[slot]) - interp->state.offset.v[slot];
 }
 
-/* "SEQ+": the first rotary axis as seen from the tool stands at a positive angle; "SEQ-": at a negative one. */
+/* "SEQ+": the first rotary axis, counted from the tool, has a positive angle; "SEQ-": a negative angle. */
 static bool has_sign(const struct interp *interp, const struct kinematics_solutions *solutions, size_t i, int sign)
 {
 	double angle = angle_of(interp, &solutions->items[i], solutions->primary);
@@ -45,7 +45,10 @@ static bool has_sign(const struct interp *interp, const struct kinematics_soluti
 	return sign == 0 || fabs(angle) < degrees(TIE_TOLERANCE) || (angle > 0) == (sign > 0);
 }
 
-/* "SYM": the sign counts from where the two positions are symmetrical, which is 0 on nearly all machines. */
+/*
+ * "SYM": the sign counts from the angle about which the two positions are symmetrical. This angle is 0 on nearly all
+ * machines.
+ */
 static bool check_symmetry(const struct interp *interp, const struct klartext_swivel *request,
 			   const struct kinematics_solutions *solutions)
 {
@@ -60,10 +63,10 @@ static bool check_symmetry(const struct interp *interp, const struct klartext_sw
 }
 
 /*
- * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the control takes the shorter
- * way within the limits. Which of two ways is shorter is certain only if no axis has a longer one. If both are equally
- * long, the table of the manual has the position of SEQ+: from A+0 C+0 to A+45 C+90, and not to A-45 C-90. The ways
- * begin at `from`.
+ * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the control takes the shorter way
+ * within the limits. It is certain which of two ways is shorter only if no axis has a longer way to that position. If
+ * both are equally long, the table of the manual has the position of SEQ+: from A+0 C+0 to A+45 C+90, not to A-45 C-90.
+ * The ways begin at `from`.
  */
 static bool choose(struct interp *interp, const struct klartext_swivel *request, const axis_values *from,
 		   const struct kinematics_solutions *solutions, const struct kinematics_solution **chosen)
@@ -117,7 +120,9 @@ static bool choose(struct interp *interp, const struct klartext_swivel *request,
 		     texts[0], texts[1]);
 }
 
-/* Turns of axes whose way is not certain: half a turn, and an axis that counts whole turns. */
+/*
+ * Refuses turns whose way is not certain: half a turn, or a turn of an axis that counts whole turns. False: reported.
+ */
 static bool check_ways(struct interp *interp, const struct klartext_swivel *request,
 		       const struct kinematics_solution *chosen)
 {
@@ -141,7 +146,7 @@ static bool check_ways(struct interp *interp, const struct klartext_swivel *requ
 	return true;
 }
 
-/* From where the ways to two positions are measured: PLANE from where the axes are, cycle 19 from their zero. */
+/* The start of the ways to two positions: the present position for PLANE, the zero of the axes for cycle 19. */
 static axis_values start_of_ways(const struct interp *interp, const struct klartext_swivel *request)
 {
 	axis_values start = interp->state.canonical;
@@ -179,7 +184,7 @@ static bool find_rotary(struct interp *interp, const struct klartext_swivel *req
 		else if (!klartext_free_axis_turn(interp, request->column, asked, chosen, tilt, slot, &rotary->v[slot]))
 			return false;
 		klartext->stay.rotary.v[slot] = radians(rotary->v[slot]);
-		/* Q120 to Q122: the angles that the control has computed. */
+		/* Q120 to Q122 receive the angles that the control has computed. */
 		klartext_q_set(klartext, 120 + slot - SLOT_A, rotary->v[slot] - interp->state.offset.v[slot]);
 	}
 	return true;
@@ -208,7 +213,7 @@ static bool find_feed(struct interp *interp, const struct klartext_swivel *reque
 	return true;
 }
 
-/* MB. */
+/* Retracts the tool along its axis by MB. False: reported. */
 static bool retract(struct interp *interp, const struct klartext_swivel *request)
 {
 	struct kinematics_retract way = request->retract;
@@ -226,8 +231,8 @@ static bool retract(struct interp *interp, const struct klartext_swivel *request
 }
 
 /*
- * "TURN": the rotary axes alone; "MOVE": the linear axes with them, so that a point DIST in front of the tip keeps its
- * place on the workpiece.
+ * "TURN": only the rotary axes move. "MOVE": the linear axes move with them, so that a point DIST in front of the tip
+ * keeps its place on the workpiece.
  */
 static bool move_rotary(struct interp *interp, const struct klartext_swivel *request, const slot_values *rotary)
 {
@@ -251,7 +256,7 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 	if (!find_feed(interp, request, &move) || !retract(interp, request))
 		return false;
 	if (request->positioning == KLARTEXT_TURN_TURN) {
-		/* From where the retraction has ended. */
+		/* The turn starts where the retraction has ended. */
 		target = interp->state.position;
 		for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 			target.v[slot] = rotary->v[slot];
@@ -271,7 +276,7 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 	return good;
 }
 
-/* Does this axis, turned alone from the machine's zero, leave the direction of the tool? */
+/* Does the tool keep its direction when only this axis turns from the machine's zero? */
 static bool find_free(struct interp *interp, int column, int slot, bool *is_free)
 {
 	const axis_values zero = tool_length_rotary_zero(interp);
@@ -287,7 +292,7 @@ static bool find_free(struct interp *interp, int column, int slot, bool *is_free
 	return true;
 }
 
-/* Back to coordinates that are not tilted; the axes stand still. False: reported. */
+/* Returns to coordinates that are not tilted; the axes do not move. False: reported. */
 static bool leave(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
@@ -303,7 +308,7 @@ static bool leave(struct interp *interp, int column)
 	return true;
 }
 
-/* Whether Q120 to Q122 have the positions after PLANE RESET and PLANE AXIAL is not in the manuals. */
+/* The manuals do not say whether Q120 to Q122 hold the positions after PLANE RESET and PLANE AXIAL. */
 static void forget_angles(struct klartext *klartext)
 {
 	for (int number = 120; number <= 122; number++)
@@ -358,7 +363,10 @@ bool klartext_swivel_level(struct interp *interp, const struct klartext_swivel *
 	return true;
 }
 
-/* Where PLANE AXIAL turns the axes: as it names them; others must stand at 0, where no rule is needed for them. */
+/*
+ * Finds the target of PLANE AXIAL: the named positions. Axes that are not named must stand at 0, because no rule for
+ * them is known. False: reported.
+ */
 static bool find_named(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
 		       const double angle[SLOT_COUNT], slot_values *rotary)
 {
@@ -416,9 +424,9 @@ bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *r
 }
 
 /*
- * TNC 407 and 426 user's manuals, "WORKING PLANE (Cycle 19)": with a swivel head the coordinate system turns as the
- * tool does; with a tilting table it does not turn in relation to the machine. That PLANE AXIAL does the same is from
- * memory.
+ * TNC 407 and 426 user's manuals, "WORKING PLANE (Cycle 19)": with a swivel head the coordinate system turns with the
+ * tool; with a tilting table it does not turn relative to the machine. No manual was found for the assumption that
+ * PLANE AXIAL does the same.
  */
 bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
 			   const double angle[SLOT_COUNT])

@@ -53,8 +53,8 @@ static bool is_length(const struct klartext_query *query)
 }
 
 /*
- * Machine status. Before the first M3 or S the control has values of its own; before the first TOOL CALL the spindle
- * holds initial_tool of the setup.
+ * Machine status. Before the first M3 or S the values are those from before the program, which are not known; before
+ * the first TOOL CALL the spindle holds initial_tool of the setup.
  */
 static double status_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
@@ -80,7 +80,7 @@ static double status_value(const struct interp *interp, const struct klartext_qu
 	}
 }
 
-/* What TOOL CALL has given. */
+/* Data of the last TOOL CALL. */
 static double called_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct klartext_tool *tool = &klartext_of(interp)->tool;
@@ -101,7 +101,7 @@ static double called_value(const struct interp *interp, const struct klartext_qu
 	}
 }
 
-/* Tool compensation in force: the oversizes of the tool table and of TOOL CALL are part of both values. */
+/* The tool compensation in force. Both values include the oversizes of the tool table and of TOOL CALL. */
 static double compensation_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const struct klartext *klartext = klartext_of(interp);
@@ -123,7 +123,7 @@ void klartext_system_synchronise(struct interp *interp)
 	sync->position = interp->state.position;
 }
 
-/* Has every block been carried out, and has none left an axis where it is not known? */
+/* Have all blocks been carried out, and is the position of every axis known? */
 static bool stands_still(const struct interp *interp)
 {
 	const struct klartext *klartext = klartext_of(interp);
@@ -139,8 +139,8 @@ static bool stands_still(const struct interp *interp)
 }
 
 /*
- * "FN 20: WAIT FOR SYNC": without it the control may read a position before the axes have come to it. ID 240: in the
- * machine's coordinates; ID 270: in those of the program. IDX counts X Y Z A B C U V W from 1.
+ * "FN 20: WAIT FOR SYNC": without it the control may read a position before the axes have reached it. ID 240: positions
+ * in machine coordinates; ID 270: in the coordinates of the program. IDX counts X Y Z A B C U V W from 1.
  */
 static double position_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
@@ -160,8 +160,8 @@ static double position_value(const struct interp *interp, const struct klartext_
 }
 
 /*
- * iTNC 530 HSCI technical manual, "Data transfer NC > NC program (FN18: SYSREAD)". Lengths are in mm on newer controls,
- * whatever the program's unit is (TNC7 user's manual, "System data"): in a program in inches they stay unknown.
+ * iTNC 530 HSCI technical manual, "Data transfer NC > NC program (FN18: SYSREAD)". On newer controls lengths are in mm,
+ * whatever unit the program has (TNC7 user's manual, "System data"). So they stay unknown in a program in inches.
  */
 static double find_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
@@ -218,7 +218,7 @@ static bool read_query(struct lexer *lexer, struct klartext_query *query)
 	return !query->has_index || read_number(lexer, "IDX", &query->index);
 }
 
-/* Without an index, data of the tool table are those of the tool that is called. */
+/* Without an index, the data of the tool table are those of the called tool. */
 static void name_tool(const struct interp *interp, struct klartext_query *query)
 {
 	if (query->id != 50 || (query->has_index && query->index > 0) || !klartext_of(interp)->tool.called)
@@ -267,7 +267,7 @@ bool klartext_system_read(struct lexer *lexer)
 	return true;
 }
 
-/* "TABREAD Q10 = +5/"X,Y,D"": one parameter after the other for each column. */
+/* "TABREAD Q10 = +5/"X,Y,D"": each column is read into one of several successive parameters. */
 bool klartext_system_read_table(struct lexer *lexer)
 {
 	struct klartext_values *values = &klartext_of(lexer->context)->values;
@@ -277,7 +277,7 @@ bool klartext_system_read_table(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "TABREAD"))
 		return fault(lexer->at, klartext_column(lexer), "FN 28 needs TABREAD here");
-	/* A text goes to a string parameter, which is unknown anyhow. */
+	/* A text is read into a string parameter, whose value then is unknown. */
 	if (klartext_take(lexer, "QS")) {
 		klartext_string_forget(klartext_of(lexer->context));
 		return true;

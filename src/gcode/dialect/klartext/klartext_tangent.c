@@ -42,7 +42,10 @@ bool klartext_tangent_circle_find(struct interp *interp, vec3 point, vec3 direct
 	return true;
 }
 
-/* Where a straight line from `from` touches a circle that is then gone round in the sense of `turn`. False: inside. */
+/*
+ * Finds where a straight line from `from` touches a circle; the path then continues along the circle in the direction
+ * of `turn`. False: `from` lies inside the circle.
+ */
 static bool touch_from(vec3 from, vec3 centre, double radius, int turn, vec3 *unit)
 {
 	const vec3 away = {from.x - centre.x, from.y - centre.y, 0};

@@ -10,7 +10,7 @@
 
 static const vec3 unit_x = {1, 0, 0}, unit_y = {0, 1, 0}, unit_z = {0, 0, 1};
 
-/* A named value that must be there. */
+/* Reads a named value that the statement must have. False: reported. */
 static bool need(struct lexer *lexer, const char *name, double *value)
 {
 	if (!klartext_take(lexer, name))
@@ -41,7 +41,7 @@ static bool read_spatial(struct lexer *lexer, mat3 *tilt)
 	return true;
 }
 
-/* "PLANE EULER": about Z by EULPR, about the new X by EULNU, about the new Z by EULROT. */
+/* "PLANE EULER": turns by EULPR about Z, by EULNU about the new X, and by EULROT about the new Z. */
 static bool read_euler(struct lexer *lexer, mat3 *tilt)
 {
 	double first, second, third;
@@ -58,9 +58,9 @@ static bool read_euler(struct lexer *lexer, mat3 *tilt)
 }
 
 /*
- * TNC7 user's manual, "PLANE PROJECTED": the plane cuts ZX at the angle PROPR to X, and YZ at the angle PROMIN to Y, up
- * for a positive one (the same plane as SPA+45: "PROPR+0 PROMIN+45 ROT+0"); ROT turns its X about its Z. To which side
- * PROPR counts stands in a figure alone.
+ * TNC7 user's manual, "PLANE PROJECTED": the plane cuts ZX at the angle PROPR to X and YZ at the angle PROMIN to Y. A
+ * positive PROMIN rises ("PROPR+0 PROMIN+45 ROT+0" is the plane of SPA+45). ROT turns the X of the plane about its Z.
+ * Only a figure shows to which side PROPR counts.
  */
 static bool read_projected(struct lexer *lexer, mat3 *tilt)
 {
@@ -83,7 +83,10 @@ static bool read_projected(struct lexer *lexer, mat3 *tilt)
 	return true;
 }
 
-/* X along `base` as far as it lies in the plane, Z along the normal. False: they are parallel, which was reported. */
+/*
+ * X is the component of `base` in the plane, Z the direction of the normal. False: the two are parallel, which was
+ * reported.
+ */
 static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column, mat3 *tilt)
 {
 	if (!(vec3_norm(normal) > DIRECTION_TOLERANCE) || !(vec3_norm(base) > DIRECTION_TOLERANCE))
@@ -98,7 +101,7 @@ static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column
 }
 
 /*
- * "PLANE VECTOR": B is the base vector, along the tilted X, N the normal, along the tilted Z. The control makes B
+ * "PLANE VECTOR": B, the base vector, gives the tilted X; N, the normal, gives the tilted Z. The control makes B
  * perpendicular to N (iTNC 530 user's manual).
  */
 static bool read_vector(struct lexer *lexer, mat3 *tilt)
@@ -120,7 +123,9 @@ static bool read_point(struct lexer *lexer, char number, vec3 *point)
 	return need(lexer, names[0], &point->x) && need(lexer, names[1], &point->y) && need(lexer, names[2], &point->z);
 }
 
-/* "PLANE POINTS": X from point 1 to point 2; point 3 lies towards positive Y; right-handed. */
+/*
+ * "PLANE POINTS": X runs from point 1 to point 2; point 3 lies on the side of positive Y; the system is right-handed.
+ */
 static bool read_points(struct lexer *lexer, mat3 *tilt)
 {
 	int column = klartext_column(lexer);
@@ -134,7 +139,7 @@ static bool read_points(struct lexer *lexer, mat3 *tilt)
 	return from_vectors(lexer, base, vec3_cross(base, vec3_sub(p[2], p[0])), column, tilt);
 }
 
-/* "PLANE RELATIVE": one more rotation, about an axis of the plane in force. */
+/* "PLANE RELATIVE": one more rotation about an axis of the plane in force. */
 static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
 {
 	double angle;
@@ -156,7 +161,7 @@ static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
 	return true;
 }
 
-/* "PLANE AXIAL A+45 IC-30": an increment counts from where the axis stands. */
+/* "PLANE AXIAL A+45 IC-30": an increment counts from the present position of the axis. */
 static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 {
 	const struct state *state = &((const struct interp *)lexer->context)->state;
@@ -174,7 +179,7 @@ static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 		if (slot < SLOT_A || slot > SLOT_C)
 			break;
 		lexer_take(&ahead);
-		/* ABST and COORD are other words. */
+		/* A letter without a value begins another word, such as ABST or COORD. */
 		if (!klartext_value_follows(&ahead))
 			break;
 		if (!has_axis[slot])

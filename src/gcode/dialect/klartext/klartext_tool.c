@@ -40,7 +40,7 @@ static bool find_by_name(struct lexer *lexer, const char *name, int column, int 
 	return true;
 }
 
-/* "5.2": the second set of data of a tool with several cutters. The setup has it as a tool of this name. */
+/* "5.2": the second set of data of a tool with several cutters. The setup gives it as a tool with this name. */
 static bool read_index(struct lexer *lexer, char name[KLARTEXT_NAME])
 {
 	const char *text = lexer->at->text + lexer->position;
@@ -203,8 +203,8 @@ static bool find_length(struct interp *interp, const struct request *request, do
 }
 
 /*
- * iTNC 530 user's manual, "Calling tool data": the length counts from TOOL CALL on, which moves no axis by itself. The
- * machine file says where the tool change of the machine's builder moves the axes.
+ * iTNC 530 user's manual, "Calling tool data": the new length is in force from TOOL CALL on; TOOL CALL itself moves no
+ * axis. The machine file says where the builder's tool change moves the axes.
  */
 static bool change(struct interp *interp, const struct request *request)
 {
@@ -290,8 +290,8 @@ static bool change_oversize(struct interp *interp, struct request *request)
 }
 
 /*
- * TNC 430 user's manual, "Tool call": F counts until a positioning block or another TOOL CALL gives a new one, and for
- * F AUTO. mm/min or tenths of an inch a minute; FU and FZ times the speed of the spindle.
+ * TNC 430 user's manual, "Tool call": F is in force until a positioning block or another TOOL CALL gives a new one; F
+ * AUTO refers to it. It is in mm/min or tenths of an inch a minute. FU and FZ are multiplied by the spindle speed.
  */
 static void take_feed(struct interp *interp, double feed)
 {
@@ -304,7 +304,7 @@ static void take_feed(struct interp *interp, double feed)
 	interp->state.feed_angular = feed;
 }
 
-/* The tool, or the oversize of the one in the spindle. False: reported. */
+/* Takes a new tool, or new oversizes of the tool in the spindle. False: reported. */
 static bool take_tool(struct interp *interp, struct request *request)
 {
 	const bool gives_oversize = request->has_delta_length || request->has_delta_radius || request->oversize;

@@ -45,7 +45,7 @@ static bool read_row(struct lexer *lexer, struct klartext_cycle *cycle)
 	return klartext_value(lexer, &row->value) && (klartext_ends(lexer) || klartext_transform_table(lexer));
 }
 
-/* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET takes it back. */
+/* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET cancels the shift. */
 static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	const struct interp *interp = lexer->context;
@@ -124,7 +124,7 @@ bool klartext_transform_run(struct lexer *lexer)
 	return fault(lexer->at, cycle.column, "TRANS needs DATUM, MIRROR, ROTATION or SCALE");
 }
 
-/* "PRESET SELECT": the number of a preset, as CYCL DEF 247. With KEEP TRANS transformations stay. */
+/* "PRESET SELECT": selects a preset by its number, as CYCL DEF 247 does. With KEEP TRANS the transformations stay. */
 bool klartext_transform_preset(struct lexer *lexer)
 {
 	struct klartext_cycle cycle = {.number = 247, .line = lexer->at->line, .column = klartext_column(lexer)};
@@ -154,7 +154,7 @@ bool klartext_transform_preset(struct lexer *lexer)
 	return klartext_expect_end(lexer) && klartext_preset_select(lexer->context, &cycle);
 }
 
-/* "SEL TABLE": a datum table. The setup has the rows of one. */
+/* "SEL TABLE": names a datum table. The setup has the rows of only one table. */
 bool klartext_transform_table(struct lexer *lexer)
 {
 	struct klartext_preset *preset = &klartext_of(lexer->context)->preset;

@@ -42,8 +42,8 @@ static void set_radius(struct interp *interp)
 }
 
 /*
- * iTNC 530 user's manual, "Preassigned Q parameters": what the control itself knows at any time. Before the first TOOL
- * CALL and M3 its values are those of before the program; Q110 tells M5 behind M3 from M5 behind M4.
+ * iTNC 530 user's manual, "Preassigned Q parameters": values that the control always knows. Before the first TOOL CALL
+ * and M3 they are those from before the program. Q110 distinguishes M5 after M3 from M5 after M4.
  */
 static void preassign(struct interp *interp, int number)
 {
@@ -124,7 +124,7 @@ bool klartext_query_is_table(const struct klartext_query *query)
 	return false;
 }
 
-/* What else tells the value of a query. */
+/* Further advice for the message that the value of a query is not known. */
 static const char *other_answer(const struct klartext_query *query)
 {
 	switch (query->id) {
@@ -140,7 +140,10 @@ static const char *other_answer(const struct klartext_query *query)
 	}
 }
 
-/* The machine file can give data of tables, but neither positions nor what the program itself changes. */
+/*
+ * Reports that a value that was read from the control is not known. The machine file can give data of tables, but
+ * neither positions nor data that the program itself changes. Always false.
+ */
 static bool ask_data(const struct lexer *lexer, int column, const char *name, int length,
 		     const struct klartext_query *query)
 {
@@ -212,7 +215,10 @@ static bool is_q(const char *text)
 	       ((text[1] >= '0' && text[1] <= '9') || (text[1] && strchr("LlRr", text[1])));
 }
 
-/* "X + 10", "Z + Q13", as some posts write it: what stands behind the blanks of a sign, or 0. */
+/*
+ * "X + 10", "Z + Q13", as some posts write it: the position after the blanks that follow a sign; 0: there is no such
+ * sign.
+ */
 static size_t behind_sign(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer), *text = lexer->at->text;

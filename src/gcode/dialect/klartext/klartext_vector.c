@@ -9,7 +9,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/great_circle_pieces.h"
 
-/* A piece of the way, which begins where the piece before it ends. */
+/* A piece of the turn. It begins where the piece before it ends. */
 struct piece {
 	double s0, s1; /* parts of the whole turn */
 	axis_values from, to; /* rotary positions, radians */
@@ -28,9 +28,10 @@ struct follower {
 };
 
 /*
- * TNC 640 user's manual, "FUNCTION TCPM", PATHCTRL VECTOR: the directions lie in the plane of the first and the last
- * one. How evenly the tool turns there is not said: at a constant rate, or as the vector on the straight line between
- * them, which in the part s of a turn by w <= 90 degrees is behind by at most 0.0184 w^3. Both are proved.
+ * TNC 640 user's manual, "FUNCTION TCPM", PATHCTRL VECTOR: the tool turns in the plane of its first and last
+ * directions. The manual does not say how it turns there: at a constant rate, or like the vector to a point that moves
+ * evenly on the straight line between the directions. In a turn by w <= 90 degrees the two differ by at most 0.0184
+ * w^3, counted as an angle. Both are checked.
  */
 #define BEHIND 0.02
 
@@ -63,8 +64,8 @@ static bool keep_piece(void *context, const struct kinematics_great_circle *foun
 }
 
 /*
- * How far the axis may be beside its straight way in a piece, if the tool may have turned `shift` more or less than it
- * has evenly. Beside a pole an axis turns far in a short piece: what lies within the shift counts, too.
+ * The largest deviation of the axis from its straight way in a piece if the tool may have turned `shift` more or less
+ * than evenly. Near a pole an axis turns far in a short piece, so all pieces within the shift count.
  */
 static double find_spread(const struct follower *follower, const struct piece *piece, int slot, double shift)
 {
@@ -86,7 +87,7 @@ static double find_spread(const struct follower *follower, const struct piece *p
 
 static bool go_piece(const struct follower *follower, const struct piece *piece)
 {
-	/* As a part of the turn. */
+	/* a part of the turn, 0 to 1 */
 	const double shift = BEHIND * follower->angle * follower->angle;
 	struct klartext_target to = *follower->target;
 	struct canon_move part = *follower->move;
