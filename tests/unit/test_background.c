@@ -1,4 +1,7 @@
-/* Pieces of work are done once each, in order, while the giver goes on; after a result that matters the next one waits. */
+/*
+ * test_background.c - each piece of work is done once and in order while the caller goes on; after a result that
+ * matters the next piece waits.
+ */
 #include "check/background.h"
 
 #include <stdatomic.h>
@@ -11,8 +14,8 @@ enum { PIECES_MOST = 300, ROUNDS = 5 };
 struct pieces {
 	struct background background;
 	bool holds[PIECES_MOST];	/* the result of this one must be taken before the next is done */
-	long given[PIECES_MOST];	/* written by the giver, without a lock */
-	long got[PIECES_MOST];	/* what the work made of it, without a lock */
+	long given[PIECES_MOST];	/* written by the caller without a lock */
+	long got[PIECES_MOST];	/* the result of the work, written without a lock */
 	atomic_size_t taken, begun;
 	atomic_int strange;	/* pieces out of order, or before they might be done */
 	atomic_long rounds;
@@ -97,7 +100,7 @@ START_TEST(what_is_held_is_never_done)
 }
 END_TEST
 
-/* A second thread may be started on the way. */
+/* A second thread may be started while pieces are being done. */
 START_TEST(work_may_begin_late)
 {
 	static struct pieces pieces;

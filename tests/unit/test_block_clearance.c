@@ -4,7 +4,7 @@
 #include "step_program.h"
 #include "suite.h"
 
-/* Does the oracle find a place in the steps where the bodies are as near as this? */
+/* Does the oracle find a position in the steps where the bodies are as near as this? */
 static bool comes_within(const struct program *p, int first, int last, double distance)
 {
 	for (int i = first; i < last; i++) {
@@ -14,10 +14,10 @@ static bool comes_within(const struct program *p, int first, int last, double di
 	return false;
 }
 
-/* Of a sharp bound. */
+/* The least share of the true distance that a sharp bound must reach. */
 #define SHARE 0.85
 
-/* mm: as far apart the bodies can be of which this bound is promised. */
+/* mm: the largest true distance that this accuracy allows for a bound. */
 static double could_be(enum clearance_accuracy accuracy, double bound)
 {
 	double low = bound, high = 10 * bound + 1;
@@ -33,7 +33,7 @@ static double could_be(enum clearance_accuracy accuracy, double bound)
 	return high;
 }
 
-/* Gauges a block of a few steps and compares it with the truth; true if its bound is neither 0 nor `most`. */
+/* Measures a block of a few steps and compares the bound with the truth; true if the bound is neither 0 nor `most`. */
 static bool measure_block(const struct program *p, struct block_clearance *block, struct sweep *sweep, int first,
 			  int last, double most, enum clearance_accuracy accuracy, long number)
 {
@@ -73,7 +73,10 @@ START_TEST(between_the_truth_and_a_share_of_it)
 		/* Half of the cases look for travelling planes wherever they can. */
 		block.pair.account.credit = n % 2 ? 1e12 : 0;
 		for (int first = 0, last; first < STEPS; first = last) {
-			/* Of a coarse measure other pairs may have shown already that not all is of interest. */
+			/*
+			 * Other pairs may already have lowered the largest distance that a coarse measurement looks
+			 * for.
+			 */
 			const double most = accuracy ? cap * random_size(&p.random, 0.1, 1) : cap;
 
 			last = first + 1 + random_below(&p.random, 6);
@@ -89,7 +92,7 @@ START_TEST(between_the_truth_and_a_share_of_it)
 }
 END_TEST
 
-/* Where many steps are called clear at once, they are. */
+/* Many steps that are declared clear at once are clear. */
 START_TEST(clear_without_a_look)
 {
 	struct sweep sweep = {0};
@@ -168,7 +171,9 @@ START_TEST(known_distances)
 
 	stand_by_wall(&duo);
 	block_clearance_init(&block, &duo.pair);
-	/* Nearer than the cap by nothing, at the end, at the start, all along, and on the way. */
+	/*
+	 * The bodies never come nearer than the cap; then they do at the end, at the start, all along, and on the way.
+	 */
 	between(go(&block, &sweep, 0, 0, 1, 0, PATH_STRAIGHT, 0), 8, 8);
 	between(go(&block, &sweep, 1, 0, 6, 0, PATH_STRAIGHT, 0), SHARE * 4, 4);
 	between(go(&block, &sweep, 6, 0, -100, 0, PATH_STRAIGHT, 0), SHARE * 4, 4);
@@ -180,7 +185,7 @@ START_TEST(known_distances)
 	/* Through the wall, and in it. */
 	between(go(&block, &sweep, 0, 0, 40, 0, PATH_STRAIGHT, 0), 0, 0);
 	between(go(&block, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), 0, 0);
-	/* What was seen in one block does not stick to the next. */
+	/* A block's result does not depend on the block before. */
 	between(go(&block, &sweep, 0, 0, 0, 1, PATH_STRAIGHT, 0), 8, 8);
 	sweep_release(&sweep);
 	block_clearance_release(&block);

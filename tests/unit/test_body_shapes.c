@@ -9,7 +9,7 @@
 
 enum { AXES = 3, ASKED = 60, THREADS = 4 };
 
-/* A body, the axes that are asked for, and what each thread gets. */
+/* A body, the axes in question, and the result of each thread. */
 struct asked {
 	struct bvh *bvh;
 	xform place;

@@ -1,7 +1,7 @@
 /*
- * test_bores.c - bores that shift the tool aside in a direction that is not known (G76, G87, Haas G77), from text to
- * steps: whichever way a control goes, each place of the tool lies within what the steps cover. So do those of circular
- * pockets (Haas G12, G13).
+ * test_bores.c - bores that shift the tool aside in an unknown direction (G76, G87, Haas G77), from text to steps:
+ * whichever way a control chooses, the steps cover every position of the tool. The same holds for circular pockets
+ * (Haas G12, G13).
  */
 
 #include "base/strbuf.h"
@@ -123,12 +123,12 @@ static void choose(struct bore *bore, uint64_t *random, bool back)
 	bore->over[1] = round(rig_random(random, -40, 40) * 1e3) / 1e3;
 	bore->r = round(rig_random(random, -20, 20) * 1e3) / 1e3;
 	bore->z = bore->r + (back ? 1 : -1) * round(rig_random(random, 1, 20) * 1e3) / 1e3;
-	/* At times R and Z lie the wrong way round. */
+	/* In some cases R and Z are exchanged. */
 	if (rig_pick(random, 4) == 0)
 		bore->z = 2 * bore->r - bore->z;
 	bore->q = round(rig_random(random, 0.05, 5) * 1e3) / 1e3;
 	bore->turn = rig_pick(random, 2) && bore->plane == 17 ? round(rig_random(random, 5, 355)) : 0;
-	/* Mostly along an axis and as far as Q says. */
+	/* In most cases along an axis and as far as Q says. */
 	if (rig_pick(random, 2))
 		angle = 90 * rig_pick(random, 4);
 	radius = rig_pick(random, 4) ? bore->q : rig_random(random, 0, bore->q);

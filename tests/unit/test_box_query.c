@@ -48,7 +48,7 @@ static double true_gap(const struct mesh *surface, const struct bvh *other, cons
 	return least;
 }
 
-/* What is said to be apart is; what is apart by a good share of the size is said to be. */
+/* A result "apart" is true; bodies whose gap is a good share of their size give this result. */
 START_TEST(random_bodies)
 {
 	const long cases = random_cases(400);

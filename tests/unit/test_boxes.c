@@ -54,7 +54,7 @@ static void meeting_init(struct meeting *m, uint64_t test, long number)
 	m->bodies[0] = random_soup(random, size * random_size(random, 0.01, 1), size * random_size(random, 1e-2, 10));
 	m->bodies[1] = random_soup(random, size * random_size(random, 0.01, 1), size * random_size(random, 1e-2, 10));
 	m->poses[0] = random_pose(random, size * random_size(random, 0.1, 10));
-	/* So that the bodies' middles, not their drawings' origins, are near. */
+	/* Moves the centres of the bodies, not their mesh origins, near each other. */
 	m->poses[0].translation = vec3_add(m->poses[0].translation,
 					   vec3_sub(m->bodies[0]->origin,
 						    mat3_apply(&m->poses[0].rotation, m->bodies[1]->origin)));
@@ -68,7 +68,7 @@ static void meeting_init(struct meeting *m, uint64_t test, long number)
 		m->poses[1] = xform_mul(&turn, &m->poses[0]);
 	}
 	m->view = random_below(random, 2);
-	/* The other view's bound is made worthless: it holds for motions that obey both. */
+	/* The bound of the other view is made useless: results must hold with one view's bound alone. */
 	m->displacement[1 - m->view] = 1e9;
 	m->displacement[m->view] = random_below(random, 2) ? 0 : size * random_size(random, 1e-5, 0.1);
 	if (random_below(random, 2))
@@ -199,7 +199,7 @@ static const struct bvh_node *some_node(struct random *random, const struct bvh 
 	return &bvh->nodes[random_below(random, (int)bvh->node_count)];
 }
 
-/* The scalar twin says what each level must say, to the bit: no verdict may depend on the processor. */
+/* Every SIMD level gives the same bits as the scalar version: no verdict may depend on the processor. */
 START_TEST(every_level_gives_the_same_bits)
 {
 	long cases = random_cases(4000);

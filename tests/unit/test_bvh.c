@@ -7,16 +7,16 @@
 #include "solids.h"
 #include "suite.h"
 
-/* What a walk over all boxes finds out. */
+/* The results of a walk over all boxes. */
 struct census {
 	const struct bvh *bvh;
 	long number;
-	unsigned char *seen;	/* by triangle: in how many leaves */
-	unsigned char *visited;	/* by node */
+	unsigned char *seen;	/* for each triangle, the number of leaves that hold it */
+	unsigned char *visited;	/* for each node, the number of visits */
 	int depth;
 };
 
-/* The corners of a run lie in the box: exactly, in double. */
+/* The corners of a run lie exactly in the box, computed in double. */
 static void expect_inside(const struct census *c, const struct bvh_node *node, int lane, size_t first, size_t count)
 {
 	const double origin[3] = {c->bvh->origin.x, c->bvh->origin.y, c->bvh->origin.z};
@@ -141,9 +141,9 @@ START_TEST(degenerate_soups)
 	for (int i = 0; i < 5000; i++) {
 		add_at(&same, (vec3){1, 1, 1}, 1);
 		add_at(&line, (vec3){0.25 * i, 0, 0}, 0.1);
-		/* Geometric growth: halving in the middle takes off one at a time. */
+		/* Sizes grow geometrically: each split at the middle separates only one triangle. */
 		add_at(&growing, (vec3){pow(2, i * 0.005), 0, 0}, 1e-3);
-		/* All with one middle. */
+		/* All triangles have the same centre. */
 		solid_add(&nested, (vec3){-i, -i, -i}, (vec3){i, i, i}, (vec3){0, 0, i});
 	}
 	ck_assert_int_le(examine(&same, 2), 8);
@@ -164,7 +164,7 @@ START_TEST(hundred_thousand)
 	for (size_t i = 0; i < big.count; i++)
 		big.triangles[i] = mesh.triangles[(size_t)random_below(&random, (int)mesh.count)];
 	mesh_release(&mesh);
-	/* Perfectly balanced it would be 8. */
+	/* A perfectly balanced tree has depth 8. */
 	ck_assert_int_le(examine(&big, 0), 20);
 }
 END_TEST
@@ -195,7 +195,7 @@ static struct mesh copy_of(const struct mesh *mesh)
 	return copy;
 }
 
-/* Neither the processor nor the number of threads may change the order of triangles: findings depend on it. */
+/* Neither the processor nor the number of threads may change the order of triangles, because findings depend on it. */
 START_TEST(one_tree)
 {
 	static const char *const levels[] = {"scalar", "sse2", "avx2"};

@@ -23,7 +23,7 @@ static void make_duo(struct random *random, struct duo *duo, axis_values *low, a
 	duo_init(duo, &chain, &a, &b, &place_a, &place_b);
 }
 
-/* Whatever it finds is a contact; and it finds most that are there. */
+/* Everything found is a contact, and most contacts are found. */
 START_TEST(finds_contacts)
 {
 	long found = 0, there = 0;
@@ -54,7 +54,7 @@ START_TEST(finds_contacts)
 			require(brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance + 1e-6,
 				"case %ld: no contact there", n);
 			found++;
-			/* The same bodies meet again where they met before, and where they are moved to from nearby. */
+			/* The same bodies meet again at the same position and near it. */
 			require(contact_search_recalls(&search, &sweep, &duo.pair, clearance, &low, &high, q, 0),
 				"case %ld: not there again", n);
 			require(contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high, false),
@@ -67,7 +67,7 @@ START_TEST(finds_contacts)
 }
 END_TEST
 
-/* What is recalled from a place nearby is a contact, too, within the travel; most are found. */
+/* A recalled contact near a position is a contact within the travel; most contacts are recalled. */
 START_TEST(recalls_contacts)
 {
 	long found = 0, there = 0;

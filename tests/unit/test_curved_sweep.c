@@ -117,7 +117,7 @@ static double moved_between(const struct curve *c, double u, double v)
 	return fmin(most[0], most[1]);
 }
 
-/* All steps of the curve; what is said of each stretch against true positions. 1: contact. */
+/* Compares the result for each stretch of the curve with true positions. 1: contact. */
 static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 {
 	struct strategy strategy;
@@ -133,7 +133,7 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 	span_init(&whole, &c->path);
 	span_walk_init(&walk, &whole, 16 * c->tolerance);
 	strategy_init(&strategy, &c->duo.pair, c->clearance, c->tolerance, number % 4 == 0);
-	/* As if many sweeps had gone before: planes are searched from the first step on. */
+	/* Pretends that many sweeps came before, so that planes are searched from the first step on. */
 	strategy.planes.credit = number % 2 ? 1e6 : 0;
 	while (span_walk_next(&walk, &step.span)) {
 		steps = mem_grow(steps, &capacity, count + 1, sizeof(*steps));
@@ -210,7 +210,7 @@ END_TEST
 /* How far the control may leave the path in each axis, mm. */
 #define ALLOWED 0.02
 
-/* The farthest that brings a point along the unit vector n. */
+/* The largest movement of a point along the unit vector n within the tolerance. */
 static double leap_along(vec3 n)
 {
 	return ALLOWED * (fabs(n.x) + fabs(n.y) + fabs(n.z));

@@ -70,7 +70,7 @@ START_TEST(a_failed_write_is_a_fault)
 	ck_assert_int_eq(store.fault, 0);
 	fill(&store, 20);
 	ck_assert_int_eq(store.fault, EFBIG);
-	/* What is there can be read no more, but nothing worse happens. */
+	/* The stored chunks can no longer be read, but nothing worse happens. */
 	ck_assert_int_eq(cut_store_get(&store, LIMIT + 30)->count, 0);
 	cut_store_release(&store);
 }

@@ -86,7 +86,7 @@ START_TEST(both_sides_of_near)
 	expect(after_step(&model, at(0, 0, -195, 0), at(0, 0, -195, 0)), 0);
 	expect(after_step(&model, at(-200, 0, -190, 0), at(200, 0, -190, 0)), 0);
 	expect(after_step(&model, at(-200, 0, -171, 0), at(200, 0, -169, 0)), 0);
-	/* Its corner comes by, or the cutter passes it. */
+	/* The corner of the part passes the cutter, or the cutter passes the corner. */
 	expect(after_step(&model, at(72, 0, -190, 0), at(72, 0, -190, 40)), 12);
 	expect(after_step(&model, at(69, 0, -190, 0), at(69, 0, -190, 40)), 0);
 	expect(after_step(&model, at(-200, 75, -190, 0), at(200, 75, -190, 0)), 35);
@@ -150,7 +150,7 @@ START_TEST(tool_by_tool)
 }
 END_TEST
 
-/* With this much of the model missing or marked, nothing is said of a cutter that is 180 mm away. */
+/* If this part of the model is missing or marked, no statement is made about a cutter that is 180 mm away. */
 START_TEST(nothing_to_say)
 {
 	struct model model;
@@ -174,7 +174,7 @@ START_TEST(nothing_to_say)
 	model.scene->setup = &model.setup;
 	model.bodies[1].role = ROLE_PART;
 	expect(after_step(&model, at(0, 0, 0, 0), at(1, 0, 0, 0)), 180);
-	/* A part beside one that is marked counts, and the marked one, too. */
+	/* Both a marked part and the part beside it count. */
 	model.bodies[1].checked = "r";
 	model_box(&model, ROLE_PART, LINK_C, (vec3){400, 0, 0}, (vec3){410, 10, 10});
 	expect(after_step(&model, at(0, 0, 0, 0), at(1, 0, 0, 0)), 180);
@@ -195,7 +195,7 @@ static double dense(const axis_values *q0, const axis_values *q1)
 
 		for (int k = 0; k < SLOT_COUNT; k++)
 			q.v[k] = q0->v[k] + i / 2000.0 * (q1->v[k] - q0->v[k]);
-		/* The tool goes by X, Y and Z relative to the work, and is then turned back about C. */
+		/* The tool moves by X, Y and Z relative to the work, then turns back about C. */
 		cylinder.base = vec3_add(cylinder.base, (vec3){q.v[SLOT_X], q.v[SLOT_Y], q.v[SLOT_Z]});
 		back = xform_turn((vec3){0, 0, 0}, (vec3){0, 0, 1}, q.v[SLOT_C]);
 		cylinder.base = xform_apply(&back, cylinder.base);
@@ -226,7 +226,7 @@ START_TEST(random_steps)
 		model_move(&model, &by);
 		moved = after_step(&model, q0, q1);
 		model_release(&model);
-		/* Around 10 mm both answers are right: what is looked at is within a tenth of that. */
+		/* Near 10 mm both answers are correct, because the measurement has an error of a tenth. */
 		if (truth > 9 && truth < 11)
 			continue;
 		require(found.far == (truth > 10) && moved.far == found.far, "case %ld: %g mm", n, truth);

@@ -127,7 +127,7 @@ START_TEST(random_places)
 			    found >= truth - cylinder.radius * (1 - cos(PI / SIDES)) - 1e-3,
 			"case %ld: %.9g mm, not %.9g", n, found, truth);
 	}
-	/* Of few cases all may be apart. */
+	/* In a small number of cases all may be apart. */
 	require(apart > cases / 2 && (apart < cases || cases < 50), "%ld of %ld apart", apart, cases);
 }
 END_TEST

@@ -1,4 +1,4 @@
-/* The digests of a run's files: those of FIPS 180-4's examples, whatever the number of threads. */
+/* test_digesting.c - digests of the files of a run equal the examples of FIPS 180-4 with any number of threads. */
 #include "cli/digesting.h"
 
 #include <string.h>
@@ -60,7 +60,7 @@ START_TEST(each_file_has_its_digest)
 }
 END_TEST
 
-/* Never that of a part of the file. */
+/* A file that was not read to its end gets no digest. */
 START_TEST(what_is_given_up_has_no_digest)
 {
 	write_files();

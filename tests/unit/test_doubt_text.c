@@ -6,7 +6,7 @@
 #include "model_case.h"
 #include "suite.h"
 
-/* A mill with two bodies, a tool and a work offset, so that whatever a doubt may name is there. */
+/* A mill with two bodies, a tool and a work offset: everything that a doubt may name. */
 static void start(struct model *model, struct work_offset *offset)
 {
 	model_init(model);
@@ -51,7 +51,7 @@ static void expect(const struct model *model, struct doubt doubt, const char *te
 	strbuf_release(&out);
 }
 
-/* Angles are told in degrees, and what an axis does is told of what it carries. */
+/* Angles are written in degrees, and a statement about an axis names the bodies that it carries. */
 START_TEST(words)
 {
 	struct work_offset offset;

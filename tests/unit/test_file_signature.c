@@ -1,4 +1,4 @@
-/* Packed files, documents and encodings by their first bytes; text must stay text. */
+/* test_file_signature.c - archives, documents and encodings are recognised by their first bytes; text stays text. */
 #include "base/file_signature.h"
 
 #include <string.h>

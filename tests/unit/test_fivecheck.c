@@ -84,8 +84,8 @@ struct seen {
 	pthread_t thread;
 	int findings;
 	long progress;
-	long times;	/* that progress was told */
-	bool go_on;	/* after progress */
+	long times;	/* calls of the progress callback */
+	bool go_on;	/* result of the progress callback */
 	enum fivecheck_kind kind;
 	long line;
 };
@@ -174,7 +174,7 @@ START_TEST(finds_and_proves)
 	ck_assert_int_eq((int)seen.kind, FIVECHECK_COLLISION);
 	ck_assert_int_eq((int)seen.line, 2);
 	ck_assert_int_eq((int)fivecheck_statistics_findings(statistics), 1);
-	/* Without anybody to tell it is found all the same. */
+	/* The contact is also found without a callback. */
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_FOUND);
 	write_text("b.nc", "G1 Z-99 F6000\nG1 Z0\n");
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "b.nc", &events, diag, statistics, proven), FIVECHECK_CLEAR);
@@ -240,7 +240,9 @@ START_TEST(goes_on_or_gives_up)
 }
 END_TEST
 
-/* A writer that says nothing, and a loop that moves nothing: nobody hears of a block. */
+/*
+ * A writer that sends nothing, or a loop that moves nothing, reports no block; the check can be cancelled all the same.
+ */
 START_TEST(can_give_up_at_any_time)
 {
 	struct seen seen = {.thread = pthread_self(), .go_on = false};
@@ -272,7 +274,7 @@ START_TEST(can_give_up_at_any_time)
 }
 END_TEST
 
-/* Behind a limit finding blocks are still checked many at a time. The way back from a place is a finding, too. */
+/* After a limit finding, blocks are still checked many at a time. The way back from the place is a finding, too. */
 START_TEST(goes_on_past_a_limit)
 {
 	struct seen seen = {.thread = pthread_self(), .go_on = true};

@@ -83,7 +83,7 @@ START_TEST(setup_offsets)
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
 	case_expect(&c, "G0 X0 Y0 Z0 A60\nG59.1 X1 A60\nM2\n", "rapid 1 2 3 90 0\nrapid 11 2 3 60 0\n");
-	/* Without a setup nothing is known, and nothing is missing; the verdict says that there was none. */
+	/* Without a setup no offset is known and none is missing; the verdict says that there was no setup. */
 	case_init(&c);
 	case_expect(&c, "G57 G0 X1\nM2\n", "rapid 1 0 0 0 0\n");
 }
@@ -202,7 +202,7 @@ END_TEST
 
 START_TEST(full_circle_in_spite_of_rounding)
 {
-	/* Ten steps of 0.1 do not add up to 1 in floating point; the arc back to X1 is a full circle all the same. */
+	/* Ten steps of 0.1 do not add up to 1 in floating point; the arc back to X1 is still a full circle. */
 	struct gcode_case c;
 
 	case_init(&c);
@@ -216,7 +216,7 @@ END_TEST
 
 START_TEST(no_drift)
 {
-	/* A thousand changes of offset leave an axis without a word exactly where it was. */
+	/* After a thousand changes of offset an axis without a word has exactly its old position. */
 	struct strbuf program = {0}, moves = {0};
 
 	strbuf_addf(&program, "G10 L2 P2 X.1 Y.7 A.3\nG0 X.3 Y.2 A.1\n");
@@ -367,7 +367,7 @@ START_TEST(fanuc_programs)
 	    "G28 X3. Y0.\nM6 T2\nM30\n%\n",
 	    "rapid 1 0 0 0 0\ndwell 0.5\ndwell 2.5\ndwell 1\nrapid -5 0 0 0 0\nfeed 2 0 0 0 0\nrapid 3 0 0 0 0\n"
 	    "rapid 0 0 0 0 0\ntool 2\n");
-	/* What was never switched on may be cancelled. */
+	/* A mode that is not active may be cancelled. */
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
 	case_expect(&c, "G0 X1.\nG17 G21 G40 G49 G50 G50.1 G15 G69 G80 G90\nG0 X2.\nM30\n",
@@ -399,7 +399,7 @@ START_TEST(program_without_end)
 }
 END_TEST
 
-/* X12 may have been X120. */
+/* A last line X12 may be a cut off X120. */
 START_TEST(program_cut_off)
 {
 	struct gcode_case c;

@@ -23,7 +23,7 @@ static void expect_bad(const struct bad *bad, const struct dialect *dialect, boo
 	"coordinate (G90) first"
 
 static const struct bad texts[] = {
-    /* "G38.n Straight Probe": how far the axis goes is known to the machine alone. */
+    /* "G38.n Straight Probe": only the machine knows how far the axis goes. */
     {"G38.2 Z-9 F99\nG91 G1 X2 Z2\n", 2, 11, PROBED},
     {"G38.2 Z-9 F99\nG92 Z0\n", 2, 5, PROBED},
     {"G38.2 Z-9 F99\n#1=#5420\nG0 Z#5422\n", 3, 5, PROBED},
@@ -298,14 +298,14 @@ START_TEST(wrapped_position_beyond_a_turn)
 			 "degrees\n    G0 A360\n       ^\n");
 	case_release(&c);
 	case_init(&c);
-	/* Fanuc B-63534EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
+	/* Fanuc B-63534EN, "Rotary axis roll-over": whole turns of the programmed value are left out. */
 	c.config.wrap[SLOT_A] = WRAP_SIGN;
 	c.config.dialect = &dialect_fanuc;
 	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");
 }
 END_TEST
 
-/* In LinuxCNC they would move the tool point. */
+/* In LinuxCNC these moves would be moves of the tool point. */
 START_TEST(machine_axes_under_switched_kinematics)
 {
 	static const char *const blocks_of_axes[] = {"G53 G0 X1", "G28", "G30 X1", "G28.1"};

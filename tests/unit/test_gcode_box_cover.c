@@ -1,4 +1,4 @@
-/* test_gcode_box_cover.c - lines that cover all that a box passes: none of its places left out, little added. */
+/* test_gcode_box_cover.c - lines that cover the sweep of a box: they miss no position and add little. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -29,7 +29,7 @@ static bool keep(void *context, const struct cover_line *line)
 	return true;
 }
 
-/* The shares of a line that are within `spread` of a coordinate: they become fewer. */
+/* Reduces the shares of a line to those within `spread` of a coordinate. */
 static void clip(double from, double to, double spread, double place, double share[2])
 {
 	const double low = place - spread - ROUNDING - from, high = place + spread + ROUNDING - from, way = to - from;
@@ -63,7 +63,7 @@ static vec3 any_place(unsigned *seed, const struct box_way *box)
 	vec3 place = vec3_mad(box->start, uniform(seed, 0, 1), box->way);
 
 	for (int i = 0; i < 3; i++) {
-		/* One of three lies in a face. */
+		/* One in three positions lies in a face. */
 		const double share = uniform(seed, -1.5, 1.5);
 
 		place = vec3_mad(place, fmax(-1, fmin(share, 1)), box->half[i]);
@@ -71,7 +71,10 @@ static vec3 any_place(unsigned *seed, const struct box_way *box)
 	return place;
 }
 
-/* Sides along the axes, or turned in XY; some are nothing. The way: none, along a side, in the plane, or anywhere. */
+/*
+ * A box along the axes or turned in XY, some sides of length 0. The move is none, along a side, in the plane, or in any
+ * direction.
+ */
 static struct box_way any_box(unsigned *seed, int kind)
 {
 	const double angle = kind % 2 ? uniform(seed, 0, 6) : 0, c = cos(angle), s = sin(angle);

@@ -36,7 +36,7 @@ START_TEST(plane_of_x_and_z)
 }
 END_TEST
 
-/* What waits is sent with its own line, and its block's end after it. */
+/* A delayed move is sent with its own line, and the end of its block follows it. */
 START_TEST(blocks_in_order)
 {
 	struct gcode_case c;

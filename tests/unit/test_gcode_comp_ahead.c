@@ -1,6 +1,6 @@
 /*
  * test_gcode_comp_ahead.c - cutter compensation of controls that look ahead (Fanuc B-62764EN, 15.4 and 15.5; Haas,
- * "Cutter Compensation"): closed forms, every way inside what is proved, faults.
+ * "Cutter Compensation"): closed forms, coverage of every possible path, faults.
  */
 #include "gcode_case.h"
 
@@ -38,7 +38,10 @@ START_TEST(square)
 	run(A, CIRCULAR, SQUARE,
 	    "feed 8 0 0 0 0\nfeed 8 20 0 0 0\narc 10 22 0 0 0 centre 10 20 0 normal 0 0 1 sweep -90\nfeed 30 22 0 0 0\n"
 	    "arc 32 20 0 0 0 centre 30 20 0 normal 0 0 1 sweep -90\nfeed 32 0 0 0 0\nfeed 40 0 0 0 0\n");
-	/* D2 is negative: the other side, on which all corners are inside. The first one, too: both types go straight. */
+	/*
+	 * D2 is negative: compensation on the other side, where all corners, also the first one, are inside corners.
+	 * Both types go straight.
+	 */
 	run(B, LINEAR, "G94 F9 G1 G41 D2 X10 Y0\nY20\nX30\nY0\nG40 X40\nM30\n",
 	    "feed 12 -2 0 0 0\nfeed 12 18 0 0 0\nfeed 28 18 0 0 0\nfeed 28 -2 0 0 0\nfeed 40 0 0 0 0\n");
 	/* A D of 0 compensates nothing. */
@@ -60,11 +63,11 @@ START_TEST(start_and_end)
 	run(B, CIRCULAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
 	    "feed 10 2 0 0 0\narc 12 0 0 0 0 centre 10 0 0 normal 0 0 1 sweep -90\nfeed 12 -20 0 0 0\n"
 	    "arc 10 -22 0 0 0 centre 10 -20 0 normal 0 0 1 sweep -90\nfeed 0 -20 0 0 0\n");
-	/* Not known: everything within 2 sqrt 2 of the way of type B. */
+	/* The type is not known: everything within 2 sqrt 2 of the path of type B is covered. */
 	run(COMP_START_UNKNOWN, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
 	    "feed 12 2 0 0 0 spread 2 2 0\nfeed 12 0 0 0 0 spread 2 2 0\nfeed 12 -20 0 0 0\n"
 	    "feed 12 -22 0 0 0 spread 2 2 0\nfeed 0 -20 0 0 0 spread 2 2 0\n");
-	/* G41 alone waits; Z moves before and between; D is modal, and G41 may be repeated. */
+	/* G41 alone waits for the next move; Z moves before and between; D is modal, and G41 may be repeated. */
 	run(A, LINEAR, "G94 F9 G41 D1\nG1 Z5\nX10 Y0\nZ0\nG41 Y-20\nG40 X0\nM30\n",
 	    "feed 0 0 5 0 0\nfeed 12 0 5 0 0\nfeed 12 0 0 0 0\nfeed 12 -20 0 0 0\nfeed 0 -20 0 0 0\n");
 }
@@ -119,7 +122,7 @@ START_TEST(on_a_tilted_plane)
 }
 END_TEST
 
-/* G40 alone: the tool is beside the end until its axes move again, whatever else moves before. */
+/* G40 alone: the tool stays beside the end until axes of the plane move again, whatever else moves before. */
 START_TEST(cancel_alone)
 {
 	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY20\nG40\nZ50\nX0\nZ60\nY0\nZ70\nM30\n",
@@ -173,7 +176,9 @@ static void point_of(const struct piece *piece, double s, double p[2])
 	}
 }
 
-/* How far outside of the spread of any piece: 0 or less, it is covered. Sampled finely along the pieces. */
+/*
+ * The distance of a point from what the pieces cover; 0 or less: the point is covered. Sampled finely along the pieces.
+ */
 static double outside(const struct piece *pieces, int count, const double p[2])
 {
 	double least = INFINITY, q[2];
@@ -187,7 +192,9 @@ static double outside(const struct piece *pieces, int count, const double p[2])
 	return least;
 }
 
-/* Random contours, with lines and arcs: each way that the control may have lies in what is proved of the unknown one. */
+/*
+ * Random contours of lines and arcs: each path that a control may choose lies in what is proved for the unknown type.
+ */
 START_TEST(every_way_is_covered)
 {
 	unsigned seed = 20251122;
@@ -215,7 +222,7 @@ START_TEST(every_way_is_covered)
 		strbuf_addf(&program, "G1 G40 X%.4f Y%.4f\nM30\n", x + 30 * cos(heading), y + 30 * sin(heading));
 		init(&c, round % 3 ? &dialect_fanuc : &dialect_haas, COMP_START_UNKNOWN, COMP_CORNER_UNKNOWN);
 		if (!case_run(&c, program.text)) {
-			/* The tool does not fit: no way. */
+			/* The tool does not fit, so there is no path. */
 			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "which would gouge"));
 			case_release(&c);
 			strbuf_release(&program);
@@ -284,7 +291,7 @@ START_TEST(faults)
 }
 END_TEST
 
-/* Without the parameter, a G41 that stands alone is a question on Fanuc; Haas waits for the next move. */
+/* Without the parameter, a G41 alone is an error that asks for it on Fanuc; Haas waits for the next move. */
 START_TEST(alone)
 {
 	struct gcode_case c;

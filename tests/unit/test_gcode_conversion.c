@@ -28,7 +28,7 @@ START_TEST(shifted_and_turned)
 	run(LENGTH_UNDER_G68_UNKNOWN,
 	    "G68 X10. Y20. Z30. I0 J1 K0 R90.\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 X5.\nG69\nX0. Y0. Z0.\nM30\n",
 	    "rapid 13 22 29 0 0\nrapid 14 22 29 0 0\nrapid 14 22 25 0 0\nrapid 0 0 0 0 0\n");
-	/* The direction needs no length of 1, and its sign turns the angle round. The work offset stays where it is. */
+	/* The direction need not have length 1, and its sign reverses the angle. The work offset stays where it is. */
 	run(LENGTH_UNDER_G68_UNKNOWN, "G10 L2 P1 X100. Y0. Z0.\nG54 G68 X10. Y20. Z30. I0. J-5. K0. R-90.\nG0 X1. Y2. Z3.\nM30\n",
 	    "rapid 113 22 29 0 0\n");
 	/* About (1, 1, 1) by a third of a turn: X goes to Y, Y to Z, Z to X. */

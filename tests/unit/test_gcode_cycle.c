@@ -107,7 +107,7 @@ START_TEST(boring_by_hand)
 			    "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -8 0 0\n%srapid 1 0 2 0 0\n"
 			    "rapid 2 0 2 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -8 0 0\n%srapid 2 0 2 0 0\n",
 			    bores[i].dwell, bores[i].dwell);
-		/* Once a program. */
+		/* The caution comes once in a program. */
 		strbuf_addf(&messages,
 			    "p.nc:2:5: warning: %s: the operator retracts the tool by hand; only a retract straight up is "
 			    "checked, here and further on\n    G99 %s X1. Z-8. R2. P2.\n        ^\n",
@@ -305,8 +305,8 @@ START_TEST(reference_positions)
 END_TEST
 
 /*
- * Fanuc B-64484EN and Haas, canned cycles: the level of G98 is where the tool was
- * before the first of them. Whether that is a coordinate or a place is not said.
+ * Fanuc B-64484EN and Haas, canned cycles: the level of G98 is the height of the tool before the first cycle. The
+ * manuals do not say whether that is a coordinate or a position.
  */
 START_TEST(level_is_kept)
 {
@@ -330,7 +330,7 @@ START_TEST(level_is_kept)
 			     "whether the initial level and the words change with them; write G80 first\n    X2. Y2.\n",
 			     "F9 G0 Z3.\nG98 G81 X1. Z-1. R1.\n%s\nX2. Y2.\n", changes[i / 2]);
 	}
-	/* Where nothing goes by the level, or another cycle begins. */
+	/* Blocks that do not use the level, or in which another cycle begins. */
 	run(&dialect_fanuc, "F9 G0 Z3.\nG99 G81 X1. Z-1. R1.\nG52 Z1.\nX2.\nG80\nG98 G81 X3. Z-1. R1.\nM30\n",
 	    "rapid 0 0 3 0 0\nrapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\n"
 	    "rapid 2 0 1 0 0\nrapid 2 0 2 0 0\nfeed 2 0 0 0 0\nrapid 2 0 2 0 0\n"
@@ -338,7 +338,7 @@ START_TEST(level_is_kept)
 }
 END_TEST
 
-/* A block that names no axis drills nothing, but of one with R that is not certain. */
+/* A block without an axis word drills nothing; a block with R is not certain. */
 START_TEST(drills_where_an_axis_is_named)
 {
 	struct gcode_case c;

@@ -1,6 +1,6 @@
 /*
- * test_gcode_dialect.c - the tables of the dialects, and what becomes of a control that answers nothing: whatever its
- * table leaves out is refused at its place, and never done in the way of another control.
+ * test_gcode_dialect.c - the tables of the dialects, and a control without answers: a question that its table leaves
+ * open is refused at its place and never answered in the way of another control.
  */
 #include "gcode/dialect/fanuc/fanuc_family.h"
 #include "gcode/dialect/standard_codes.h"
@@ -21,7 +21,7 @@ static const struct code bare_codes[] = {
 };
 static const struct code_set bare_set = CODE_SET(bare_codes);
 
-/* G0 and G1, and not a single answer. */
+/* Only G0 and G1, no answers. */
 static const struct dialect bare = {.name = "bare", .g_codes = {&bare_set}, .read_block = read_words};
 
 static const struct code more_codes[] = {
@@ -35,7 +35,7 @@ static const struct code more_codes[] = {
 };
 static const struct code_set more_set = CODE_SET(more_codes);
 
-/* All codes that several controls share, and not a single answer. */
+/* All codes that several controls share, no answers. */
 static const struct dialect silent = {
     .name = "silent",
     .g_codes = {&standard_g_codes, &more_set, &fanuc_family_g_codes},
@@ -43,7 +43,7 @@ static const struct dialect silent = {
     .read_block = read_words,
 };
 
-/* Answers what nearly every program needs, so that the question behind comes into sight. */
+/* Answers the questions that nearly every program raises, so that the test reaches the question behind them. */
 static const struct dialect_traits usual = {
     .power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
     .whole_numbers = WHOLE_NUMBERS_UNITS,
@@ -127,7 +127,7 @@ START_TEST(no_table_at_all)
 }
 END_TEST
 
-/* What remains when the modes are given is carried out, and nothing else is. */
+/* If the program gives all modes, the codes that need no answer are carried out, and no others. */
 START_TEST(given_modes)
 {
 	struct gcode_case c;
@@ -218,7 +218,7 @@ START_TEST(silent_table)
 }
 END_TEST
 
-/* A control of which it is not known may leave the path until the program says G61. */
+/* A control without this answer may leave the path until the program has G61. */
 START_TEST(silent_path)
 {
 	struct dialect dialect = silent;
@@ -232,7 +232,7 @@ START_TEST(silent_path)
 }
 END_TEST
 
-/* Of canned cycles all answers are needed at once. */
+/* Canned cycles need all of their answers. */
 START_TEST(half_answered_cycles)
 {
 	static const struct refusal refusal = {
@@ -247,7 +247,7 @@ START_TEST(half_answered_cycles)
 }
 END_TEST
 
-/* The search in a set needs its order, and a code that stood twice would hide its second row. */
+/* The rows of a set are sorted for the search, and no code has two rows. */
 START_TEST(rows)
 {
 	for (int row = 0; dialect_names[row]; row++) {

@@ -48,13 +48,15 @@ START_TEST(moves_nothing_by_itself)
 	run("G54 G0 X5. Y6. Z7. C180.\nG254\nG0 X0.\nY0.\nZ0.\nG255\nX0.\nM30\n",
 	    "rapid 15 8 -43 0 180\nrapid -10 8 -43 0 180\nrapid -10 -2 -43 0 180\nrapid -10 -2 -50 0 180\n"
 	    "rapid 10 -2 -50 0 180\n");
-	/* At C0 nothing changes: nothing needs to be led anywhere first. */
+	/* At C0 nothing changes, so no axis has to move first. */
 	run("G54 G0 X5. Y6. Z7.\nG254\nG91 G1 X1. F9.\nG255\nX1.\nM30\n",
 	    "rapid 15 8 -43 0 0\nfeed 16 8 -43 0 0\nfeed 17 8 -43 0 0\n");
-	/* On again where it is on already, and the same work offset again. */
+	/* G254 while it is active, and the same work offset selected again. */
 	run("G54 G0 C90.\nG254\nG0 X0. Y0.\nG254\nG54 Z0.\nX1.\nM30\n",
 	    "rapid 0 0 0 0 90\nrapid -2 10 0 0 90\nrapid -2 10 -50 0 90\nrapid -1 10 -50 0 90\n");
-	/* After G255 a cut may lead them itself; a G1 that moves nothing and machine coordinates cut nothing. */
+	/*
+	 * After G255 a cut may move the axes itself; a G1 without motion and moves in machine coordinates do not cut.
+	 */
 	run("G54 G0 C90.\nG254\nG1 F9.\nG53 Z-1.\nG0 X0. Y0.\nG255\nG1 X0. Y0.\nX1.\nM30\n",
 	    "rapid 0 0 0 0 90\nfeed 0 0 -1 0 90\nrapid -2 10 -1 0 90\nfeed 10 2 -1 0 90\nfeed 11 2 -1 0 90\n");
 	/* A rotary word that turns nothing. */

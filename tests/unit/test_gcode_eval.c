@@ -1,6 +1,6 @@
 /*
- * test_gcode_eval.c - the climber of expressions and the lexer with rules that are no control's: parentheses, words as
- * operators, a variable of two letters. What a new dialect gives as data works without a line of the others.
+ * test_gcode_eval.c - the expression evaluator and the lexer with rules of no real control: parentheses, words as
+ * operators, a variable of two letters. A new dialect needs only data.
  */
 #include "gcode_case.h"
 

@@ -57,7 +57,7 @@ START_TEST(expressions)
 }
 END_TEST
 
-/* Hand-derived from LinuxCNC's manual, "Predefined Named Parameters" and "Numbered Parameters". */
+/* Derived by hand from LinuxCNC's manual, "Predefined Named Parameters" and "Numbered Parameters". */
 static const struct {
 	const char *setting, *expression;
 	double value;
@@ -116,7 +116,7 @@ START_TEST(assignments_wait)
 	expect_moves("#1=2 #1=5\nG0 X#1\n", "rapid 5 0 0 0 0\n");
 	/* A name exists from its assignment on. */
 	expect_moves("#<n>=[#<n>+1]\nG0 X#<n>\n", "rapid 1 0 0 0 0\n");
-	/* Written offsets hold from the next selection on. */
+	/* Offsets that are written take effect at the next selection. */
 	expect_moves("#5241=3 G55 G0 X0\n", "rapid 3 0 0 0 0\n");
 	expect_moves("#5181=4\nG30\n#5211=2\nG92.3\nG0 X1\n", "rapid 4 0 0 0 0\nrapid 3 0 0 0 0\n");
 }
@@ -235,7 +235,7 @@ START_TEST(faults)
 }
 END_TEST
 
-/* Neither deep nesting nor long lines may harm. */
+/* Deep nesting and long lines must do no harm. */
 START_TEST(depth_is_bounded)
 {
 	static const char *const pieces[] = {"[", "-[", "#", "SIN[", "[1+"};

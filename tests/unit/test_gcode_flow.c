@@ -42,7 +42,7 @@ static const struct {
 	{"o1 sub\nG0 X1\nM2\no1 endsub\no1 call\nG0 X9\n", "1"},
 	{"#1=6\nM98 P100 L2\nG0 X#1\nM2\nO100 (Fanuc)\nG91 G0 X1\nG90\n#1=9\nM99\n", "1 2 9"},
 	{"M98 P100\nM2\nO100\nG0 X1\nM98 P200\nM99\nO200\nG0 X2\nM99\n", "1 2"},
-	/* M99 of the program itself: a second pass that changes nothing is the last. */
+	/* M99 of the main program: a pass that changes nothing is the last one. */
 	{"G0 X1\nG0 X2\nM99\n", "1 2 1 2"},
 	{"%\nG0 X1\nG0 X2\nM99\n%\n", "1 2 1 2"},
 	{"\n\n%\n#1=[#1+1]\no1 if [#1 EQ 3]\nM2\no1 endif\nG0 X#1\nM99\n%\n", "1 2"},
@@ -131,7 +131,7 @@ static const struct {
 	{"o1 sub\nG0 X[1/#1]\no1 endsub\no2 sub\n o1 call [#1]\no2 endsub\no2 call [0]\n",
 	 "p.nc:2:7: error: division by zero\n    G0 X[1/#1]\n          ^\n"
 	 "p.nc:5:2: note: o1 is called from here\np.nc:7:1: note: o2 is called from here\n"},
-	/* LinuxCNC's own faults, which would carry out something else than what is written. */
+	/* Faults of LinuxCNC itself, which would carry out something other than what is written. */
 	{"o1 while [1]\no1 break\no1 endwhile\no2 do\n#1=[#1+1]\no2 while [#1 LT 3]\n",
 	 "p.nc:6:1: error: in LinuxCNC, an earlier o-word break still has an effect, which would end the loop here; "
 	 "write the loops without break\n    o2 while [#1 LT 3]\n    ^\n"},
@@ -337,7 +337,7 @@ START_TEST(loops_on_pipes)
 	ck_assert_msg(run_piped(&c, small.text, small.length), "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(c.moves.text, moves);
 	case_release(&c);
-	/* What a pipe can no longer deliver, a file can. */
+	/* A file can deliver what a pipe no longer can. */
 	make_loop(&large, (size_t)20 << 20);
 	case_init(&c);
 	ck_assert(case_run(&c, large.text));

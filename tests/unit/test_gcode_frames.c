@@ -43,7 +43,7 @@ START_TEST(mirror)
 	/* About X 10: 30 goes to -10; the other axes and axes without a word stay. */
 	run(&dialect_fanuc, "G0 X30. Y5.\nG51.1 X10.\nX30.\nG91 X1.\nG90 Y6.\nG50.1\nX0.\nM30\n",
 	    "rapid 30 5 0 0 0\nrapid -10 5 0 0 0\nrapid -11 5 0 0 0\nrapid -11 6 0 0 0\nrapid 0 6 0 0 0\n");
-	/* Two axes, of which one goes. */
+	/* Two mirrored axes, one of which is cancelled. */
 	run(&dialect_fanuc, "G51.1 X0. Y0.\nG0 X1. Y2.\nG50.1 X0.\nX1. Y2.\nG50.1 Y0.\nX1. Y2.\nM30\n",
 	    "rapid -1 -2 0 0 0\nrapid 1 -2 0 0 0\nrapid 1 2 0 0 0\n");
 	/* Arcs turn the other way round; in the image of two axes they do not. */
@@ -138,7 +138,7 @@ START_TEST(polar)
 }
 END_TEST
 
-/* "Single Direction Positioning (G60)": everything within the overrun is proved; G1 holds behind it. */
+/* "Single Direction Positioning (G60)": everything within the overrun is proved; G1 is in force again after it. */
 START_TEST(single_direction)
 {
 	struct gcode_case c;

@@ -90,7 +90,7 @@ START_TEST(lexis_table)
 }
 END_TEST
 
-/* Inches, called programs, presets, no setup: what the tables' control does not show. */
+/* Inches, called programs, presets, no setup: cases that need another control than the tables. */
 START_TEST(units)
 {
 	struct gcode_case c;
@@ -172,7 +172,10 @@ START_TEST(datum_row)
 }
 END_TEST
 
-/* Does the position of C at the preset count for M128? The machine file says it, or there is no answer. */
+/*
+ * Does the position of C at the preset count for M128? The machine file says so; without an answer the program is
+ * refused.
+ */
 static bool turn_about(struct gcode_case *c, enum answer given, bool offset, const char *blocks)
 {
 	static const struct work_offset preset = {.name = "G54.1 P1", .value = {{0, 0, 0, 0, 0, PI / 6}}};
@@ -231,7 +234,7 @@ START_TEST(builder_point)
 }
 END_TEST
 
-/* The teeth change the feed alone, and that is said once. */
+/* The number of teeth changes only the feed; one caution says so. */
 START_TEST(feed_per_tooth)
 {
 	struct gcode_case c;
@@ -246,7 +249,7 @@ START_TEST(feed_per_tooth)
 }
 END_TEST
 
-/* CYCLE is CYCL, which is said once, also in the lines of an older cycle. */
+/* CYCLE is read as CYCL, also in the lines of an older cycle; one caution says so. */
 START_TEST(cycle_in_full)
 {
 	struct gcode_case c;
@@ -260,7 +263,7 @@ START_TEST(cycle_in_full)
 }
 END_TEST
 
-/* Text behind END PGM is cautioned once; blank lines, comments and the end of a transmission are not. */
+/* Text after END PGM gives one caution; blank lines, comments and the end of a transmission give none. */
 START_TEST(behind_end)
 {
 	struct gcode_case c;
@@ -275,7 +278,7 @@ START_TEST(behind_end)
 }
 END_TEST
 
-/* Files may change, which is said; the moves do not depend on it. */
+/* A caution says that files may change; the moves do not depend on it. */
 START_TEST(files)
 {
 	static const char *const blocks[] = {"FUNCTION FILECOPY \"TNC:\\A.H\" TO \"TNC:\\B.H\"\n",
@@ -309,7 +312,7 @@ START_TEST(first_tool)
 }
 END_TEST
 
-/* M118 left out takes its axes with it. */
+/* An ignored M118 takes its axis words with it. */
 START_TEST(handwheel)
 {
 	static const struct mcode ignored = {118, MCODE_IGNORE};
@@ -335,7 +338,7 @@ START_TEST(cycle_19)
 	ck_assert(!klartext_run(&c, program));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "cycle_19_angles=\"spatial\" or \"axes\""));
 	case_release(&c);
-	/* As positions of the axes; those that the machine lacks may be 0. */
+	/* Angles as positions of the axes; positions of axes that the machine lacks may be 0. */
 	klartext_case(&c);
 	c.config.controller.cycle_19_angles = CYCLE_19_ANGLES_AXES;
 	ck_assert(klartext_run(&c, "CYCL DEF 19.0\nCYCL DEF 19.1 A+30 B+0 C+0\nL A+30 C+0 FMAX\nL Y+10 FMAX\n"));
@@ -375,7 +378,7 @@ START_TEST(cycle_11)
 }
 END_TEST
 
-/* The machine file says that increments count from where the axis stands: 1 + 5, turned; M140 ended at 150. */
+/* The machine file says that increments count from the position of the axis: 1 + 5, turned; M140 ended at 150. */
 START_TEST(increments_after_shift)
 {
 	struct gcode_case c;
@@ -416,7 +419,7 @@ START_TEST(without_setup)
 }
 END_TEST
 
-/* Every block that is no label, jump or comment is told, with its moves and its text. */
+/* Every block that is not a label, a jump or a comment is reported with its moves and its text. */
 START_TEST(blocks)
 {
 	struct gcode_case c;
@@ -442,7 +445,7 @@ START_TEST(block_limit)
 }
 END_TEST
 
-/* The next line is not in the reader's buffer: RND is found all the same, and the line in hand stays as it is. */
+/* The next line is not in the reader's buffer: RND is still found, and the current line keeps its text. */
 START_TEST(long_program)
 {
 	struct strbuf text = {0}, moves = {0};

@@ -249,7 +249,7 @@ static const struct klartext_fault faults[] = {
 	{"FN 20: WAIT FOR SYNC\nL X+3 FMAX\nFN 18: SYSREAD Q1 = ID240 NR1 IDX1\nL X+Q1 FMAX\n",
 	 "p.nc:5:5: error: Q1 was read from the control (FN 18, ID240 NR1 IDX1), and that value is not known here: to "
 	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
-	/* There and back: the control may read the position on the way. */
+	/* The axis moves away and back, so the control may read a position on the way. */
 	{"FN 20: WAIT FOR SYNC\nL X+3 FMAX\nL X+0 FMAX\nFN 18: SYSREAD Q1 = ID270 NR1 IDX1\nL X+Q1 FMAX\n",
 	 "p.nc:6:5: error: Q1 was read from the control (FN 18, ID270 NR1 IDX1), and that value is not known here: to "
 	 "check the program, assign the value by FN 0 behind it, or write FN 20: WAIT FOR SYNC before it"},
@@ -350,7 +350,7 @@ static const struct klartext_fault faults[] = {
 	 "LBL 4\nQ1=Q1+0.5\nCALL LBL 1 REP 2\nL X+1 FMAX\nLBL 3\nL X+1 FMAX\n",
 	 "p.nc:10:10: error: a jump has left this program section before its repeats were done: whether "
 	 "they are counted anew is not known here"},
-	/* Behind M118 a coordinate would pass for a limit of the handwheel. */
+	/* A coordinate after M118 would be read as a limit of the handwheel. */
 	{"L X+10 F100 M118 X1 X+50\n",
 	 "p.nc:2:21: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
 	 "coordinates of the block belong before M118"},
@@ -433,7 +433,7 @@ START_TEST(head_table)
 }
 END_TEST
 
-/* With all faults asked for, the program is read on behind each. */
+/* If all faults are wanted, reading continues after each fault. */
 START_TEST(all_faults)
 {
 	struct gcode_case c;
@@ -443,7 +443,7 @@ START_TEST(all_faults)
 	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 18.0\n"));
 	ck_assert_uint_eq(c.diag.errors, 4);
 	case_release(&c);
-	/* What the setup lacks has no faults behind it: the label ends, and the speed is that of TOOL CALL. */
+	/* A tool that the setup lacks causes no further faults: the label ends, and the speed is that of TOOL CALL. */
 	klartext_case(&c);
 	c.config.read.all_faults = true;
 	ck_assert(!klartext_run(&c, "TOOL CALL 9 Z S500\nCALL LBL 1\nM3\nL Z+5 FMAX\nCYCL DEF 207 X Q200=2 Q201=-5 Q239=1 Q203=+0 "
@@ -454,7 +454,7 @@ START_TEST(all_faults)
 }
 END_TEST
 
-/* Of each line that a block joins there is room for one, not for a file of them. */
+/* A joined block may be as long as a few lines, but not as long as a whole file. */
 START_TEST(endless_block)
 {
 	for (int length = 32000; length <= 33000; length += 1000) {

@@ -163,7 +163,10 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:10: error: any angle of C suits this plane: a parameter of the control decides whether the table "
 	 "turns or only the coordinates: set plane_rotation=\"coordinates\" or \"table\" in the machine file's "
 	 "<controller>, or write COORD ROT or TABLE ROT in PLANE"},
-	/* Posts end shift and plane in this order: whether the shift from before the plane is ended, too, is not known. */
+	/*
+	 * Posts cancel the shift and the plane in this order; it is not known whether that also cancels the shift from
+	 * before the plane.
+	 */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
 	 "PLANE RESET STAY\nL Y+1 Z+2 FMAX\nL X-7 R0 FMAX M91\nL X+1 FMAX\n",
 	 "p.nc:10:3: error: the datum of X was shifted before a tilted plane, and in it again: whether the first shift "

@@ -206,7 +206,7 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:13: error: polar coordinates of FK need FPOL before them"},
 	{"F100\nFL IX+5 Y+1\n",
 	 "p.nc:3:4: error: FK reads absolute coordinates of X and Y; increments and Z are not supported yet"},
-	/* Along which direction a tangential element goes on behind a change of coordinates is not known. */
+	/* The direction in which a tangential element continues after a change of coordinates is not known. */
 	{"L X+5 F100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFLT LEN5\n",
 	 "p.nc:5:9: error: a tangential element needs a path block before it that moves in the plane"},
 	{"L X+5 F100\nCYCL DEF 8.0\nCYCL DEF 8.1 X\nCT X+5 Y+5\n",
@@ -229,7 +229,7 @@ static const struct klartext_fault faults[] = {
 	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFLT\nFCT DR- R5 X+50\n",
 	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
 	 "supported yet; write the end of the element"},
-	/* The line passes the circle at 1 mm. */
+	/* The line misses the circle by 1 mm. */
 	{"L X+5 F100\nFLT\nFCT DR+ R5 CCX+20 CCY+6 CCA90\n",
 	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is not "
 	 "supported yet; write the end of the element"},

@@ -1,9 +1,12 @@
-/* test_gcode_klartext_builder.c - Klartext: cycles and programs of the builder, of which the machine file says what they do. */
+/*
+ * test_gcode_klartext_builder.c - Klartext: cycles and programs of the machine's builder, whose effect the machine file
+ * describes.
+ */
 #include "klartext_case.h"
 
 #define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"
 
-/* What the machine file says of a probe's cycle: it moves around its place, and what it measures is not known. */
+/* A probing cycle that the machine file describes: it moves around its place, and what it measures is not known. */
 START_TEST(probe_cycle)
 {
 	static const struct builder_macro macros[] = {
@@ -22,7 +25,7 @@ START_TEST(probe_cycle)
 		      "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 10 -20 0 0 0 spread 5 0 10\n"
 						"rapid 10 20 0 0 0 spread 5 0 10\nrapid 10 0 0 0 0 spread 5 0 10\n"
-						/* Over which point the probe has stopped is not known. */
+						/* The point above which the probe has stopped is not known. */
 						"rapid 11 0 0 0 0 spread 5 20 10\nrapid 11 0 9 0 0 spread 5 20 10\n"
 						"rapid 12 3 9 0 0 spread 5 20 0\nrapid 12 3 2 0 0\n");
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: touch probe cycle 413: datum and tools count as"));
@@ -93,7 +96,7 @@ START_TEST(builder_program)
 }
 END_TEST
 
-/* Where a cycle of the control has left the tool is open until X and Y, and Z, are commanded. */
+/* The position where a cycle of the control has left the tool is uncertain until X, Y and Z are commanded. */
 START_TEST(left_by_cycle)
 {
 	static const struct builder_macro macro = {225, 0, MACRO_AROUND, {5, 20, 10}, NULL};
@@ -126,7 +129,10 @@ START_TEST(left_by_cycle)
 }
 END_TEST
 
-/* A cycle of the control that is not followed: where it is called it moves as far as the machine file says. */
+/*
+ * A cycle of the control whose moves are not modelled moves around the place of its call as far as the machine file
+ * says.
+ */
 START_TEST(bounded_cycle)
 {
 	static const struct builder_macro macros[] = {{225, 0, MACRO_AROUND, {5, 20, 10}, NULL}, {18, 0, MACRO_NONE, {0}, NULL}};

@@ -13,7 +13,7 @@ static const struct klartext_program paths[] = {
 	/* Inside corners are where the paths cross. */
 	{START "L X+0 Y+0 RR F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 STARTED "feed 5 0 0 0 0\nfeed 5 45 0 0 0\nfeed 50 45 0 0 0\nfeed 50 -20 0 0 0\n"},
-	/* RL again and blank leave it in force; an arc outside and inside. */
+	/* A repeated RL and a blank R keep the compensation in force; an arc outside and inside. */
 	{START "L X+0 Y+0 RL F100\nL Y+50 RL\nCC X+50 Y+50\nC X+50 Y+100 DR-\nL X+90 R\nL X+100 Y+150 R0\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 50 0 0 0\narc 50 105 0 0 0 centre 50 50 0 normal 0 0 1 sweep -90\n"
 	 "feed 90 105 0 0 0\nfeed 100 150 0 0 0\n"},
@@ -27,17 +27,17 @@ static const struct klartext_program paths[] = {
 	/* DR of TOOL CALL is added. */
 	{"TOOL CALL 1 Z DR+1\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RR F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 STARTED "feed 6 0 0 0 0\nfeed 6 44 0 0 0\nfeed 50 44 0 0 0\nfeed 50 -20 0 0 0\n"},
-	/* RND and CHF are parts of the path that is compensated. */
+	/* RND and CHF belong to the path that is compensated. */
 	{START "L X+0 Y+0 RL F100\nL Y+50\nRND R8\nL X+50\nCHF 10\nL Y+0\nL X+60 Y-20 R0\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 42 0 0 0\narc 8 55 0 0 0 centre 8 42 0 normal 0 0 1 sweep -90\n"
 	 "feed 40 55 0 0 0\narc 43.5355339 53.5355339 0 0 0 centre 40 50 0 normal 0 0 1 sweep -45\n"
 	 "feed 53.5355339 43.5355339 0 0 0\narc 55 40 0 0 0 centre 50 40 0 normal 0 0 1 sweep -45\n"
 	 "feed 55 0 0 0 0\nfeed 60 -20 0 0 0\n"},
-	/* M97: the corner is drawn out. */
+	/* M97: both paths are extended to their intersection. */
 	{START "L X+0 Y+0 RL F100\nL Y+50 M97\nL X+50\nL Y+0\nL X+60 Y-20 R0\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 55 0 0 0\nfeed 50 55 0 0 0\n"
 	 "arc 55 50 0 0 0 centre 50 50 0 normal 0 0 1 sweep -90\nfeed 55 0 0 0 0\nfeed 60 -20 0 0 0\n"},
-	/* A shift and a rotation go with the path, a mirror image exchanges the sides. */
+	/* A shift and a rotation move the path; a mirror image exchanges the sides. */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n"
 	 START "L X+0 Y+0 RL F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 "tool 1\nrapid 120 -20 0 0 0\nfeed 100 -5 0 0 0\nfeed 50 -5 0 0 0\n"
@@ -46,7 +46,7 @@ static const struct klartext_program paths[] = {
 	 START "L X+0 Y+0 RL F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 "tool 1\nrapid 20 -20 0 0 0\nfeed 5 0 0 0 0\nfeed 5 50 0 0 0\n"
 	 "arc 0 55 0 0 0 centre 0 50 0 normal 0 0 -1 sweep -90\nfeed -50 55 0 0 0\nfeed -50 -20 0 0 0\n"},
-	/* Behind M30 and END PGM the tool stands where it is. */
+	/* At M30 and END PGM the tool stays where it is. */
 	{START "L X+0 Y+0 RL F100\nL Y+50\nL X+50 M30\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 50 0 0 0\narc 0 55 0 0 0 centre 0 50 0 normal 0 0 1 sweep -90\n"
 	 "feed 50 55 0 0 0\n"},
@@ -59,7 +59,7 @@ static const struct klartext_program paths[] = {
 	 STARTED "feed -5 0 0 0 0\nfeed -5 50 0 0 0\nfeed -5 50 -1 0 0 spread 7.07106781 7.07106781 0\n"
 	 "arc 0 55 -1 0 0 centre 0 50 -1 normal 0 0 1 sweep -90 spread 0 0 1\n"
 	 "feed 50 55 -1 0 0\nfeed 50 -20 -1 0 0\n"},
-	/* A radius of 0 is none. */
+	/* A radius of 0 means no compensation. */
 	{"TOOL CALL 1 Z DR-5\nL X+0 Y+0 RL F100\nL Y+50 RL\nL X+50 R0\n",
 	 "tool 1\nfeed 0 0 0 0 0\nfeed 0 50 0 0 0\nfeed 50 50 0 0 0\n"},
 };
@@ -86,7 +86,7 @@ static const struct klartext_program approaches[] = {
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
 	 "feed 65 55 0 0 0\nrapid 90 90 0 0 0\n"},
-	/* M-functions of the end of a block, as the manual's examples have them. */
+	/* M-functions that take effect at the end of the block, as in the manual's examples. */
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100 M8\n" CONTOUR "DEP LT LEN15 F100 M2\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
 	 "feed 65 55 0 0 0\n"},
@@ -113,7 +113,7 @@ static const struct klartext_program approaches[] = {
 	 "tool 1\nrapid -40 -20 0 0 0\nfeed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -20 0 90 0 0\n"
 	 "feed -5 0 90 0 0\nfeed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\n"
 	 "feed 50 55 90 0 0\nfeed 50 70 90 0 0\n"},
-	/* Of LCT straight there on all axes, too, and back. */
+	/* LCT also straight to the point with all axes at once, and back. */
 	{OUTSIDE "APPR LCT X+0 Y+0 Z-10 R10 RL F100\n" CONTOUR "DEP LCT X-30 Y+60 Z+50 R10\n",
 	 "tool 1\nrapid -40 -20 0 0 0\n"
 	 "rapid -11.5046219 -9.3692226 90 0 0\nrapid -40 -20 0 0 0\nrapid -11.5046219 -9.3692226 0 0 0\n"
@@ -121,22 +121,24 @@ static const struct klartext_program approaches[] = {
 	 "feed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\nfeed 50 55 90 0 0\n"
 	 "arc 48.1359543 74.8247307 90 0 0 centre 50 65 90 normal 0 0 1 sweep 190.743033\n"
 	 "feed -30 60 90 0 0\nfeed -30 60 150 0 0\nfeed 48.1359543 74.8247307 90 0 0\nfeed -30 60 150 0 0\n"},
-	/* R may be less than the tool's radius, 5 mm: it is that of the path of the tool's centre. */
+	/* R may be less than the tool's radius of 5 mm, because it is the radius of the path of the tool's centre. */
 	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+3 RL F100\n" CONTOUR "DEP CT CCA90 R+3\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -8 -3 0 0 0\narc -5 0 0 0 0 centre -8 0 0 normal 0 0 1 sweep 90\n" ROUND
 	 "arc 53 58 0 0 0 centre 50 58 0 normal 0 0 1 sweep 90\nrapid 90 90 0 0 0\n"},
-	/* A whole circle stays one, though the arc of APPR meets it tangentially with a tool of 2.495 mm. */
+	/*
+	 * A whole circle stays a whole circle although the arc of APPR meets it tangentially with a tool of 2.495 mm.
+	 */
 	{"TOOL CALL 1 Z DR-2.505\nCC X+50 Y+50\nL X-40 Y+50 FMAX\nAPPR LCT X+0 Y+50 R5 RL F100\nC X+0 DR-\n"
 	 "DEP LCT X-40 Y+50 R5\n",
 	 "tool 1\nrapid -40 50 0 0 0\nrapid -8.26411244 45.0595075 0 0 0\n"
 	 "arc -2.495 49.9999999 0 0 0 centre -7.495 50 0 normal 0 0 1 sweep 98.8485093\n"
 	 "arc -2.495 50 0 0 0 centre 50 50 0 normal 0 0 1 sweep -360\n"
 	 "arc -8.26411244 54.9404925 0 0 0 centre -7.495 50 0 normal 0 0 1 sweep 98.8485109\nfeed -40 50 0 0 0\n"},
-	/* A move along one axis behind DEP starts from where the tool's centre stands. */
+	/* A move along one axis after DEP starts from the position of the tool's centre. */
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL Z+20 R0 FMAX\nL IX+5 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
 	 "feed 65 55 0 0 0\nrapid 65 55 120 0 0\nrapid 70 55 120 0 0\n"},
-	/* The contour may rise; a label, computations and a corner may stand behind APPR. */
+	/* The contour may rise; a label, computations and a corner may follow APPR. */
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\nLBL 7\nQ1 = 5 * 10\nL Y+Q1 Z+10\nDEP LT LEN15\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\nfeed -5 50 110 0 0\nfeed -5 65 110 0 0\n"},
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\nL Y+50\nRND R10\nFN 0: Q1 = +50\nL X+Q1\nDEP LT LEN15\n",
@@ -157,7 +159,7 @@ static const struct klartext_program approaches[] = {
 	"CYCL DEF 203 DRILLING Q200=2 Q201=-4 Q206=" plunge " Q202=4 Q210=0 Q203=+0 Q204=9 Q212=0 Q213=0 Q205=0 Q211=0 "  \
 	"Q208=" back " Q256=0.2\n"
 
-/* Feeds, datum shifts, planes: each beside what it stands for. */
+/* Feeds, datum shifts, planes: each block and a block with the same meaning. */
 static const struct {
 	const char *blocks, *same;
 } equal[] = {
@@ -167,7 +169,7 @@ static const struct {
 	 "TOOL CALL 1 Z F300\n" HOLE("300", "99999") "L X+5 FMAX M99\n"},
 	{"TOOL CALL 1 Z F300\n" HOLE(" FAUTO", " FMAX") "L X+5 FMAX M99\n",
 	 "TOOL CALL 1 Z F300\n" HOLE("+300", "+99999") "L X+5 FMAX M99\n"},
-	/* F of TOOL CALL counts until another one. */
+	/* F of TOOL CALL is in force until another F. */
 	{"TOOL CALL 1 Z F250\nL X+10\nL X+20 FMAX\nL X+30 F100\nTOOL CALL 2 Z F70\nL X+40\n",
 	 "TOOL CALL 1 Z\nL X+10 F250\nL X+20 FMAX\nL X+30 F100\nTOOL CALL 2 Z\nL X+40 F70\n"},
 	{"TOOL CALL 1 Z S1000\nL M136\nL X+10 F0.2\nL M137\nL X+20 F300\n",
@@ -229,7 +231,7 @@ START_TEST(equal_table)
 }
 END_TEST
 
-/* PLANE turns C, which any angle suits, to 0, or lets it stand. */
+/* Any angle of C suits the plane: PLANE turns C to 0 or leaves it. */
 START_TEST(free_axis)
 {
 	static const char *const moves[] = {"", "rapid 0 0 0 0 5\norient 0 0 1\nrapid 0 0 0 0 0\n",
@@ -247,7 +249,9 @@ START_TEST(free_axis)
 }
 END_TEST
 
-/* Neither COORD ROT nor TABLE ROT: the machine says whether the table turns by the angle, or the coordinates alone. */
+/*
+ * Without COORD ROT and TABLE ROT the machine file says whether the table turns by the angle or only the coordinates.
+ */
 #define PLANE_OF_C "PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\nL X+10 Y+0 Z+0 FMAX\n"
 #define CYCLE_OF_C "CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+30\nL A+Q120 C+Q122 FMAX\nL X+10 Y+0 Z+0 FMAX\n"
 #define FREE_TCP "tcp on length 0 zero A0 C0\n"
@@ -285,7 +289,7 @@ START_TEST(plane_rotation)
 }
 END_TEST
 
-/* Where the display is reduced, whole turns are 0: PLANE RESET stays there, or goes to the nearest of them. */
+/* With a reduced display whole turns count as 0: PLANE RESET stays there or goes to the nearest whole turn. */
 START_TEST(whole_turns)
 {
 	struct gcode_case c;
@@ -304,7 +308,7 @@ START_TEST(whole_turns)
 }
 END_TEST
 
-/* MB of PLANE where no rotary axis has to turn: up to the end of Z, or nothing. */
+/* MB of PLANE if no rotary axis has to turn: the tool retracts up to the end of Z, or does not move. */
 START_TEST(retract_standing)
 {
 	static const char *const moves[] = {"", "rapid 0 0 500 0 0\nrapid 0 0 500 0 0\n", ""};
@@ -334,7 +338,7 @@ START_TEST(tool_table_counts)
 }
 END_TEST
 
-/* Every block is told once, in order, with its own moves. */
+/* Every block is reported once, in order, with its own moves. */
 START_TEST(blocks_in_order)
 {
 	struct gcode_case c;

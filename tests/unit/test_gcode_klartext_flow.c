@@ -39,7 +39,10 @@ static const struct klartext_program parameters[] = {
 	 "tool 1\nrapid 5 100 0 0 0\n"},
 	{"TOOL CALL 1 Z DR+0.5 DL-1\nL X+Q108 Y+Q114 Z+Q109 FMAX\n",
 	 "tool 1\nrapid 5.5 99 101 0 0\n"},
-	/* FN 18: what the program and the setup say; what is not known may be assigned, and does not matter unused. */
+	/*
+	 * FN 18: data that the program and the setup give. An unknown value may be assigned, and it does no harm if it
+	 * is not used.
+	 */
 	{"TOOL CALL 2 Z S500\nM4\nFN 18: SYSREAD Q1 = ID20 NR1\nFN18 : SYSREAD Q2=ID50 NR2 IDX1\n"
 	 "FN 18: SYSREAD Q3 = ID50 NR1 IDXQ1\nL X+Q1 Y+Q2 Z+Q3 FMAX\nFN 18: SYSREAD Q1 = ID20 NR4\n"
 	 "FN 18: SYSREAD Q2 = ID20 NR5\nFN 18: SYSREAD Q3 = ID10 NR1\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
@@ -54,7 +57,10 @@ static const struct klartext_program parameters[] = {
 	{"TOOL CALL 1 Z DL+2 DR-0.5\nFN 18: SYSREAD Q1 = ID200 NR1 IDX3\nFN 18: SYSREAD Q2 = ID200 NR2\n"
 	 "CYCL DEF 247 Q339=+1\nFN 18: SYSREAD Q3 = ID530 NR1\nL X+Q1 Y+Q2 FMAX\nL X+Q3 FMAX\n",
 	 "tool 1\nrapid 4.5 102 0 0 0\nrapid 1 102 0 0 0\n"},
-	/* Positions, once the axes have come to them: of the program (ID 270) and of the machine (ID 240). */
+	/*
+	 * Positions after the axes have reached them: in coordinates of the program (ID 270) and of the machine (ID
+	 * 240).
+	 */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+3 Y-4 C+20 FMAX\n"
 	 "FN 20: WAIT FOR SYNC\nFN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 18: SYSREAD Q2 = ID270 NR1 IDX2\n"
 	 "FN 18: SYSREAD Q6 = ID270 NR1 IDX6\nFN 18: SYSREAD Q7 = ID240 NR1 IDX1\n"
@@ -151,7 +157,7 @@ START_TEST(block_skip)
 		 "3 CYCL CALL\n",
 		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 2 0 0\nrapid 0 0 30 0 0\n",
 		 "rapid 0 0 9 0 0\nrapid 0 0 2 0 0\nfeed 0 0 -10 0 0\nrapid 0 0 2 0 0\nrapid 0 0 20 0 0\n"},
-		/* Older programs have no '~' there. */
+		/* Older programs have no '~' in such a block. */
 		{"L Z+9 FMAX M3\n"
 		 "1 CYCL DEF 200 X\n Q200=2\n Q201=-10\n Q206=150\n Q202=10\n Q203=+0\n Q204=20\n"
 		 "/2 CYCL DEF 200 X\n Q200=2\n Q201=-20\n Q206=150\n Q202=20\n Q203=+0\n Q204=30\n"

@@ -1,7 +1,7 @@
-/* test_gcode_klartext_m.c - Klartext: M-functions whose meaning the machine file tells, M126, M94, M6 and M143. */
+/* test_gcode_klartext_m.c - Klartext: M-functions whose meaning the machine file gives, M126, M94, M6 and M143. */
 #include "klartext_case.h"
 
-/* iTNC 530 user's manual, programming examples: M6 in the block that retracts, and TOOL CALL behind it. */
+/* iTNC 530 user's manual, programming examples: M6 in the block that retracts, then TOOL CALL. */
 START_TEST(m6_of_manual_changes)
 {
 	struct gcode_case c;
@@ -16,7 +16,7 @@ START_TEST(m6_of_manual_changes)
 }
 END_TEST
 
-/* A setup's presets have no basic rotation: there is nothing to erase, which is said. */
+/* The presets of a setup have no basic rotation, so there is nothing to erase; a caution says so. */
 START_TEST(basic_rotation)
 {
 	struct gcode_case c;
@@ -33,7 +33,9 @@ START_TEST(rotary_ways)
 {
 	struct gcode_case c;
 
-	/* M126 takes the shorter way where the display is reduced; without it the control goes the plain way. */
+	/*
+	 * M126 takes the shorter way if the display is reduced; without M126 the control moves by the plain difference.
+	 */
 	klartext_case(&c);
 	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	ck_assert(klartext_run(&c, "M126\nL C+350 FMAX\nL C+10 FMAX\n"));
@@ -44,7 +46,7 @@ START_TEST(rotary_ways)
 	ck_assert(!klartext_run(&c, "L C+90 FMAX\nL C+350 FMAX\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "M126 is not in force: whether the control goes the plain way"));
 	case_release(&c);
-	/* The machine says which: the manual's examples, and half a turn, which is no question then. */
+	/* The machine file says which way: the manual's examples, and half a turn, which then needs no answer. */
 	for (int way = ROTARY_WAY_PLAIN; way <= ROTARY_WAY_SHORTER; way++) {
 		static const char *const moves[] = {
 			"", "rapid 0 0 0 0 350\nrapid 0 0 0 0 10\nrapid 0 0 0 0 340\nrapid 0 0 0 0 0\nrapid 0 0 0 0 -20\nrapid 0 0 0 0 -360\n",
@@ -67,7 +69,7 @@ START_TEST(rotary_ways)
 	ck_assert(!klartext_run(&c, "L C+350 FMAX\nL C-20 FMAX\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "outside of 0 to 360 without M126"));
 	case_release(&c);
-	/* An angle outside of 0 to 360, also where as it is written it is the shorter way. */
+	/* An angle outside of 0 to 360, also if the way to the angle as written is the shorter one. */
 	for (int angle = ROTARY_ANGLE_UNKNOWN; angle <= ROTARY_ANGLE_REDUCED; angle++) {
 		static const char *const moves[] = {
 			"rapid 0 0 0 0 10\n", "rapid 0 0 0 0 10\nrapid 0 0 0 0 -5\nrapid 0 0 0 0 10\n",
@@ -86,7 +88,7 @@ START_TEST(rotary_ways)
 	ck_assert(!klartext_run(&c, "L C+10 FMAX\nL C-5 FMAX\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "rotary_way=\"plain\" or \"shorter\""));
 	case_release(&c);
-	/* Where the display is reduced, M94 has nothing to reduce. */
+	/* With a reduced display M94 has nothing to reduce. */
 	klartext_case(&c);
 	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	ck_assert(klartext_run(&c, "L IC+720 FMAX\nM126\nL C+10 FMAX M94\n"));

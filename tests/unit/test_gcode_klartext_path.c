@@ -3,13 +3,13 @@
 
 /* CC, C, CR, CT, LP, CP, RND, CHF. */
 static const struct klartext_program circles[] = {
-	/* FK, where one block determines its element: by its end, an angle with a length or a coordinate, FPOL. */
+	/* FK blocks that determine their element alone: by its end, an angle with a length or a coordinate, FPOL. */
 	{"F100\nFL X+10 Y+5\nFL AN+90 LEN5\nFL AN+0 X+30\nFL AN 45 Y+20\nFL AN+45 LEN2 X+41.414\n",
 	 "feed 10 5 0 0 0\nfeed 10 10 0 0 0\nfeed 30 10 0 0 0\nfeed 40 20 0 0 0\nfeed 41.414 21.414 0 0 0\n"},
 	{"F100\nFPOL X+20 Y+20\nFL PR+10 PA+90\nFC DR- CCPR+0 CCPA+0 PR+10 PA+0\nFC DR+ CCX+20 CCY+20 R10 CCA90\n",
 	 "feed 20 30 0 0 0\narc 30 20 0 0 0 centre 20 20 0 normal 0 0 1 sweep -90\n"
 	 "arc 20 30 0 0 0 centre 20 20 0 normal 0 0 1 sweep 90\n"},
-	/* Tangential, by the radius or by the end. */
+	/* Tangential elements, by the radius or by the end. */
 	{"L X+10 F100\nFCT DR+ R5 CCA90\nFLT Y+20\nFCT DR+ X+5 Y+30\nFCT DR- R10 CCA180\n",
 	 "feed 10 0 0 0 0\narc 15 5 0 0 0 centre 10 5 0 normal 0 0 1 sweep 90\nfeed 15 20 0 0 0\n"
 	 "arc 5 30 0 0 0 centre 5 20 0 normal 0 0 1 sweep 90\narc 5 50 0 0 0 centre 5 40 0 normal 0 0 1 sweep -180\n"},
@@ -50,7 +50,10 @@ static const struct klartext_program circles[] = {
 	 "feed 10 0 0 0 0\narc 0 0 10 0 0 centre 0 0 0 normal 0 1 0 sweep -90\n"},
 	{"L Y+10 F100\nCC Y+0 Z+0\nC Y+0 Z+10 DR+\n",
 	 "feed 0 10 0 0 0\narc 0 0 10 0 0 centre 0 0 0 normal 1 0 0 sweep 90\n"},
-	/* X, Y and Z: the plane of the tool axis where the circle fits into it, else the only one that is left. */
+	/*
+	 * CC with X, Y and Z: the plane of the tool axis if the circle lies in it, else the only plane in which it
+	 * lies.
+	 */
 	{"L X+10 Z+5 F100\nCC X+0 Y+0 Z+5\nC X+10 Y+0 DR-\n",
 	 "feed 10 0 5 0 0\narc 10 0 5 0 0 centre 0 0 5 normal 0 0 1 sweep -360\n"},
 	{"L X+10 Z+5 F100\nCC X+0 Y+0 Z+0\nC X+0 Y+10 Z+5 DR+\n",
@@ -131,7 +134,7 @@ static const struct klartext_program frames[] = {
 	 "rapid 8 1 0 0 0\nrapid 9 -2 0 0 0\n"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 0 10 0 0 0\narc -10 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
-	/* A preset takes the shift back. */
+	/* A preset cancels the shift. */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+5 C+10\nL X+0 C+0 FMAX\nCYCL DEF 247 Q339=1\nL X+1 C+0 FMAX\n",
 	 "rapid 5 0 0 0 10\nrapid 1 0 0 0 0\n"},
 	{"CYCL DEF 26.0 AXIS-SPECIFIC SCALING\nCYCL DEF 26.1 X2 Y0.5\nL X+1 Y+2 Z+3 FMAX\n",
@@ -176,7 +179,9 @@ static const struct klartext_program planes[] = {
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 8.66025404 -5 30 0 tcp\n"},
-	/* TABLE ROT turns the table until the tilted X lies along the machine's; its C turns the other way. */
+	/*
+	 * TABLE ROT turns the table until the tilted X lies along the X of the machine; C turns in the opposite sense.
+	 */
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX TABLE ROT\nL X+10 Y+0 Z+0 FMAX\n",
 	 "orient 0 0 1\nrapid 0 0 0 0 -30\ntcp on length 0 zero A0 C0\nrapid 8.66025404 5 0 0 -30 tcp\n"},
 	{"L C+20 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX TABLE ROT\nL X+10 Y+0 Z+0 FMAX\n",
@@ -187,7 +192,7 @@ static const struct klartext_program planes[] = {
 	/* By positions of the axes: the coordinates do not turn with the table. */
 	{"PLANE AXIAL A+30 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "rapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
-	/* An increment counts from where the axis stands. */
+	/* An increment counts from the position of the axis. */
 	{"L A+10 FMAX\nPLANE AXIAL IA+20 IC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "rapid 0 0 0 10 0\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
 	{"PLANE AXIAL A+0 C+90 STAY\nL C+90 FMAX\nL X+10 Y+0 FMAX\nPLANE RESET STAY\n",
@@ -220,7 +225,10 @@ static const struct klartext_program planes[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\n"
 	 "CYCL DEF 7.1 Z+5\nL X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 11 8 -2 90 0 tcp\n"},
-	/* Ended in the plane, and once more behind it, as posts do at the end of a job and before the next one. */
+	/*
+	 * The shift is cancelled in the plane and again after it, as posts do at the end of a job and before the next
+	 * one.
+	 */
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
 	 "PLANE RESET STAY\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL X+1 Y+2 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\nrapid 1 2 0 90 0\n"},
@@ -244,7 +252,10 @@ static const struct klartext_program planes[] = {
 	 "tcp off length 100 zero A0 C0\nrapid 1 5 100 0 90\nrapid 2 5 100 0 90\n"},
 	{"L M128 F1000\nL X+10 C+90 F500\nL M129\n",
 	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
-	/* In the plane of the two directions, in pieces of a third of the turn at most; an axis that stands goes at once. */
+	/*
+	 * The tool turns in the plane of the two directions, in pieces of at most a third of the turn; an axis that
+	 * does not turn gets its end position at once.
+	 */
 	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR REFPNT TIP-TIP F1000\nL X+8 A+40 F500\nL X+9 A+40\n"
 	 "FUNCTION TCPM F CONT AXIS POS PATHCTRL AXIS FMAX\nL X+0 A+0\n",
 	 "tcp on length 0 zero A0 C0\n"
@@ -298,12 +309,12 @@ static const struct klartext_program cycles[] = {
 	 "rapid 2 0 9 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -4 0 0\nrapid 2 0 2 0 0\nrapid 2 0 9 0 0\n"
 	 "rapid 3 0 9 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -4 0 0\nrapid 3 0 2 0 0\nrapid 3 0 9 0 0\n"
 	 "rapid 4 0 9 0 0\n"},
-	/* A pole that a change of coordinates leaves where it is: about it, along the tool, and there and back. */
+	/* A change of coordinates that does not move the pole: about it, along the tool, and there and back. */
 	{"CC X+0 Y+0\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+0\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\n"
 	 "CYCL DEF 7.0\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Z-5\nLP PR+10 PA+90 FMAX\nL Z+0 FMAX\nLP IPA+90 FMAX\nCC Y+20\n"
 	 "LP PR+20 PA+90 FMAX\n",
 	 "rapid 0 10 0 0 0\nrapid 0 10 -5 0 0\nrapid -10 0 -5 0 0\nrapid 0 40 -5 0 0\n"},
-	/* M89 counts behind polar coordinates and circles, too; a pole moves nothing. */
+	/* M89 also acts after polar coordinates and circles; a pole moves nothing. */
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nCC X+0 Y+0\nLP PR+10 PA+0 FMAX M89\n"
 	 "LP PA+90 FMAX\nCC X+5 Y+10\nLP PR+5 PA+0 FMAX M99\nLP PR+2 PA+0 FMAX\n",
 	 "rapid 10 0 0 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -4 0 0\nrapid 10 0 2 0 0\nrapid 10 0 9 0 0\n"
@@ -314,11 +325,14 @@ static const struct klartext_program cycles[] = {
 	{"TOOL CALL 2 Z S100\nCYCL DEF 200 DRILLING ~\n Q200=2 ~\n\n Q201=-4 ~\n Q206=150 ~\n Q202=9 ~\n Q203=+0 ~\n Q204=2 ~\n"
 	 "; the tip goes deeper\n Q395=1\nL X+1 FMAX M99\n",
 	 "tool 2\nrapid 1 0 0 0 0\nrapid 1 0 42 0 0\nfeed 1 0 33.5 0 0\nrapid 1 0 42 0 0\n"},
-	/* With M128 a cycle works along Z as long as the tool lies there. */
+	/* With M128 a cycle works along Z while the tool lies along Z. */
 	{"L M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=2\nL X+1 FMAX M99\n",
 	 "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 0 tcp\nrapid 1 0 2 0 0 tcp\nfeed 1 0 -4 0 0 tcp\n"
 	 "rapid 1 0 2 0 0 tcp\n"},
-	/* Another dwell than that of the definition, as some posts write it in a block of its own, changes no way. */
+	/*
+	 * A dwell that differs from the definition, as some posts write it in a block of its own, does not change the
+	 * path.
+	 */
 	{"10 CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q210=0 Q203=+0 Q204=2 Q211=0\n20 Q211=.001\n"
 	 "30 L X+1 FMAX\n40 CYCL CALL\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\n"},
@@ -378,7 +392,7 @@ static const struct klartext_program cycles[] = {
 	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 2 0 0\nfeed 3 4 -4 0 0\nrapid 3 4 2 0 0\n"
 	 "rapid 3 4 9 0 0\nrapid 5 4 9 0 0\nrapid 5 4 2 0 0\nfeed 5 4 -4 0 0\nrapid 5 4 2 0 0\n"
 	 "rapid 5 4 9 0 0\n"},
-	/* A comment of several lines; without a number, the first one ends it. */
+	/* A comment of several lines; without a block number the comment ends with its first line. */
 	{"1 ; FREE SOFTWARE:~\n UNDER THE TERMS~\n of a licence.\n2 L X+1 FMAX\n; DONE ~\nL X+2 FMAX\n3 ;~\n4 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
 	/* Strings: joined, as numbers, as names. */
@@ -391,7 +405,7 @@ static const struct klartext_program cycles[] = {
 	 "CYCL CALL POS X+3 Y+4 Z+5\nCYCL CALL POS X+3 Y+4 Z+0\n",
 	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 8 0 0\nfeed 3 4 2 0 0\nrapid 3 4 8 0 0\n"
 	 "rapid 3 4 15 0 0\nrapid 3 4 15 0 0\nrapid 3 4 3 0 0\nfeed 3 4 -3 0 0\nrapid 3 4 3 0 0\nrapid 3 4 10 0 0\n"},
-	/* As the cycles 8, 10 and 247. */
+	/* These statements act as the cycles 8, 10 and 247. */
 	{"TRANS MIRROR AXIS X\nL X+1 Y+2 FMAX\nTRANS MIRROR AXIS X Y\nL X+1 Y+2 FMAX\nTRANS MIRROR RESET\n"
 	 "L X+1 Y+2 FMAX\n",
 	 "rapid -1 2 0 0 0\nrapid -1 -2 0 0 0\nrapid 1 2 0 0 0\n"},
@@ -424,16 +438,19 @@ static const struct klartext_program cycles[] = {
 	 "rapid 7 0 0 0 0\nrapid 7 0 2 0 0\nfeed 7 0 -4 0 0\nrapid 7 0 2 0 0\nrapid 7 0 9 0 0\n"},
 };
 
-/* With directions of the tool, and with what is open. */
+/* Blocks with tool directions, and uncertain paths. */
 static const struct klartext_program directed[] = {
-	/* A circle that may lie in YZ or in ZX: anywhere about its centre; also where CC names Z no more. */
+	/* A circle that may lie in YZ or in ZX: anywhere about its centre, also if a later CC does not name Z. */
 	{"L X+1 Y+2 Z+10 F100\nCC X+1 Y+2 Z+5\nC X+1 Y+2 Z+0 DR+\nC Z+0 DR-\nCC X+1 Y+2\nC X+1 Y+2 Z+10 DR-\n",
 	 "feed 1 2 10 0 0\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\n"
 	 "feed 1 2 10 0 0 spread 5.016 5.016 10.016\n"},
 	/* LN with a direction: M128 turns the axes; without words of axes, too. */
 	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",
 	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"},
-	/* AXIS SPAT: the same by angles, each of which counts until it changes; M128 takes positions of the axes again. */
+	/*
+	 * AXIS SPAT: the same by angles, each of which is in force until it changes; with M128, A and C are positions
+	 * of the axes again.
+	 */
 	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL X+1 Y+2 A-30 B+0 C+0 F100\nL A+0\nM128\nL A+5\n",
 	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"
 	 "feed 1 2 0 5 0 tcp\n"},
@@ -469,7 +486,10 @@ START_TEST(directed_table)
 }
 END_TEST
 
-/* How evenly the tool turns is open, by 0.039 of this turn: where C turns quickly, it may do so in the pieces beside, too. */
+/*
+ * It is not known how evenly the tool turns, by up to 0.039 of this turn. Where C turns quickly, it may also do so in
+ * the neighbouring pieces.
+ */
 START_TEST(vector_beside_pole)
 {
 	struct gcode_case c;

@@ -1,4 +1,4 @@
-/* test_gcode_klartext_region.c - Klartext: milling cycles whose path is the control's own, proved as regions. */
+/* test_gcode_klartext_region.c - Klartext: milling cycles whose path only the control knows, proved as regions. */
 #include "gcode_reach.h"
 #include "klartext_case.h"
 
@@ -43,7 +43,10 @@ static const struct klartext_program regions[] = {
 	 "rapid X -30..32 Y -29..33 Z 102..200\n"
 	 "feed X -30..32 Y -29..33 Z 80..102\n"
 	 "rapid X -30..32 Y -29..33 Z 102..150\n"},
-	/* It lies where its parameters say: a second call adds nothing for where the first one has left the tool. */
+	/*
+	 * The region lies where its parameters say: a second call does not widen it by the place where the first call
+	 * has left the tool.
+	 */
 	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS "M99\n",
 	 "tool 1\n"
 	 "rapid X -30..32 Y -29..33 Z 102..200\n"
@@ -51,7 +54,7 @@ static const struct klartext_program regions[] = {
 	 "rapid X -30..32 Y -29..33 Z 102..150\n"
 	 "feed X -30..32 Y -29..33 Z 80..102\n"
 	 "rapid X -30..32 Y -29..33 Z 102..150\n"},
-	/* So does a contour, and the way there begins anywhere over the slot before. */
+	/* The same holds for a contour; the way to it begins anywhere over the slot before. */
 	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS CONTOURS
 	 "CYCL DEF 22 ROUGH-OUT Q10=5 Q11=100 Q12=350\nM99\nM30\n"
 	 "LBL 1\nL X+100 Y+100 RR\nL X+140\nL Y+130\nL X+100\nL Y+100\nLBL 0\nLBL 2\nL X+110 Y+110 RR\nL X+120\nLBL 0\n",
@@ -100,7 +103,7 @@ static const struct klartext_program regions[] = {
 	 "rapid X -39..59 Y -29..69 Z 102..200\n"
 	 "feed X -39..59 Y -29..69 Z 80..102\n"
 	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
-	/* Drilled before, 4 deeper than the thread; and in a helix alone. */
+	/* First drilled 4 mm deeper than the thread; then in a helix only. */
 	{START "CYCL DEF 264 THREAD Q335=20 Q239=1.5 Q356=-24 Q358=0 Q359=0" HEIGHTS,
 	 "tool 1\n"
 	 "rapid X 5..15 Y 15..25 Z 100.5..201.5\n"
@@ -224,7 +227,7 @@ static const struct klartext_program regions[] = {
 	 "rapid X -16..16 Y -16..20 Z 102..200\n"
 	 "feed X -16..16 Y -16..16 Z 85..102\n"
 	 "rapid X -16..16 Y -16..16 Z 102..150\n"},
-	/* A depth of 0 does nothing. */
+	/* With a depth of 0 the cycle does nothing. */
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n",
 	 "tool 1\n"
 	 "rapid X 10..10 Y 20..20 Z 200..200\n"},
@@ -240,7 +243,7 @@ static const struct klartext_program regions[] = {
 	 "rapid X 10..40 Y 60..60 Z 102..200\n"
 	 "feed X 40..40 Y 60..60 Z 90..90\n"
 	 "rapid X 10..40 Y 20..60 Z 102..250\n"},
-	/* The same of pockets, which leave the tool anywhere over themselves. */
+	/* The same with pockets, which leave the tool anywhere above themselves. */
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q200=2 Q203=100 Q201=-20 Q204=50 Q207=500\n"
 	       "PATTERN DEF FRAME1 (X+100 Y+20 DX+300 DY+400 NUMX2 NUMY2 ROT+0 Z+0)\nCYCL CALL PAT\nL Y-90 F500\n",
 	 "tool 1\n"

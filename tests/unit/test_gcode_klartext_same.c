@@ -5,7 +5,7 @@
 #define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"
 #define AT(x, y) "L X" x " Y" y " FMAX M99\n"
 
-/* Patterns, and the same holes one by one. */
+/* Patterns, and the same holes written one by one. */
 static const struct {
 	const char *blocks, *same;
 } equal[] = {
@@ -37,16 +37,16 @@ static const struct {
 	/* F is the feed rate between the points. */
 	{START DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nL Z+20 FMAX\nCYCL CALL PAT F500\n",
 	 START DRILL "L Z+20 FMAX\nL Z+20 F500\nL X+1 Y+2 F500 M99\nL Z+20 F500\nL X+9 Y+2 F500 M99\n"},
-	/* Without F the one that was programmed last counts, whatever a cycle's own is. */
+	/* Without F the last programmed feed is in force, whatever feed a cycle has. */
 	{START "L X+5 F700\nL Z+20 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nCYCL CALL PAT\n",
 	 START "L X+5 F700\nL Z+20 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM2)\nCYCL CALL PAT F700\n"},
-	/* Cycles of data are not called. */
+	/* Cycles that only give data are not called. */
 	{START DRILL "CYCL DEF 271 OCM CONTOUR DATA Q203=+0 Q201=-20\nCYCL DEF 270 DATA Q390=1\nL X+1 Y+2 FMAX\n"
 	 DRILL "M99\n",
 	 START DRILL "L X+1 Y+2 FMAX M99\n"},
 	{START DRILL "CYCL DEF 271 OCM CONTOUR DATA Q371=+0\nL X+1 Y+2 FMAX M99\n",
 	 START DRILL "L X+1 Y+2 FMAX M99\n"},
-	/* APPR goes to its helper point as the positioning block before went, also where a cycle stands between. */
+	/* APPR goes to its helper point like the positioning block before it, also with a cycle between them. */
 	{START "L X+1 Y+2 FMAX\n" DRILL "M99\nAPPR LT X+20 Y+0 LEN10 RR F100\nL X+50 Y+0\nDEP LN LEN5\n",
 	 START "L X+1 Y+2 FMAX\n" DRILL "M99\nL X+10 Y-5 FMAX\nL X+20 Y+0 RR F100\nL X+50\nDEP LN LEN5\n"},
 	{START DRILL "PATTERN DEF CIRC1 (X+1 Y+2 D+20 START+0 NUM4)\nL Z+20 FMAX\nCYCL CALL PAT\n",
@@ -64,7 +64,7 @@ static const struct {
 	/* Tapping with chip breaking goes up and down on the line of a tap without. */
 	{START "CYCL DEF 209 TAPPING Q200=2 Q201=-10 Q239=+1 Q203=0 Q204=20 Q257=5 Q256=0.2 Q336=0 Q403=1\n" AT("+1", "+2"),
 	 START "CYCL DEF 207 TAPPING Q200=2 Q201=-10 Q239=+1 Q203=0 Q204=20\n" AT("+1", "+2")},
-	/* What moves no axis. */
+	/* Statements that move no axis. */
 	{START "FUNCTION FEED DWELL D-TIME0.5 F-TIME5\nFUNCTION S-PULSE P-TIME10 SCALE5\nFUNCTION FEED RESET\nL X+1 F100\n",
 	 START "L X+1 F100\n"},
 	{START DRILL "CYCL DEF 220 POLAR PATTERN Q216=1 Q217=2 Q244=20 Q245=0 Q246=360 Q247=0 Q241=4 Q200=2 Q203=0 Q204=30 "

@@ -1,6 +1,7 @@
 /*
- * test_gcode_klartext_table.c - Klartext: every M-function of the table does what its row says. What is ignored leaves the
- * moves around it as they are, what is refused names itself; so do the cycles that are not followed.
+ * test_gcode_klartext_table.c - Klartext: every M-function of the table does what its row says. An ignored function
+ * leaves the moves around it as they are; the message of a refused function names it. The same holds for cycles whose
+ * moves are not modelled.
  */
 #include "klartext_case.h"
 
@@ -32,7 +33,7 @@ static void refuses(const char *block, const char *expected)
 	case_release(&c);
 }
 
-/* Alone, and behind the words of a block. */
+/* Each function alone, and after the words of a block. */
 START_TEST(functions)
 {
 	size_t tried = 0;
@@ -75,7 +76,7 @@ START_TEST(statements)
 }
 END_TEST
 
-/* The cycles that are called and not followed name themselves, and what answers. */
+/* The message about a called cycle whose moves are not modelled names the cycle and what to do. */
 START_TEST(cycles)
 {
 	static const int numbers[] = {25, 27, 28, 29, 39, 225, 231, 272, 273, 274, 275, 276, 277};

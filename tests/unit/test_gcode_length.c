@@ -38,7 +38,7 @@ START_TEST(either_way)
 			run(dialect, answer, "G1 F9. X1.\nG43 H2 Z1.\nG17 G49 G2 I5. Z7.\nM30\n",
 			    "feed 1 0 0 0 0\nfeed 1 0 41 0 0\n"
 			    "arc 1 0 7 0 0 centre 6 0 41 normal 0 0 1 sweep -360\n");
-			/* Under TCP, what acts along Z leaves X and Y. */
+			/* Under TCP, a change along Z leaves X and Y. */
 			run(dialect, answer,
 			    dialect == &dialect_haas ? "G0 X2. C90.\nG234 H1 Z5.\nM30\n" : "G0 X2. C90.\nG43.4 H1 "
 			        "Z5.\nM30\n",
@@ -46,7 +46,7 @@ START_TEST(either_way)
 			    "rapid 0 -2 5 0 90 tcp\n");
 		}
 	}
-	/* B-63844EN, "G53, G28, and G30 commands in tool length offset mode": G28 has taken the length back. */
+	/* B-63844EN, "G53, G28, and G30 commands in tool length offset mode": G28 cancels the length. */
 	run(&dialect_fanuc, ANSWER_UNKNOWN, "G43 H1 G0 Z5.\nG91 G28 Z0.\nG49\nG90 Z1.\nM30\n",
 	    "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 1 0 0\n");
 }
@@ -116,7 +116,7 @@ static const struct {
     {&dialect_fanuc, ANSWER_UNKNOWN, "G0", "G43.4 H1 X1. Y1.", 1, ASK},
     {&dialect_haas, ANSWER_UNKNOWN, "G0", "G234 H1", 1, ASK},
     {&dialect_fanuc, ANSWER_UNKNOWN, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, ASK},
-    /* The length that G28 has taken back comes back by itself, or not. */
+    /* The length that G28 has cancelled returns by itself, or it does not. */
     {&dialect_fanuc, ANSWER_UNKNOWN, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, ASK},
     {&dialect_fanuc, ANSWER_YES, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, NOT_PLAIN},
     {&dialect_fanuc, ANSWER_YES, "G0 G43 H1 Z1.", "G49 G28 Z5.", 1, NOT_PLAIN},
@@ -126,7 +126,7 @@ static const struct {
     {&dialect_fanuc, ANSWER_YES, "G68.2 I180. J5.", "G43 H1", 1, NOT_PLAIN},
 };
 
-/* What a tool change does on its way to its place is the machine builder's choice, or not said. */
+/* The machine's builder decides what a tool change does on its way, or the manual does not say it. */
 START_TEST(tool_change_leaves_doubt)
 {
 	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
@@ -158,7 +158,10 @@ START_TEST(tool_change_leaves_doubt)
 }
 END_TEST
 
-/* A program reads no position that depends on a length in doubt, or on a unit that is not known; X has no length. */
+/*
+ * A program cannot read a position that depends on an uncertain length or on an unknown unit; X does not depend on the
+ * length.
+ */
 START_TEST(position_in_doubt)
 {
 	struct gcode_case c;
@@ -175,7 +178,7 @@ START_TEST(position_in_doubt)
 	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:4:5: error: G28 may have cancelled the tool length"), "%s",
 		      strbuf_text(&c.messages));
 	case_release(&c);
-	/* Behind G69 X stands at 0, and its last coordinate was 10. */
+	/* After G69 X is at 0, and its last coordinate was 10. */
 	length_case(&c, &dialect_haas, ANSWER_NO);
 	ck_assert(!case_run(&c, "G0 X0. Y0. Z5.\nG68 X0. Y0. R90.\nX10. Y0.\nG69\n#1=#5003\nY[#1]\n#1=#5002\n#1=#5001\n"));
 	ck_assert_msg(strstr(strbuf_text(&c.messages), "p.nc:8:4: error: the position of X after G69 depends on the control"),
