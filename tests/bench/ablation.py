@@ -1,4 +1,4 @@
-"""ablation.py - what each part of the proof is worth: programs that leave one of them out (src/base/ablation.h)."""
+"""ablation.py - measures the gain of each part of the proof with programs that leave it out (src/base/ablation.h)."""
 import os
 import re
 import subprocess
@@ -6,7 +6,7 @@ import subprocess
 import judge
 from measure import rounds, say
 
-# What is left out, and its macro.
+# The part that is left out, and its macro.
 ABLATIONS = [
     ('budget', 'BUDGET'),
     ('kept budgets', 'KEPT_BUDGETS'),
@@ -25,7 +25,7 @@ LIBRARIES = '-lxml2 -ljansson -lnettle -lz -lm'
 
 
 def sources_that_ask(source, macro):
-    """The files that look at the macro's constant."""
+    """The files that use the macro's constant."""
     constant = re.compile(r'\bWITH_%s\b' % macro)
     for folder, _, names in os.walk(os.path.join(source, 'src')):
         for name in names:
@@ -37,7 +37,7 @@ def sources_that_ask(source, macro):
 
 
 def build_without(tools, source, macro):
-    """Compiles only what asks for the macro; the linker takes all else from the library, which comes last."""
+    """Compiles only the files that use the macro; the linker takes all others from the library, which comes last."""
     folder = os.path.join(tools.out, 'without-' + macro.lower())
     program, objects = os.path.join(folder, 'fivecheck'), [os.path.join(tools.build, 'src', 'main.o')]
     os.makedirs(folder, exist_ok=True)
@@ -59,7 +59,7 @@ def seconds(tools, scene, program):
 
 
 def rows(tools, source, scenes):
-    """Every part left out in turn, on each scene; all must say the same. Of two runs the quicker one counts."""
+    """Leaves out each part in turn, on each scene; all results must be the same. The quicker of two runs counts."""
     programs = {'nothing': tools.fivecheck}
     for name, macro in ABLATIONS:
         say('ablation: building without ' + name)

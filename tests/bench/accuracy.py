@@ -1,4 +1,4 @@
-"""accuracy.py - every method on many small scenes, held against the truth."""
+"""accuracy.py - compares every method with the truth on many small scenes."""
 import os
 import random
 

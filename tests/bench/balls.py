@@ -50,7 +50,7 @@ def write_machine(folder, triangles):
 
 
 def spiral(program, blocks, distance, length, share, rng):
-    """Blocks of the spiral; where it ends, as a unit vector."""
+    """The blocks of the spiral, and its end as a unit vector."""
     turn, height = rng.uniform(0, 2 * math.pi), rng.uniform(0.3, 0.6)
     a = c = 0.0
     whole = 0
@@ -73,7 +73,7 @@ def spiral(program, blocks, distance, length, share, rng):
 
 
 def nick(program, u, gap, depth, feed_depth):
-    """In and out along u. The times at which the spheres, and what is `feed_depth` inside them, first touch."""
+    """Moves in and out along u. Returns when the spheres first touch, and when spheres smaller by `feed_depth` do."""
     start, full = program.time, gap + depth
     distance = WORK + TOOL + gap
 
@@ -87,7 +87,7 @@ def nick(program, u, gap, depth, feed_depth):
 
 
 def make(folder, seed, triangles=2000, gap=1.0, length=0.1, share=1.0, blocks=2000, depth=0.0, feed=3000.0, cache=None):
-    """depth > 0: the program ends in a nick so deep, mm. cache: machines by triangles."""
+    """depth > 0: the program ends with a contact of this depth, mm. cache: machines by number of triangles."""
     rng = random.Random(seed)
     name = os.path.basename(folder)
     cache = {} if cache is None else cache
@@ -99,7 +99,7 @@ def make(folder, seed, triangles=2000, gap=1.0, length=0.1, share=1.0, blocks=20
     u = spiral(program, blocks, WORK + TOOL + gap, length, share, rng)
     known = 'clear'
     if depth:
-        # The triangles may be that much inside: then nothing is known.
+        # The triangles may lie this far inside the sphere, so the result is not known.
         known = nick(program, u, gap, depth, sag) if depth > sag else None
     program.write(os.path.join(folder, 'part.nc'))
     return Scene(name, folder, machine, None, os.path.join(folder, 'part.nc'), program.path, known,

@@ -55,7 +55,7 @@ def describe(tools, compiler):
 
 
 def show(rows):
-    """A table with columns as wide as they must be."""
+    """A table whose columns are as wide as their contents."""
     rows = [[str(x) for x in row] for row in rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     for row in rows:

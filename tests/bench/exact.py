@@ -1,4 +1,4 @@
-"""exact.py - scenes whose first contact a formula tells: a ram through a thin wall, an arm that turns into a post."""
+"""exact.py - scenes whose first contact a formula gives: a ram through a thin wall, an arm that turns into a post."""
 import math
 import os
 import random
@@ -50,7 +50,7 @@ def wall(folder, seed):
                             ram=meshes.box((-0.5, -5, -5), (0.5, 5, 5), rng.choice([12, 500])))
     program = Program([Axis('X', False, 60000, -200), Axis('Z', False, 60000)], rng.choice([12000, 30000, 60000]),
                       os.path.join(folder, 'path.tsv'))
-    # The ram's lower side stays clear of the wall's upper edge by a hair.
+    # The ram's lower side is just above the wall's upper edge.
     height = 55 + rng.choice([0.004, 0.02, 0.5]) if misses else rng.uniform(-20, 20)
     program.feed(X=-200 + rng.uniform(0, 20), Z=height)
     start, x0 = program.time, program.at['X']

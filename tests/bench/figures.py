@@ -43,7 +43,7 @@ class Figure:
             script = HEAD % (terminal, os.path.join(folder, '%s.%s' % (self.name, kind)), self.title, self.x, self.y)
             if self.log:
                 script += 'set logscale %s\n' % self.log
-            # A plotter without a figure to show is no fault of the measurements.
+            # If the plotter fails, the measurements are still good.
             subprocess.run(['gnuplot'], input=script + 'plot ' + plots + '\n', text=True, check=False)
         os.remove(data)
 
@@ -58,7 +58,7 @@ def error_figure(rows):
     for row in rows:
         if row['truth'] != 'contact' or not row['verdict'] or row['seconds_per_block'] == '':
             continue
-        # Nothing is as exact as the truth is.
+        # An error below that of the truth itself has no meaning.
         error = MISSED if int(row['miss']) else max(abs(float(row['motion_error_mm'] or 0)), 1e-6)
         if float(row['seconds_per_block']) > 0:
             figure.add(row['method'], float(row['seconds_per_block']), error)

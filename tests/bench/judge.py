@@ -1,11 +1,11 @@
-"""judge.py - one method on one scene: what it says, held against the truth, and what it costs."""
+"""judge.py - one method on one scene: its result compared with the truth, and its cost."""
 import json
 
 from measure import median
 
-# mm: what the truth's own search may be off by.
+# mm: the error of the search that finds the truth.
 GRAIN = 5e-5
-# Of a short check; the mean counts.
+# Runs of a short check; the mean counts.
 SHORT_RUNS = 5
 
 COLUMNS = ['scene', 'method', 'setting', 'blocks', 'seconds', 'seconds_per_block', 'extrapolated', 'truth', 'verdict',
@@ -28,7 +28,7 @@ class Truth:
         self.against_formula()
 
     def against_formula(self):
-        """The search and the formula must agree, or neither is worth anything."""
+        """The search and the formula must agree; otherwise neither is reliable."""
         known = self.scene.known
         if known is None:
             return
@@ -65,7 +65,7 @@ def row_of(scene, method, setting, truth):
 
 
 def judge(row, truth, finding, tolerance):
-    """finding: None, or (line, time, a, b, axis positions as in the scene). tolerance: what the method promises."""
+    """finding: None, or (line, time, a, b, axis positions as in the scene). tolerance: the method's promised error."""
     scene = truth.scene
     row['verdict'] = 'contact' if finding else 'clear'
     row['miss'], row['false_alarm'] = int(bool(truth.contact and not finding)), 0
@@ -90,7 +90,7 @@ def findings_of(spent):
 
 
 def finding_of(scene, rows):
-    """The first that FCL can find as well: cutters in the part at rapid are not among its pairs."""
+    """The first finding that FCL can make, too: its pairs do not include a cutter in the part at rapid."""
     for row in rows:
         if row['kind'] in ('collision', 'clearance'):
             return row['line'], row['time'], row['a'], row['b'], [row['axes'][x] for x in axes_of(scene)]
@@ -134,7 +134,7 @@ def own(tools, truth, method, setting, runs=1):
     finding = finding_of(scene, rows)
     stopped = finding
     if rows and not finding:
-        # Stopped by what is not compared: the whole program is checked, and counted.
+        # A finding that is not compared stopped the check: the whole program is checked and counted.
         options += ['--all']
         spent = tools.check(scene, options + ['-f', 'ndjson', '-q'])
         finding = finding_of(scene, findings_of(spent))
@@ -154,7 +154,7 @@ class Clear:
 
 
 def peer(tools, truth, step, limit, name='fcl', skip=False):
-    """A library, for at most `limit` seconds; what is left is extrapolated."""
+    """A library, for at most `limit` seconds; the rest is extrapolated."""
     scene = truth.scene
     out = tools.run([tools.peers[name], scene.plain, scene.path, repr(step), repr(limit)] + ['skip'] * skip)
     if out.status:

@@ -1,4 +1,4 @@
-"""measure.py - runs programs, and says what they spent."""
+"""measure.py - runs programs and measures their time and memory."""
 import os
 import re
 import statistics
@@ -25,7 +25,7 @@ class Spent:
         return [float(x) for x in found.groups()] + [int(blocks.group(1))]
 
     def _share(self, seconds):
-        """Processor time, of a run with one thread, whose statistics tell the wall's."""
+        """Processor time of a run with one thread, whose statistics give the wall time."""
         return seconds * min(1, self.cpu / max(self.wall, 1e-9))
 
     def reading(self):
@@ -48,7 +48,7 @@ class Tools:
         self.peers, self.rs274, self.old = peers, rs274, old
 
     def run(self, command, stdin=None, env=None):
-        """Spent; the status is the caller's concern."""
+        """Time and memory of a run; the caller checks the status."""
         figures = os.path.join(self.out, 'spent')
         run = subprocess.run([self.spend, figures] + command, capture_output=True, text=True, errors='replace',
                              stdin=stdin, env=env)
@@ -58,7 +58,7 @@ class Tools:
             return Spent(text.read(), run.stdout, run.stderr)
 
     def check(self, scene, options=(), programs=None, expect=(0, 1), fivecheck=None, before=()):
-        """One run of fivecheck on a scene; `before`: a command that runs the one behind it."""
+        """One run of fivecheck on a scene; `before`: a command that runs the command after it."""
         spent = self.run(list(before) + [fivecheck or self.fivecheck] + list(options) + scene.operands() +
                          (programs or [scene.program]))
         if spent.status not in expect:
@@ -67,17 +67,17 @@ class Tools:
         return spent
 
     def check_twice(self, scene, options=(), programs=None):
-        """Two runs at once: what they take shows what a second processor is worth on this machine."""
+        """Two runs at once; their time shows what a second processor gains on this machine."""
         return self.check(scene, options, programs, before=['sh', '-c', '"$@" & "$@"; wait $!', 'sh'])
 
 
 def say(text):
-    """Progress."""
+    """Prints the progress."""
     print(text, file=sys.stderr, flush=True)
 
 
 def timed(title, action):
-    """The action's result; says how long it took."""
+    """Returns the action's result and prints its time."""
     start = time.monotonic()
     result = action()
     say('    %.0f s: %s' % (time.monotonic() - start, title))
@@ -89,7 +89,7 @@ def median(values):
 
 
 def rounds(count, *actions):
-    """Each action in turn, count times over: a list of results for each, so that what disturbs one disturbs all."""
+    """Runs all actions in turn, count times, so that a disturbance affects all. Returns a list of results for each."""
     results = [[] for _ in actions]
     for _ in range(count):
         for result, action in zip(results, actions):

@@ -1,17 +1,17 @@
-"""peers.py - the libraries that others use for this, at samples of 0.01 s and as fine as the proof is exact."""
+"""peers.py - the usual libraries, at samples of 0.01 s and at samples as exact as the proof."""
 import judge
 from measure import median, say
 
 COLUMNS = ['scene', 'peer', 'samples', 'us_per_block', 'times', 'extrapolated']
 STEP = 0.01
-# mm: the error of the proof at its default tolerance, and so of samples that are as exact.
+# mm: the error of the proof at its default tolerance, and of samples that are as exact.
 ERROR = 0.001
-# Seconds for one run of a library; the rest of the samples is extrapolated from those spread over the path.
+# Seconds for one run of a library; the other samples are extrapolated from those spread over the path.
 LIMIT = 3
 
 
 def kinds(tools):
-    """Name, library, and whether samples are skipped by the distance that it said last; ODE knows none."""
+    """Name, library, and whether the last distance allows samples to be skipped; ODE gives no distance."""
     for name in tools.peers:
         yield name, name, False
         if name != 'ode':
@@ -25,7 +25,7 @@ def step_of_error(tools, scene):
 
 
 def rows(tools, scenes):
-    """`times`: as long as the certified check, of which only the checking is counted."""
+    """`times`: the time relative to the certified check; only its checking phase counts."""
     result = []
     for title, scene in scenes:
         say('peers: ' + title)

@@ -69,7 +69,7 @@ def tip_of(cutter, radius, steps=24):
 
 
 def tool_profile(element, top):
-    """From bottom to top, heights in the tool's frame; where the next element begins."""
+    """From bottom to top, heights in the tool's frame. Returns where the next element begins."""
     profile, height = [], top
     for section in element.findall('section'):
         radius = float(section.get('diameter')) / 2
@@ -147,7 +147,7 @@ def write(machine, setup, pairs, folder):
     names = [line[5:] for line in reader.lines if line.startswith('name ')]
     for row in pairs.splitlines()[1:]:
         a, b, status, clearance, _ = row.split('\t')
-        # What was proved out of reach, truth looks at all the same.
+        # The truth also looks at pairs that were proved out of reach.
         if status in ('checked', 'out of reach'):
             reader.lines.append('pair %d %d %s %d' % (names.index(a), names.index(b), clearance, status == 'checked'))
     path = os.path.join(folder, 'scene.txt')

@@ -80,7 +80,7 @@ def read(folder, name):
 
 
 def shown(value):
-    """A figure with its unit; of large ones three digits."""
+    """A figure with its unit; large figures have three digits."""
     number = value.rstrip('abcdefghijklmnopqrstuvwxyz/ ')
     unit = value[len(number):]
     x = float(number)
@@ -89,7 +89,7 @@ def shown(value):
 
 
 def figure_of(tables, file, column, wanted):
-    """The figure of the row that is wanted, or None. What has no unit is a ratio."""
+    """The figure of the wanted row, or None. A figure without a unit is a ratio."""
     value = next((r[column] for r in tables[file] if all(r[k] == v for k, v in wanted.items())), '')
     return shown(value if value[-1].isalpha() else value + 'x') if value else None
 
@@ -108,7 +108,7 @@ def write_table(folder):
 
 
 def renew(folder, readme):
-    """Puts the table in the README's place; rows of the old one that were not measured go, and are named."""
+    """Replaces the README's table; removes old rows that were not measured, and names them."""
     with open(os.path.join(folder, 'readme.md')) as text:
         table = text.read()
     with open(readme) as text:

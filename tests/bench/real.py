@@ -16,7 +16,7 @@ def scenes(tools, out):
     for name in sorted(os.listdir(os.path.join(tools.real, 'nc'))):
         program = os.path.join(tools.real, 'nc', name)
         scene = Scene(name, os.path.join(out, name), machine, setup if os.path.exists(setup) else None, program)
-        # What another machine was meant for stops here, and not quietly.
+        # A program for another machine is an error here.
         spent = tools.run([tools.fivecheck, '--parse-only', '-q'] + scene.operands() + [program])
         if spent.status == 2:
             say('real: %s is not for this machine: %s' % (name, spent.err.split('\n')[0]))

@@ -18,7 +18,7 @@ COLUMNS = ['varied', 'value', 'method', 'setting', 'seconds_per_block', 'peak_by
 
 
 def cost_rows(tools, out, limit):
-    """One thing varied at a time; a sampled method that would take longer than `limit` seconds is left out."""
+    """Varies one thing at a time; a sampled method that would take longer than `limit` seconds is left out."""
     rows, cache = [], {}
     for varied, values in RANGES.items():
         for value in values:
@@ -43,7 +43,7 @@ STEP_COLUMNS = ['motion', 'step', 'samples', 'conventional', 'interpolated']
 
 
 def step_rows(tools, out):
-    """Seconds a sample within one motion, all pairs: the paper's comparison."""
+    """Seconds per sample within one motion, all pairs: the paper's comparison."""
     rows = []
     for number, (start, end, feed) in enumerate(trunnion.MOTIONS):
         say('series: motion %d' % (number + 1))

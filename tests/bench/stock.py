@@ -45,7 +45,7 @@ class Tool:
 
 
 class Job:
-    """On the mill: the box of the blank, and the height of the program's zero."""
+    """The mill with the box of the blank; the height of the program's zero."""
 
     def __init__(self, name, program, tool, low, high, zero):
         self.name, self.program, self.tool, self.low, self.high, self.zero = name, program, tool, low, high, zero
@@ -65,7 +65,7 @@ class Job:
 
 
 def relief(path, blocks):
-    """A wavy face, milled line by line in steps of 1 mm, lap below lap."""
+    """A wavy face, milled line by line in steps of 1 mm, each lap below the last one."""
     with open(path, 'w') as out:
         out.write('G21 G90 G17 G94 G61 F3000\nM3 S1000\nG0 X-5 Y-5 Z25\nG0 Z22\n')
         for i in range(blocks):
@@ -102,7 +102,7 @@ def copy(source, target, changes):
 
 
 def mill_jobs(tools, folder):
-    """(job, blocks a second that are wanted of it)"""
+    """(job, its target in blocks a second)"""
     yield Job('relief', relief(os.path.join(folder, 'relief.ngc'), 100000), Tool(6, 20, 6, 30, 60),
               (0, 0, 0), (100, 60, 20), 0), 50000
     # 0.1 mm beside both walls, as deep as the slot.
@@ -148,7 +148,7 @@ def blocks_of(spent):
 
 
 def grid_seconds(tools, job, scene):
-    """Of the grid, without reading the path; and whether it found anything."""
+    """The time of the grid, without reading the path, and whether it found anything."""
     path = os.path.join(scene.folder, job.name + '.path')
     tools.check(scene, ['--dump-path', '-q', '-o', path])
     tool = job.tool

@@ -1,4 +1,4 @@
-"""targets.py - the figures that the project set itself, each measured in one run against what it is compared with."""
+"""targets.py - the project's own targets, each measured in one run together with what it is compared with."""
 import math
 import os
 
@@ -14,7 +14,7 @@ from scene import Scene
 COLUMNS = ['figure', 'target', 'reached', 'met', 'how']
 MEGA = 1000000
 PLAIN_BLOCKS = 500000
-# Of each of eight programs, and of one, for two threads.
+# Blocks of each of eight programs, and of one program, for two threads.
 EIGHTH_BLOCKS = 250000
 LARGE_BLOCKS = 800000
 # The first lines, one block, the last lines.
@@ -50,7 +50,7 @@ class Targets:
         self.add(figure, '>= %g%s' % (limit, unit), '%.4g%s' % (value, unit), value >= limit, how)
 
     def per_block(self, scene, *options):
-        """Seconds of checking alone."""
+        """Seconds of the checking phase only."""
         return judge.check_seconds(self.tools, scene, list(options), 1) / judge.blocks_until(scene, None)
 
     def old_per_block(self, scene):
@@ -67,7 +67,7 @@ class Targets:
                      (self.blocks, median(checked), median(read)))
 
     def scenes_of_peers(self):
-        """Where the libraries and the sampled methods are compared: (title, scene, target of the fastest library)."""
+        """The scenes for the libraries and the sampled methods: (title, scene, target of the fastest library)."""
         self.lap = trunnion.inside(self.folder('inside-lap'), self.tools)
         self.probe = trunnion.bore(self.folder('bore'), 20000)
         found = [('between the blades', self.lap, 2), ('in a bore', self.probe, 1),
@@ -130,7 +130,7 @@ class Targets:
                                       lambda: self.tools.check_twice(mega, ['-j', '1']))
         one, two = ([s.phases()[0] for s in runs] for runs in (single, double))
         self.at_most('loading 1,000,000 triangles', 0.25, median(one), 'files in memory, wall time', ' s')
-        # Two processes share nothing but the machine: what each takes more than one alone, two threads must take, too.
+        # Two processes share only the machine: two threads must lose at least as much time as each of them loses.
         self.at_most('the same with two threads', 0.5, ratio(two, one),
                      'wall time against one thread; two processes at once, each with one thread, take %.3gx a load' %
                      (0.5 * ratio([s.wall for s in pair], [s.wall for s in single])))
@@ -153,7 +153,7 @@ class Targets:
             self.at_most(title + ', start to exit', limit, 1e3 * median(times), 'processor time, one thread', ' ms')
 
     def outputs(self):
-        """What -v and --clearance-report add to the plain check where bodies are near each other all the time."""
+        """The cost of -v and --clearance-report if bodies are near each other all the time."""
         say('targets: what measuring costs')
         scenes = [('tight work', trunnion.tight(self.folder('tight-outputs'), 20000))]
         if self.tools.real:
@@ -172,7 +172,7 @@ class Targets:
         say('targets: memory against length')
         with open(self.lap.program) as text:
             lines = text.read().split('\n')
-        # The head ends with the approach; the last lines are M2 and nothing. Without the tail a lap closes.
+        # The head ends with the approach; the last lines are M2 and an empty line. Without them a lap is closed.
         head, lap = lines[:8], '\n'.join(lines[8:10008]) + '\n'
         back = '\n'.join(reversed(lines[8:10008])) + '\n'
         peaks = {}
@@ -195,7 +195,7 @@ class Targets:
                      ', '.join('%d: %.1f MB' % (n, p / 1e6) for n, p in peaks.items()))
 
     def growth(self):
-        """A report counts milliseconds: the program is long enough for them."""
+        """A report has a resolution of 1 ms, so the program is long."""
         say('targets: growth')
         alone, whole = [], []
         cache = {}
@@ -210,7 +210,7 @@ class Targets:
                      'the same, without reading')
 
     def threads(self):
-        """Programs so long that starting and loading hardly count, whatever --blocks says."""
+        """Programs so long that start and load times hardly count, whatever --blocks says."""
         say('targets: two threads')
         eight = trunnion.inside(self.folder('inside-eight'), self.tools, EIGHTH_BLOCKS)
         large = trunnion.tight(self.folder('tight-long'), LARGE_BLOCKS)
@@ -222,7 +222,7 @@ class Targets:
         self.two_threads('one large program between the blades', blades, [blades.program], 1, 1.8)
 
     def two_threads(self, title, scene, programs, share, target):
-        """What -j 2 gains, and what two processes at once gain that check `share` of the programs each."""
+        """The gain of -j 2, and that of two processes at once that each check `share` of the programs."""
         runs = 4 * self.tools.runs
         with open(os.path.join(self.out, 'step.nc'), 'w') as out:
             out.write('G21 G90 G0 X1\nM2\n')

@@ -113,7 +113,7 @@ def approach(program, p):
 
 
 def shuttle(program, points, blocks):
-    """There and back again until there are so many blocks. A piece takes as long in either direction."""
+    """Moves there and back until there are this many blocks. A piece takes the same time in both directions."""
     period = 2 * (len(points) - 1)
     for i in range(1, blocks + 1):
         at = i % period
@@ -130,7 +130,7 @@ def shuttle(program, points, blocks):
 def finish(scene_folder, program, setup, **figures):
     nc = os.path.join(scene_folder, 'part.nc')
     program.write(nc)
-    # Tools made of sections enclose the true ones by up to 0.01 mm, and plain.py's are inside them by as little.
+    # Tools made of sections are up to 0.01 mm larger than the true tools; those of plain.py are as much smaller.
     return Scene(os.path.basename(scene_folder), scene_folder, MACHINE, setup, nc, None, 'clear', 0.03, **figures)
 
 
@@ -139,7 +139,7 @@ def started(feed, tool=1):
 
 
 def inside(folder, tools, blocks=None, length=0.1, tool=2):
-    """At work inside the trunnion, five axes at once; without `blocks`, once there and back."""
+    """Work inside the trunnion with five axes at once; without `blocks`, once there and back."""
     setup, points = job_setup(folder), cut(finishing(tools, tool), length)
     program = started(1000.0, tool)
     approach(program, points[0][0])
@@ -202,7 +202,7 @@ MOTIONS = [
 
 
 def bore(folder, blocks, length=1.0, feed=150.0):
-    """The probe measures a bore of the arbor, A and C turning a little along: blocks of 1 mm at 150 mm/min."""
+    """The probe measures a bore of the arbor while A and C turn a little: blocks of 1 mm at 150 mm/min."""
     os.makedirs(folder, exist_ok=True)
     program, points = started(feed, 3), []
     for end in ({'Y': 49.5}, {'X': 144.5}, {'Y': 40.5}, {'X': 135.5},
@@ -217,7 +217,7 @@ def bore(folder, blocks, length=1.0, feed=150.0):
 
 
 def motion(folder, start, end=None, feed=1000.0):
-    """One motion by itself, or only the way to its start."""
+    """One motion alone, or only the move to its start."""
     os.makedirs(folder, exist_ok=True)
     program = started(float(feed), 3)
     approach(program, start)

@@ -24,7 +24,7 @@ from job import LACKS, MACHINES, Job
 
 DIALECTS = ("linuxcnc", "fanuc", "haas", "sinumerik", "klartext")
 
-# mm and degrees: how far two controls may be apart.
+# mm and degrees: the largest difference between two controls.
 SAME = 1e-6
 
 
@@ -105,7 +105,7 @@ def dump(fivecheck, folder, job, dialect):
 
 
 def straightened(rows):
-    """Points at which the path of the axes turns: rows that go straight on are one."""
+    """Points at which the path of the axes turns: collinear rows are joined."""
     points = []
     for tool, point in rows:
         if len(points) >= 1 and points[-1][0] == tool and math.dist(points[-1][1], point) < 1e-9:
@@ -160,7 +160,7 @@ def main():
     differ = points = 0
     for case in range(options.cases) if options.only is None else [options.only]:
         rng = random.Random(f"{options.seed} {case}")
-        # Every second job has only what all five controls have.
+        # Every second job uses only functions that all five controls have.
         common = [e for e in ELEMENTS if not any(e in lacks for lacks in LACKS.values()) and e != "comp"]
         job = Job(rng, common if case % 2 else ELEMENTS)
         folder = tempfile.mkdtemp()

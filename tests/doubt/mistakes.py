@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""mistakes.py FIVECHECK [--markdown] [NAME...] - plants mistakes in the shipped machines and setups, and asks what is said.
+"""mistakes.py FIVECHECK [--markdown] [NAME...] - plants mistakes in the shipped machines and setups.
 
 Each mistake is one change of one file of a copy: of the text of machine or setup, or of the coordinates of a mesh.
 It is caught if the check of the shipped program that is clear ends with an error, with a finding, or with a caution
@@ -59,7 +59,7 @@ def scale(pattern, factor):
 
 
 def mirror(name):
-    """X of the mesh with the other sign, and its triangles turned round again."""
+    """Mirrors the mesh in X and keeps its triangles outward."""
     def change(folder):
         path = folder / name
         data = bytearray(path.read_bytes())
@@ -72,7 +72,7 @@ def mirror(name):
 
 
 def turn_a(name, angle):
-    """The mesh as it stands with A of ac-trunnion at another angle than 0."""
+    """The mesh at an angle of A of ac-trunnion other than 0."""
     sine, cosine = math.sin(math.radians(-angle)), math.cos(math.radians(-angle))
 
     def change(folder):

@@ -70,7 +70,7 @@ def library_radius(tool, h):
 
 
 def known_to(tool):
-    """How far up the library describes the tool."""
+    """The height up to which the library describes the tool."""
     holder = tool.get("holder") or {}
     scale = 25.4 if holder.get("unit") == "inches" else 1.0
     below = tool["geometry"]["LB"] * (25.4 if tool["unit"] == "inches" else 1.0)

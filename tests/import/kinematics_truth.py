@@ -39,7 +39,7 @@ class Machine:
         self.axes = list(self.base.iter("axis"))
 
     def poses(self, values, node=None, pose=None):
-        """(element, pose of its link) of everything below."""
+        """(element, pose of its link) of all elements below."""
         node, pose = (self.base, identity()) if node is None else (node, pose)
         for child in node:
             if child.tag != "axis":

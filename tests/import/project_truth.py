@@ -63,7 +63,7 @@ def frame(element):
 
 
 def choose(models, tags, want, have, points):
-    """The body of each model: the nearest of those that it can have become, each of them once."""
+    """The body of each model: the nearest body that the model can have become; each body is used once."""
     kinds = {"fixture": ("fixture", "machine"), "design": ("part",), "stock": ("stock",)}
     free = {i: [apply(m, p) for p in points] for i, m in enumerate(have)}
     chosen = []

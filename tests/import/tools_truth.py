@@ -21,7 +21,7 @@ def number(node, path, default=0.0):
 
 
 def arc_radius(points, center, left, z):
-    """The largest radius of an arc at a height; None where it is not."""
+    """The largest radius of an arc at a height; None: the arc does not reach this height."""
     (r0, z0), (r1, z1) = points
     radius = math.hypot(r0 - center[0], z0 - center[1])
     if abs(z - center[1]) > radius:
@@ -155,7 +155,7 @@ def main():
                     continue
                 difference = max(difference, mine.radius(z) - max(near), min(near) - mine.radius(z))
             differences.append(difference)
-        # Several tools of a library may have one name: one of them must be this.
+        # Several tools of a library may have the same name: one of them must be this tool.
         if differences:
             compared += 1
             worst = max(worst, min(differences))

@@ -185,7 +185,7 @@ def compare_poses(truth, machine, skipped, rng):
         points = [[rng.uniform(-500, 500) for _ in range(3)] for _ in range(20)]
         want = [[apply(times(truth.pose(n, values), truth.frame(m)), p) for p in points] for n, m in models]
         have = [[apply(machine.pose(b, c, values), p) for p in points] for b, c in left]
-        # Bodies are in another order than models: each must be where one of the models is, one to one.
+        # Bodies and models have different orders: each body must be at the place of exactly one model.
         free = list(range(len(have)))
         for row in want:
             best = min(free, key=lambda i: max(abs(a - b) for p, q in zip(row[:2], have[i]) for a, b in zip(p, q)))
@@ -213,7 +213,7 @@ def compare_axes(truth, machine):
 def compare_pairs(truth, machine):
     want = truth.pairs()
     have = {frozenset((p.get("a"), p.get("b"))): float(p.get("clearance", 0)) for p in machine.root.iter("pair")}
-    # A component that is neither an axis nor the base stands in machine.xml by the names of its bodies.
+    # A component that is neither an axis nor the base is found in machine.xml by the names of its bodies.
     plain = {pair: c for pair, c in want.items() if not any(n.startswith("@") for n in pair)}
     for pair, clearance in plain.items():
         if abs(have.get(pair, -1) - clearance) > 1e-9:
