@@ -18,7 +18,7 @@
 #include "gcode/dialect/klartext/klartext_kept.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_straight.h"
-#include "gcode/dialect/klartext/klartext_pattern.h"
+#include "gcode/dialect/klartext/klartext_pattern_define.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_point_table.h"
 #include "gcode/dialect/klartext/klartext_skip.h"
@@ -178,13 +178,13 @@ static const struct statement {
     {"APPR", klartext_approach_read, false, true},
     {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},
-    {"PATTERN", klartext_pattern_define, true, false},
-    {"POS", klartext_pattern_go_on, true, false},
-    {"ROW", klartext_pattern_go_on, true, false},
-    {"PAT", klartext_pattern_go_on, true, false},
-    {"FRAME", klartext_pattern_go_on, true, false},
-    {"CIRC", klartext_pattern_go_on, true, false},
-    {"PITCHCIRC", klartext_pattern_go_on, true, false},
+    {"PATTERN", klartext_pattern_define_read, true, false},
+    {"POS", klartext_pattern_define_go_on, true, false},
+    {"ROW", klartext_pattern_define_go_on, true, false},
+    {"PAT", klartext_pattern_define_go_on, true, false},
+    {"FRAME", klartext_pattern_define_go_on, true, false},
+    {"CIRC", klartext_pattern_define_go_on, true, false},
+    {"PITCHCIRC", klartext_pattern_define_go_on, true, false},
     {"DECLARE", klartext_string_declare, true, true},
     {"CONTOUR", klartext_contour_define, true, false},
     {"SEL", choose, true, false},
@@ -211,7 +211,7 @@ static bool begins_block(const char *word)
 {
 	const struct statement *statement = find_statement(word);
 
-	return statement && statement->run != klartext_pattern_go_on;
+	return statement && statement->run != klartext_pattern_define_go_on;
 }
 
 /*
@@ -246,7 +246,7 @@ static bool starts_word(const char *word, char behind)
 /* The points of a pattern begin with their own word. */
 static bool run_statement(struct lexer *lexer, const struct statement *statement, size_t start)
 {
-	if (statement->run == klartext_pattern_go_on)
+	if (statement->run == klartext_pattern_define_go_on)
 		lexer->position = start;
 	return statement->run(lexer);
 }

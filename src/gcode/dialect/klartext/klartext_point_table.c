@@ -6,7 +6,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_folder.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
-#include "gcode/dialect/klartext/klartext_pattern.h"
+#include "gcode/dialect/klartext/klartext_points.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/text/number.h"
 
@@ -157,7 +157,7 @@ static bool read_row(struct table *table)
 	if (!has[COLUMN_X] || !has[COLUMN_Y])
 		return fault(&table->at, 1, "a point needs values in X and Y");
 	klartext_of(table->interp)->points.surface |= !same_double(value[2], 0);
-	return klartext_pattern_add(table->interp, (int)at + 1, (vec3){value[0], value[1], value[2]});
+	return klartext_points_add(table->interp, (int)at + 1, (vec3){value[0], value[1], value[2]});
 }
 
 /*
@@ -194,7 +194,7 @@ bool klartext_point_table_select(struct lexer *lexer)
 		return fault(lexer->at, column, "there is no file of the point table %s", name);
 	table.reader = &source->reader;
 	table.at = (struct line_place){.diag = interp->diag, .file = source->name, .line = 1, .text = ""};
-	klartext_pattern_begin(interp);
+	klartext_points_begin(interp);
 	klartext_of(interp)->points.line = 0;
 	return reader_seek(table.reader, 0, 1)
 		   ? read_table(&table)
