@@ -35,7 +35,7 @@ enum { RECALL_STEPS = 6 };
 /* mm: such a proof does not halve intervals of travel that are smaller than this. */
 #define REACH_TOLERANCE 1.0
 
-/* As in struct swept_box. Measured on the machines of machines/: 0.2 needs 1.06 times the instructions, 0.4 1.4 times. */
+/* See struct swept_box. Measured on the machines of machines/: 0.2 needs 1.06 times the instructions, 0.4 1.4 times. */
 #define LOST 0.1
 
 /* The whole travel of the pair's joints; false: a linear joint has no limits. */
