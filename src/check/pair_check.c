@@ -163,15 +163,17 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 					    const struct motion_step *step, long block,
 					    const struct check_options *options, struct contact *contact)
 {
-	enum query_answer answer = pass(check, sweep, step, options, contact);
+	const enum query_answer answer = pass(check, sweep, step, options, contact);
+	const bool at_start = answer == QUERY_CONTACT && !(contact->s > 0);
 	enum inside inside;
 	vec3 point;
 
-	if (answer == QUERY_UNDECIDED || (answer == QUERY_CONTACT && !(contact->s > 0)))
+	/* Surfaces that are near each other at the start may be those of a body inside the other: their distance is 0. */
+	if (answer == QUERY_UNDECIDED || (at_start && !(contact->distance > 0)))
 		return answer;
-	check->maybe_inside = false;
+	check->maybe_inside = at_start;
 	inside = static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point);
-	if (inside == INSIDE_UNKNOWN && check->unknown_block < 0)
+	if (inside == INSIDE_UNKNOWN && !at_start && check->unknown_block < 0)
 		check->unknown_block = block;
 	if (inside != INSIDE_YES)
 		return answer;

@@ -17,3 +17,7 @@ G0 X0
 G0 X10
 NC
 findings -a m.xml a.nc
+# The distance is 0 there, too, if the surfaces are nearer to each other than the clearance or the path tolerance.
+findings -a --clearance 40 m.xml a.nc
+printf 'G64 P50\nG1 X100 F6000\nG1 Y10\n' >round.nc
+findings -a m.xml round.nc
