@@ -21,6 +21,7 @@ struct diag_entry {
 	struct srcloc loc;
 	const char *text;	/* one line, no final newline */
 	const char *excerpt;	/* the faulty line, for a caret under loc.column; or NULL */
+	long block;	/* its block, counted from 1 in the order of execution; 0: not in a block */
 };
 
 /*

@@ -63,6 +63,8 @@ void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last)
 			kept++;
 			continue;
 		}
+		if (queue->of_blocks)
+			item->entry.block = item->mark + 1;
 		diag_pass(out, &item->entry);
 		free(item->file);
 		free(item->text);

@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_BASE_DIAG_QUEUE_H
 #define FIVECHECK_BASE_DIAG_QUEUE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/diag.h"
@@ -12,6 +13,7 @@ struct queued_diag;
 struct diag_queue {
 	struct diag diag;
 	long mark;	/* of new entries: the NC block being read, or 0 */
+	bool of_blocks;	/* the marks are blocks in the order of execution, from 0: gives diag_entry.block */
 	long order;	/* of new entries: their place among those with the same mark; usually 0 */
 	struct queued_diag *items;
 	size_t count, capacity;

@@ -10,6 +10,7 @@ void block_log_init(struct block_log *log)
 {
 	*log = (struct block_log){0};
 	diag_queue_init(&log->diags);
+	log->diags.of_blocks = true;
 }
 
 void block_page_release(struct block_page *page)

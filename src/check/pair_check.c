@@ -168,7 +168,7 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 	enum inside inside;
 	vec3 point;
 
-	/* Surfaces that are near each other at the start may be those of a body inside the other: their distance is 0. */
+	/* Surfaces near each other at the start may be those of a body inside the other: the distance is then 0. */
 	if (answer == QUERY_UNDECIDED || (at_start && !(contact->distance > 0)))
 		return answer;
 	check->maybe_inside = at_start;

@@ -33,6 +33,7 @@ void error_list_add(struct error_list *errors, const struct diag_entry *entry)
 		.line = entry->loc.line,
 		.column = entry->loc.column,
 		.text = mem_strndup(entry->text, strlen(entry->text)),
+		.block = entry->block,
 		.excerpt = entry->excerpt ? mem_strndup(entry->excerpt, strlen(entry->excerpt)) : NULL,
 	};
 }

@@ -7,7 +7,7 @@
 #include "base/diag.h"
 #include "report/report.h"
 
-enum { ERROR_LIST_MAX = 10 };
+enum { ERROR_LIST_MAX = REPORT_ERRORS_MAX };
 
 /* All zero is an empty list. */
 struct error_list {

@@ -52,6 +52,9 @@ struct report_run {
 	size_t file_count;
 };
 
+/* So many errors of a program are reported. */
+enum { REPORT_ERRORS_MAX = 10 };
+
 /* An error that made a check incomplete. */
 struct report_error {
 	char *file;	/* NULL: the error concerns no file */
@@ -59,6 +62,7 @@ struct report_error {
 	int column;
 	char *text;
 	char *excerpt;	/* the line that the error is about; NULL: unknown */
+	long block;	/* counted from 1 in the order of execution; 0: not in a block */
 };
 
 /* A program that was checked. All pointers are borrowed. */

@@ -1,12 +1,14 @@
 #include "report/shard_merge.h"
 
 #include <jansson.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
 #include "report/format/json.h"
 #include "report/ndjson_run.h"
+#include "report/report.h"
 #include "report/shard_match.h"
 
 struct merge {
@@ -14,6 +16,7 @@ struct merge {
 	size_t count;
 	bool of_blocks;	/* the shards are parts of the blocks of one program */
 	json_t *lines;	/* an array: the joined findings and programs */
+	json_int_t end;	/* of blocks: the block whose finding ends a check of the whole program */
 	struct diag *diag;
 };
 
@@ -71,6 +74,11 @@ static void join_programs(struct merge *merge)
 	free(next);
 }
 
+static json_t *program_of(const struct ndjson_run *run)
+{
+	return run->lines[run->count - 1];
+}
+
 /* The next finding of a run that was not taken, *next or later; NULL: there is none. */
 static json_t *next_finding(const struct ndjson_run *run, size_t *next)
 {
@@ -90,6 +98,12 @@ static bool comes_before(const json_t *a, const json_t *b)
 	return json_number_value(json_object_get(a, "fraction")) > json_number_value(json_object_get(b, "fraction"));
 }
 
+/* Does the error come after the finding that ends a check of the whole program? */
+static bool is_after_end(const struct merge *merge, const json_t *error)
+{
+	return integer(error, "block") > merge->end;
+}
+
 /*
  * Adds the findings of all shards in the order of time. Those of one shard keep their order: at the same time no number
  * in them tells which one is the first. Without --all a run ends at the first finding that fails it.
@@ -98,6 +112,7 @@ static void join_findings(struct merge *merge)
 {
 	const bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
 	size_t *next = mem_zalloc(merge->count, sizeof(*next));
+	json_int_t end_of = 0;
 	json_t *first;
 
 	do {
@@ -115,8 +130,11 @@ static void join_findings(struct merge *merge)
 		if (first) {
 			json_push(merge->lines, json_incref(first));
 			next[of]++;
+			end_of = integer(program_of(&merge->runs[of]), "blocks");
 		}
 	} while (first && (all || json_object_get(first, "accepted")));
+	if (first)
+		merge->end = end_of;
 	free(next);
 }
 
@@ -135,9 +153,63 @@ static void add_distinct(json_t *array, const json_t *more)
 	}
 }
 
-static json_t *program_of(const struct ndjson_run *run)
+/*
+ * Was the run incomplete only because of what comes after the end of a check of the whole program? Its errors are in
+ * the order of their blocks. A run that names none was broken off.
+ */
+static bool is_excused(const struct merge *merge, const struct ndjson_run *run)
 {
-	return run->lines[run->count - 1];
+	const char *verdict = merge->of_blocks ? ndjson_run_text(program_of(run), "verdict") : NULL;
+	const json_t *errors = merge->of_blocks ? json_object_get(program_of(run), "errors") : NULL;
+
+	return verdict && !strcmp(verdict, "incomplete") && json_array_size(errors) &&
+	       is_after_end(merge, json_array_get(errors, 0));
+}
+
+/* Is the same message in the array, of whatever block? */
+static bool is_known(const json_t *array, const json_t *error)
+{
+	json_t *message = json_copy((json_t *)error);
+	bool known = false;
+
+	for (size_t i = 0; i < json_array_size(array) && !known; i++) {
+		json_t *other = json_copy(json_array_get(array, i));
+
+		json_object_del(message, "block");
+		json_object_del(other, "block");
+		known = json_equal(message, other);
+		json_decref(other);
+	}
+	json_decref(message);
+	return known;
+}
+
+/* The first errors of all runs in the order of their blocks: those that a check of the whole program names. */
+static json_t *joined_errors(const struct merge *merge)
+{
+	size_t *next = mem_zalloc(merge->count, sizeof(*next));
+	json_t *errors = json_array(), *first;
+
+	do {
+		size_t of = 0;
+
+		first = NULL;
+		for (size_t i = 0; i < merge->count; i++) {
+			json_t *error = json_array_get(json_object_get(program_of(&merge->runs[i]), "errors"), next[i]);
+
+			if (!error || (first && integer(error, "block") >= integer(first, "block")))
+				continue;
+			first = error;
+			of = i;
+		}
+		if (!first)
+			break;
+		next[of]++;
+		if (!is_after_end(merge, first) && !is_known(errors, first))
+			json_push(errors, json_incref(first));
+	} while (json_array_size(errors) < REPORT_ERRORS_MAX);
+	free(next);
+	return errors;
 }
 
 /* The verdict about the program as a whole. */
@@ -150,7 +222,7 @@ static const char *joined_verdict(const struct merge *merge)
 		for (size_t i = 0; i < merge->count; i++) {
 			const char *verdict = ndjson_run_text(program_of(&merge->runs[i]), "verdict");
 
-			if (verdict && !strcmp(verdict, order[k]))
+			if (verdict && !strcmp(verdict, order[k]) && !is_excused(merge, &merge->runs[i]))
 				return order[k];
 		}
 	}
@@ -160,11 +232,14 @@ static const char *joined_verdict(const struct merge *merge)
 /* Each shard checked its own blocks of one program: adds the program as a whole, after its findings. */
 static bool join_blocks(struct merge *merge)
 {
-	const char *verdict = joined_verdict(merge);
-	json_t *program = json_copy(program_of(&merge->runs[0])), *cautions = json_array(), *errors = json_array();
+	json_t *program = json_copy(program_of(&merge->runs[0])), *cautions = json_array();
 	json_int_t blocks = 0, checked = 0;
-	bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
-	bool stopped = !strcmp(verdict, "incomplete") || (!strcmp(verdict, "found") && !all);
+	bool all = json_is_true(json_object_get(merge->runs[0].header, "all")), stopped;
+	const char *verdict;
+
+	join_findings(merge);
+	verdict = joined_verdict(merge);
+	stopped = !strcmp(verdict, "incomplete") || (!strcmp(verdict, "found") && !all);
 
 	for (size_t i = 0; i < merge->count; i++) {
 		const json_t *part = program_of(&merge->runs[i]);
@@ -172,15 +247,13 @@ static bool join_blocks(struct merge *merge)
 		blocks = integer(part, "blocks") > blocks ? integer(part, "blocks") : blocks;
 		checked += integer(part, "checked");
 		add_distinct(cautions, json_object_get(part, "cautions"));
-		add_distinct(errors, json_object_get(part, "errors"));
 	}
-	join_findings(merge);
 	json_put(program, "verdict", json_string(verdict));
 	json_put(program, "blocks", json_integer(blocks));
 	json_put(program, "checked", json_integer(checked));
 	json_put(program, "findings", json_integer((json_int_t)json_array_size(merge->lines)));
 	json_put(program, "cautions", cautions);
-	json_put(program, "errors", errors);
+	json_put(program, "errors", joined_errors(merge));
 	json_push(merge->lines, program);
 	if (stopped || checked == blocks)
 		return true;
@@ -225,7 +298,9 @@ static int add_rest(struct strbuf *out, const struct merge *merge)
 	for (size_t i = 0; i < merge->count; i++) {
 		json_int_t one = integer(merge->runs[i].summary, "status");
 
-		status = one > status ? one : status;
+		/* Of an excused run only its findings could count, and they would come after the end, too. */
+		if (!is_excused(merge, &merge->runs[i]))
+			status = one > status ? one : status;
 	}
 	json_put(summary, "kind", json_string("summary"));
 	json_put(summary, "status", json_integer(status));
@@ -241,7 +316,7 @@ static int add_rest(struct strbuf *out, const struct merge *merge)
 
 bool shard_merge(struct strbuf *out, int *status, char *const *paths, size_t count, struct diag *diag)
 {
-	struct merge merge = {.diag = diag, .lines = json_array()};
+	struct merge merge = {.diag = diag, .lines = json_array(), .end = INT64_MAX};
 	bool good = load_runs(&merge, paths, count) && shard_match(merge.runs, merge.count, &merge.of_blocks, diag);
 
 	if (good && merge.of_blocks)

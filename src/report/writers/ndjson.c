@@ -204,6 +204,8 @@ json_t *ndjson_errors(const struct report_program *program)
 		json_put(object, "line", error->line ? json_integer(error->line) : json_null());
 		json_put(object, "column", error->column ? json_integer(error->column) : json_null());
 		json_put(object, "text", json_text(error->text));
+		if (error->block)
+			json_put(object, "block", json_integer(error->block));
 		json_push(array, object);
 	}
 	return array;
