@@ -23,3 +23,25 @@ status fivecheck -q any.xml feed.nc
 status fivecheck -q any.xml - <<'NC'
 G0 X100
 NC
+# Five axes move at once, and the bodies come within the clearance only at the rapid's end: head and table are then
+# sqrt(1 + 1 + 10 * 10) = 10.0995 mm apart. To find this the box of all positions is halved some 90 times.
+box head 0 0 100 20 20 140
+box table -60 -60 -20 0 0 0
+machine five.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" rate_max="6000">
+      <axis name="Z" type="linear" direction="0 0 1" rate_max="6000">
+        <body name="head" mesh="head.stl"/>
+      </axis>
+    </axis>
+  </axis>
+  <axis name="A" type="rotary" direction="1 0 0" location="0 0 0" rate_max="3600">
+    <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" rate_max="3600">
+      <body name="table" mesh="table.stl"/>
+    </axis>
+  </axis>
+XML
+sed -i 's|<base>|<controller rapid="any"/><base>|' five.xml
+printf 'G61\nG0 X60 Y60 A30 C30\nG0 X1 Y1 Z-90 A0 C0\n' >five.nc
+findings --clearance 10.0996 five.xml five.nc
+status fivecheck -q --clearance 5 five.xml five.nc
