@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/callbacks.h"
+#include "gcode/dialect/sinumerik/sinumerik_ahead.h"
 #include "gcode/program.h"
 
 /* Lines read between two queries of the cancel callback. */
@@ -328,84 +329,21 @@ bool sinumerik_seek_main(struct interp *interp)
 	return come_back(interp, &next, 1);
 }
 
-/* The meaning of a line in the search for a tool change. */
-enum ahead {
-	AHEAD_NOTHING,
-	AHEAD_END,	/* the end of the program: the lines after it do not run, or only after a jump */
-	AHEAD_CHANGE,
-};
-
-/* Has the block the M-code with these digits? */
-static enum ahead ahead_of(const char *digits, size_t length)
-{
-	static const struct {
-		const char *digits;
-		enum ahead ahead;
-	} codes[] = {{"6", AHEAD_CHANGE}, {"2", AHEAD_END}, {"17", AHEAD_END}, {"30", AHEAD_END}};
-	const size_t zeros = strspn(digits, "0");
-
-	for (size_t i = 0; i < sizeof(codes) / sizeof(codes[0]); i++) {
-		if (zeros + strlen(codes[i].digits) == length &&
-		    !strncmp(digits + zeros, codes[i].digits, length - zeros))
-			return codes[i].ahead;
-	}
-	return AHEAD_NOTHING;
-}
-
-/* Letters with numbers, such as T1M06D1. Moves *at behind them, or behind the name, if it is a name. */
-static enum ahead look_at_run(const char *words, size_t *at)
-{
-	enum ahead ahead = AHEAD_NOTHING;
-
-	while (sinumerik_is_letter(words[*at])) {
-		const bool is_m = sinumerik_upper(words[*at]) == 'M';
-		const size_t number = *at + 1 + strspn(words + *at + 1, "+-"),
-			     length = strspn(words + number, "0123456789.");
-		const enum ahead code = is_m ? ahead_of(words + number, length) : AHEAD_NOTHING;
-
-		if (length == 0) {
-			*at += strspn(words + *at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
-			return AHEAD_NOTHING;
-		}
-		ahead = code > ahead ? code : ahead;
-		*at = number + length;
-	}
-	return words[*at] != '(' && words[*at] != ':' && words[*at] != '=' ? ahead : AHEAD_NOTHING;
-}
-
-static enum ahead look_at_line(const char *words)
-{
-	enum ahead ahead = AHEAD_NOTHING;
-	size_t at = 0;
-	bool quoted = false;
-
-	while (words[at] && (quoted || words[at] != ';') && ahead != AHEAD_CHANGE) {
-		enum ahead run = AHEAD_NOTHING;
-
-		quoted = quoted != (words[at] == '"');
-		if (quoted || !sinumerik_is_letter(words[at]))
-			at++;
-		else
-			run = look_at_run(words, &at);
-		ahead = run > ahead ? run : ahead;
-	}
-	return ahead;
-}
-
 bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found)
 {
 	struct source *source = interp->program.source;
 	const struct position next = source_next(source);
-	enum ahead ahead = AHEAD_NOTHING;
+	enum sinumerik_ahead ahead = SINUMERIK_AHEAD_NOTHING;
 	const char *text;
 
 	keep_line(interp);
-	while (ahead == AHEAD_NOTHING && reader_next(&source->reader, &text) == READER_LINE && !is_head(text)) {
+	while (ahead == SINUMERIK_AHEAD_NOTHING && reader_next(&source->reader, &text) == READER_LINE &&
+	       !is_head(text)) {
 		if (cancelled(interp, &source->reader))
 			return false;
-		ahead = look_at_line(text + sinumerik_seek_head(text).rest);
+		ahead = sinumerik_ahead_of_line(text + sinumerik_seek_head(text).rest);
 	}
-	*found = ahead == AHEAD_CHANGE;
+	*found = ahead == SINUMERIK_AHEAD_CHANGE;
 	return come_back(interp, &next, column);
 }
 
