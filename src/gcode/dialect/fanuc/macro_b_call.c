@@ -6,16 +6,10 @@
 #include <string.h>
 
 #include "gcode/dialect/fanuc/builder_macro.h"
-#include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/dialect/fanuc/macro_b_request.h"
 #include "gcode/dialect/fanuc/macro_b_seek.h"
 #include "gcode/execute/pocket_milling.h"
 #include "gcode/restart.h"
-
-/* The words of a G65 or G66 block. */
-struct request {
-	int number, repeats;
-	double arguments[MACRO_B_LOCALS + 1];
-};
 
 const char *macro_b_call_title(const struct macro_b_call *call, char *buffer)
 {
@@ -70,108 +64,11 @@ static bool leave(struct interp *interp, int column)
 	return macro_b_seek_jump(interp, &call->back, column);
 }
 
-/* --------------------------------------------------------------- arguments */
-
-/* B-63944EN, argument specification I; Haas, alphabetic addressing: 0 is none. */
-static int argument_of(char letter)
-{
-	static const char numbers[26] = {1,  2,	 3, 7, 8,  9,  0,  11, 4,  5,  6,  0,  13,
-					 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-
-	return numbers[letter - 'A'];
-}
-
-/*
- * I, J and K by argument specification II: sets of three variables from #4 on. A letter that does not follow the letter
- * before in this order starts a new set (Haas: alternate addressing).
- */
-static int argument_of_set(char letter, int *set, char *last)
-{
-	if (*last && letter <= *last)
-		++*set;
-	*last = letter;
-	return 4 + 3 * *set + (letter - 'I');
-}
-
-/*
- * B-63944EN, macro calls, units of arguments: without a decimal point a value counts increments of its address. These
- * increments differ for E and F, and in inches for A, B and C, which need not be axes.
- */
-static bool scale_argument(struct interp *interp, const struct word *word, double *value)
-{
-	double increment = interp->config->controller.least_input;
-
-	if (word->point || fpclassify(*value) == FP_ZERO || strchr("DHMST", word->letter))
-		return true;
-	if (!(increment > 0))
-		return dialect_refuse_whole_number(&interp->at, word->column, word->letter, *value);
-	if (!(increment < 1))
-		return true;
-	if (strchr(interp->state.scale > 1 ? "ABCEF" : "EF", word->letter))
-		return fault(&interp->at, word->column,
-			     "%c%.15g: the unit of this argument without a decimal point is not known; write the point",
-			     word->letter, *value);
-	*value *= interp->state.scale > 1 ? increment / 10 : increment;
-	return true;
-}
-
-static bool read_argument(struct interp *interp, const struct word *word, struct request *request, int *set,
-			  char *last)
-{
-	double value = word->vacant ? macro_b_vacant() : word->value;
-	int number = argument_of(word->letter);
-
-	if (number == 0)
-		return fault(&interp->at, word->column, "a macro has no argument %c", word->letter);
-	if (word->letter >= 'I' && word->letter <= 'K')
-		number = argument_of_set(word->letter, set, last);
-	if (number > MACRO_B_LOCALS)
-		return fault(&interp->at, word->column, "more than ten sets of I, J and K");
-	if (!word->vacant && !scale_argument(interp, word, &value))
-		return false;
-	/* In a mixture the later argument is valid (B-63944EN, mixture of argument specifications I and II). */
-	request->arguments[number] = value;
-	return true;
-}
-
-static bool read_count(struct interp *interp, const struct word *word, int most, int *value)
-{
-	if (word->vacant || word->value < 1 || word->value > most || floor(word->value) < word->value)
-		return fault(&interp->at, word->column, "%c must be a whole number from 1 to %d", word->letter,
-			     most);
-	*value = (int)word->value;
-	return true;
-}
-
-static bool read_request(struct interp *interp, struct lexer *lexer, int column, int number, struct request *request)
-{
-	enum lexer_result result;
-	struct word word;
-	int set = 0;
-	char last = 0;
-
-	*request = (struct request){.number = number, .repeats = 1};
-	for (int i = 0; i <= MACRO_B_LOCALS; i++)
-		request->arguments[i] = macro_b_vacant();
-	lexer->rules = macro_b_argument_rules(interp);
-	while ((result = lexer_next(lexer, &word)) == LEXER_WORD) {
-		if (word.letter == 'P' && number == 0 ? !read_count(interp, &word, 99999999, &request->number)
-		    : word.letter == 'L'
-			? !read_count(interp, &word, 9999, &request->repeats)
-			: !read_argument(interp, &word, request, &set, &last))
-			return false;
-	}
-	if (result == LEXER_FAULT)
-		return false;
-	if (request->number == 0)
-		return fault(&interp->at, column, "a macro call needs P (program number)");
-	return true;
-}
-
 /* --------------------------------------------------------------- G65, G66 */
 
 /* B-63944EN, simple call (G65): the call has its own local variables, all vacant except its arguments. */
-static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct request *request, int column)
+static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct macro_b_request *request,
+		       int column)
 {
 	struct macro_b_vars *vars = &macro_b_of(interp)->vars;
 	struct position entry;
@@ -187,7 +84,7 @@ static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const
  * Haas: "the arguments are set only on the first repetition", so the next repetition finds the variables as the macro
  * left them. Fanuc's manual does not say this.
  */
-static bool check_repeats(struct interp *interp, const struct request *request, int column)
+static bool check_repeats(struct interp *interp, const struct macro_b_request *request, int column)
 {
 	if (request->repeats == 1 || macro_b_of(interp)->rules->repeats_keep_arguments)
 		return true;
@@ -201,8 +98,8 @@ static bool check_repeats(struct interp *interp, const struct request *request, 
 }
 
 /* Calls a program of the machine builder: no effect, or a block that run_block carries out instead of this line. */
-static void call_builder(struct interp *interp, const struct builder_macro *macro, const struct request *request,
-			 int column, bool *done)
+static void call_builder(struct interp *interp, const struct builder_macro *macro,
+			 const struct macro_b_request *request, int column, bool *done)
 {
 	struct builder_call *call = &macro_b_of(interp)->builder;
 
@@ -217,9 +114,9 @@ static void call_builder(struct interp *interp, const struct builder_macro *macr
 bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column, bool *done)
 {
 	const struct builder_macro *macro;
-	struct request request;
+	struct macro_b_request request;
 
-	if (!read_request(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
+	if (!macro_b_request_read(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
 		return false;
 	macro = builder_macro_of_program(interp, request.number);
 	if (!macro)
@@ -231,9 +128,9 @@ bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column, bo
 bool macro_b_call_by_code(struct interp *interp, struct lexer *lexer, int column, const struct builder_macro *macro,
 			  bool *done)
 {
-	struct request request;
+	struct macro_b_request request;
 
-	if (!read_request(interp, lexer, column, macro->program, &request))
+	if (!macro_b_request_read(interp, lexer, column, macro->program, &request))
 		return false;
 	call_builder(interp, macro, &request, column, done);
 	return true;
@@ -244,10 +141,10 @@ bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 {
 	struct macro_b *macro = macro_b_of(interp);
 	const struct builder_macro *builder;
-	struct request request;
+	struct macro_b_request request;
 	struct position entry;
 
-	if (!read_request(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
+	if (!macro_b_request_read(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
 		return false;
 	builder = builder_macro_of_program(interp, request.number);
 	if (builder && builder->action != MACRO_NONE)
@@ -289,7 +186,7 @@ static bool call_modal(struct interp *interp)
 {
 	const struct macro_b *macro = macro_b_of(interp);
 	const struct block *block = &interp->block;
-	struct request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
+	struct macro_b_request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
 	const int column = block_motion_column(block);
 
 	if (block->m[M_STOP] >= 2)
