@@ -79,7 +79,7 @@ START_TEST(cycles_apart)
 		run(dialects[i], "F9. G0 Z5.\nG81 X1. Z-1. R1.\nG1 X2.\nX3.\nG80 G0 X4.\nM30\n",
 		    "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 5 0 0\n"
 		    "feed 2 0 5 0 0\nfeed 3 0 5 0 0\nrapid 4 0 5 0 0\n");
-		/* Which motion is in force at power-on is the control's choice. */
+		/* The control decides which motion is in force at power-on. */
 		refuse(dialects[i], "G80\nX1.\n", 1,
 		       "axis words without an active motion code (G0, G1, G2, G3); set power_on_motion=\"rapid\" or "
 		       "\"feed\" (the motion code at power-on) in the machine file's <controller>");

@@ -37,7 +37,7 @@ START_TEST(rotation)
 	    "G0 X5. Y5.\nG68 X0. Y0. R90.\nG91 X1.\nY1. Z1.\nG90 X1. Y0.\nX2.\nG69\nX0.\nY0.\nG91 X1. Y1.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid 5 6 0 0 0\nrapid 4 6 1 0 0\nrapid 0 1 1 0 0\nrapid 0 2 1 0 0\n"
 	    "rapid 0 2 1 0 0\nrapid 0 0 1 0 0\nrapid 1 1 1 0 0\n");
-	/* Zero increments on the way to reference positions, and machine coordinates, do not mind. */
+	/* Zero increments on the way to reference positions, and machine coordinates, are allowed. */
 	run(&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG69\nG91 G28 X0. Y0.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid -5 5 0 0 0\nrapid -5 5 0 0 0\nrapid 0 0 0 0 0\n");
 	run(&dialect_haas, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG53 Z3.\nG69 G53 X1. Y1.\nG91 X1. Y1.\nM30\n",
@@ -260,7 +260,7 @@ START_TEST(tool_change_without_place)
 }
 END_TEST
 
-/* A place with a rotary axis would turn the tool away from its plane. */
+/* A position with a rotary axis would turn the tool away from its plane. */
 START_TEST(tool_change_on_a_plane)
 {
 	struct gcode_case c;

@@ -104,7 +104,7 @@ static void expect_pocket(const char *program)
 	case_release(&c);
 }
 
-/* The place is on a circle of the moves, or beside it by no more than is said. */
+/* The position is on a circle of the moves, or no farther beside it than the moves say. */
 static bool is_on_circle(const char *moves, const double point[3])
 {
 	const double r = hypot(point[0] - 1, point[1] - 2);

@@ -155,7 +155,7 @@ START_TEST(ends)
 	expect_end("G0 X60. C0.\nG12.1\nG42 D1 G1 X20. F100.\nC10.\nG3 X10. C20. R10.\nG1 X-20.\nC-10.\nG3 X-10. C-20. I10. J0.\n"
 		   "G1 X20.\nC0.\nG40 X60.\nG13.1\nG0 Z50.\nM30\n",
 		   "rapid 60 0 50 0 360");
-	/* The plane that was in force is so again: an arc of Z and X. */
+	/* The plane from before is in force again: an arc of Z and X. */
 	expect_end("G18 G0 X20.\nG12.1\nG1 X21. F9.\nG13.1\nG2 X23. R5.\nM30\n",
 		   "arc 23 0 0 0 0 centre 22 0 4.89897949 normal 0 1 0 sweep -23.0739181");
 }
@@ -192,7 +192,7 @@ START_TEST(refused)
 }
 END_TEST
 
-/* Which axes it takes says the machine file, and which way compensation leads round corners. */
+/* The machine file says which axes it takes and how compensation rounds corners. */
 START_TEST(asked)
 {
 	static const char compensated[] = "G0 X20.\nG12.1\nG41 D1 G1 X30. F9.\nC20.\nX-20.\nG40 X-30.\nG13.1\nM30\n";

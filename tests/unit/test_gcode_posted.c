@@ -91,7 +91,7 @@ START_TEST(arcs)
 	expect_fault(&c, "F9 G0 X10. Y0.\nG3 X20 Y0. I5.\nM30\n",
 		     "the radius of the arc is 5 mm at its start and 14.98 mm at its end; X has no decimal point and "
 		     "means 0.02 (least_input)\n");
-	/* Beside a spiral the engine of cutter compensation knows no point. */
+	/* Cutter compensation does not support a spiral. */
 	init(&c, &dialect_fanuc);
 	c.config.controller.arc_radius_tolerance = 2;
 	c.config.radii = &(struct radius_offset){1, 2};

@@ -10,7 +10,7 @@
 /* Of a path, also where it is an arc. */
 #define POINTS 16
 
-/* What a block covers: a box carried along from start to end. */
+/* The region that a block covers: a box that moves from start to end. */
 struct covered {
 	long line;
 	bool rapid;
@@ -285,13 +285,13 @@ START_TEST(no_more_than_needed)
 {
 	expect_moves("G0 Z40 F9\nG38.2 Z-20\nG0 Z50\nX1\n", "rapid 0 0 40 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 50 0 0\nrapid 1 0 50 0 0\n");
 	expect_moves("G0 Z40 F9\nG38.2 X3 Z-20\nG0 X0 Z40\n", "rapid 0 0 40 0 0\nfeed 3 0 -20 0 0\nrapid 0 0 40 0 0\n");
-	/* By an increment, the whole of the ways: up to 10 over the start. */
+	/* By an increment, all possible moves: up to 10 above the start. */
 	expect_moves("G0 Z40 F9\nG38.2 Z-20\nG91 G0 Z10\n", "rapid 0 0 40 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 50 0 0\n");
 	/* Beside others from the middle. */
 	expect_moves("G0 Z40 F9\nG38.2 Z-20\nG0 X7\nG53 Z1\n",
 		     "rapid 0 0 40 0 0\nfeed 0 0 -20 0 0\nrapid 0 0 10 0 0\nrapid 7 0 10 0 0\n"
 		     "rapid 7 0 -20 0 0\nrapid 7 0 40 0 0\nrapid 7 0 1 0 0\n");
-	/* A tool that is changed there is tried in all places. */
+	/* A tool change there is checked at all positions. */
 	expect_moves("T1 G0 Z40 F9\nG38.2 Z-20\nM6\nG0 Z50\n",
 		     "rapid 0 0 40 0 0\nfeed 0 0 -20 0 0\ntool 1\nrapid 0 0 -20 0 0\nrapid 0 0 40 0 0\nrapid 0 0 -20 0 0\n"
 		     "rapid 0 0 50 0 0\n");

@@ -15,11 +15,11 @@ static const struct program {
 	{TOOL "G42 NORM G450 G1 X10 Y0\nY20\nX30\nG40 X30 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 15 0 0 0 0\nfeed 15 15 0 0 0\nfeed 30 15 0 0 0\n"
 	 "feed 30 0 0 0 0\n"},
-	/* "G451": to where they cross; and a block without a move in the plane may stand between. */
+	/* "G451": to the intersection of the paths; a block without a move in the plane may stand between. */
 	{TOOL "G41 NORM G451 G1 X10 Y0\nY20\nM8\nX30\nG40 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 5 0 0 0 0\nfeed 5 25 0 0 0\nfeed 30 25 0 0 0\n"
 	 "feed 30 0 0 0 0\n"},
-	/* Sharper than a right angle it may be rounded, too (MD20210): both are proved. */
+	/* A corner sharper than a right angle may also be rounded (MD20210): both paths are proved. */
 	{TOOL "G41 NORM G451 G1 X10 Y0\nY20\nX20 Y10\nG40 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 5 0 0 0 0\nfeed 5 20 0 0 0\n"
 	 "feed 5 32.0710678 0 0 0 spread 8.06562965 8.06562965 0\n"
@@ -250,7 +250,7 @@ START_TEST(tangents_in_frames)
 }
 END_TEST
 
-/* MD20250: a contour of straight lines and an inside corner goes on behind the blocks that move nothing in the plane. */
+/* MD20250: a contour of straight lines and an inside corner continues after blocks without a move in the plane. */
 START_TEST(idle_blocks)
 {
 	static const char program[] = TOOL "G450 NORM G41 G1 X0 Y20\nF5\nZ-101\nM8\nY40\nZ-102\nF6\nZ-103\nX-20\nG40 X-40\n";

@@ -43,7 +43,7 @@ static void read_moves(const char *text)
 	}
 }
 
-/* How far a point of the workpiece is outside of all that is covered. */
+/* The distance of a point of the workpiece from everything that is covered. */
 static double outside(vec3 place)
 {
 	const vec3 p = {place.x, place.y, place.z + 100};
@@ -126,13 +126,13 @@ START_TEST(covers)
 			holds_lead(5.2, 7);
 			/* Whether the cycle draws corners out is not said: where the lines beside both sides cross. */
 			holds(55.2, 45.2);
-			/* And not more: neither below the depth, nor far in the middle. */
+			/* No more is covered: nothing below the depth, and nothing far in the middle. */
 			ck_assert(outside((vec3){75, 30, -5}) > 0.5);
 			ck_assert(outside((vec3){25, 40, -14}) > 1);
 			ck_assert(outside((vec3){90, 20, -5}) > 1);
 			strbuf_addf(&first, "%s", strbuf_text(&c.moves));
 		}
-		/* However the contour is named, the moves are the same. */
+		/* The moves do not depend on how the contour is named. */
 		ck_assert_str_eq(strbuf_text(&c.moves), strbuf_text(&first));
 		case_release(&c);
 	}
@@ -140,7 +140,7 @@ START_TEST(covers)
 }
 END_TEST
 
-/* Behind it the tool stands somewhere about the ends of the contour; an absolute position closes that. */
+/* After the cycle the tool is somewhere near the ends of the contour, until an absolute position is programmed. */
 START_TEST(goes_on)
 {
 	struct gcode_case c;
@@ -154,7 +154,10 @@ START_TEST(goes_on)
 }
 END_TEST
 
-/* Backward the tool comes to the last point first, on any way from where it was; forward nothing leads there. */
+/*
+ * With a backward contour the tool comes to the last point first, on any path from its old position; with a forward one
+ * no path leads there.
+ */
 START_TEST(comes_to_the_end)
 {
 	static const char *const far = "M30\n%_N_KON_SPF\nG0 X0 Y0\nG1 X60\nY50\nM17\n";
@@ -183,7 +186,7 @@ START_TEST(comes_to_the_end)
 }
 END_TEST
 
-/* In a loop, with the contour at the end of the file: the loop is outside of it. */
+/* The cycle in a loop, and the contour at the end of the file, outside the loop. */
 START_TEST(repeats)
 {
 	struct gcode_case c;
@@ -199,7 +202,7 @@ START_TEST(repeats)
 }
 END_TEST
 
-/* The contour needs no F, and its G-codes hold in it alone. */
+/* The contour needs no F, and its G-codes are in force only in it. */
 START_TEST(modes_come_back)
 {
 	struct gcode_case c;

@@ -22,7 +22,7 @@ static const struct program programs[] = {
 	/* _VRT is how far it lifts to break chips. */
 	{"G500 F6 CYCLE83(10,0,1,-4,,,2,,,,,0,,,1.5)\n",
 	 "rapid 0 0 1 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 -0.5 0 0\nfeed 0 0 -4 0 0\nrapid 0 0 10 0 0\n"},
-	/* Of two depths the relative one holds, and 0 is none; _AMODE chooses. */
+	/* If both depths are given, the relative one counts, unless it is 0; or _AMODE decides. */
 	{"G500 F6 CYCLE81(10,1,1,-5,3)\n", "rapid 0 0 2 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 10 0 0\n"},
 	{"G500 F6 CYCLE81(10,1,1,-5,0)\n", "rapid 0 0 2 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 10 0 0\n"},
 	{"G500 F6 CYCLE82(10,1,1,-5,3,0,0,1,12)\n", "rapid 0 0 2 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 10 0 0\n"},
@@ -107,7 +107,7 @@ static const struct program programs[] = {
 	 "orient 0 -0.707106781 0.707106781\nrapid 11 20.2320508 33.5980762 -45 0\n"
 	 "tcp on length 0 zero A0 C0\nrapid 11 20.2320508 33.5980762 -45 0 tcp\n"
 	 "tcp off length 0 zero A0 C0\nrapid 1 20.2320508 33.5980762 -45 0\n"},
-	/* Positions of the machine's axes do not ask what CYCLE800() made of a frame. */
+	/* Positions of the machine's axes do not depend on what CYCLE800() did to a frame. */
 	{"G500 TRANS X100\nCYCLE800()\nSUPA G0 Z5\nTRANS Y1\nX2 Y2\n", "rapid 0 0 5 0 0\nrapid 2 3 5 0 0\n"},
 	{"G500 CYCLE800(1,\"\",0,27,0,0,0,90,0,0,0,0,0,1)\nG0 X1 Y0 Z0\n",
 	 "orient 0 0 1\nrapid 0 0 400 0 0\nrapid 0 0 400 0 0\ntcp on length 0 zero A0 C0\n"
@@ -193,7 +193,7 @@ START_TEST(frames_after_cycle800)
 }
 END_TEST
 
-/* Where it is open which edge counts, the machine's position is known and the program's is not. */
+/* If the active edge is not certain, the machine's position is known and the program's is not. */
 START_TEST(position_of_unknown_edge)
 {
 	struct gcode_case c;
@@ -207,7 +207,7 @@ START_TEST(position_of_unknown_edge)
 }
 END_TEST
 
-/* What needs the edge says which parameter decides, and what answers. */
+/* The message for a block that needs the edge names the parameter and the answer. */
 START_TEST(unknown_edge)
 {
 	static const char *const blocks[] = {"TRAORI", "CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)", "G41 G1 X5", "R1=$P_TOOL",
@@ -242,7 +242,7 @@ static const struct t_case t_cases[] = {
 	 "rapid 3 0 5 0 0\ntool 1\nrapid 3 0 101 0 0\n"},
 	{ANSWER_UNKNOWN, "G500 T1\nG0 X3\nG0X2T2M06\n", "rapid 3 0 0 0 0\ntool 2\nrapid 2 0 0 0 0\n"},
 	{ANSWER_UNKNOWN, "G500 T1\nG0 X1\n;M6\nMSG(\"M6\")\nM60\nM6.6\nM_M6=1\nT1M6=3\n%_N_L6_SPF\nM6\n", NULL},
-	/* What stands behind the end may never be run, and an M6 before it counts. */
+	/* Lines after the end may never run, and an M6 before the end counts. */
 	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nM30\nM6\n", NULL},
 	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nG0 M02\nT2 M6\n", NULL},
 	{ANSWER_UNKNOWN, "G500 T1 D1\nG0 X1\nM17\nM6\n", NULL},

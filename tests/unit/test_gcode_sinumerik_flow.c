@@ -100,7 +100,7 @@ static const struct program programs[] = {
 	 "feed 123 0 0 0 0\nfeed 133 0 0 0 0\nfeed 1133 0 0 0 0\n"},
 };
 
-/* The control's alarm would come, or what it does is not certain. */
+/* The control would raise an alarm, or its reaction is not certain. */
 static const struct refused_words bad[] = {
 	{"CALL BLOCK AA TO BB\nM30\nAA:\nBB: G500 F6 X1\n",
 	 "words behind the label that ends the part of CALL BLOCK: whether they are carried out is not certain; write the "

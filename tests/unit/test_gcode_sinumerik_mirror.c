@@ -18,7 +18,7 @@ static const struct mirrored {
 	{ANSWER_NO, "MIRROR X1 Y0", -2, 3, false},
 	{ANSWER_NO, "MIRROR X1\nMIRROR Y-1", 2, -3, false},
 	{ANSWER_NO, "MIRROR X1\nMIRROR", 2, 3, false},
-	/* As delivered, which is said where the other value would differ. */
+	/* The default of the control, with a caution where the other value would differ. */
 	{ANSWER_UNKNOWN, "MIRROR X1", -2, 3, false},
 	{ANSWER_UNKNOWN, "MIRROR X1\nMIRROR", 2, 3, false},
 	{ANSWER_UNKNOWN, "MIRROR X0", -2, 3, true},

@@ -53,7 +53,7 @@ static size_t common_length(const char *a, const char *b)
 	return length;
 }
 
-/* Any walk on the display: where the axis stands follows from it alone, and from the sum of all ways. */
+/* Random moves on the display: the axis position follows only from the display and from the sum of all moves. */
 START_TEST(walk)
 {
 	struct strbuf program = {0}, wanted = {0};
@@ -91,7 +91,10 @@ START_TEST(walk)
 }
 END_TEST
 
-/* Without an answer the shorter way, with one caution where the plain way is another one; half a turn has no shorter. */
+/*
+ * Without an answer the axis takes the shorter way, with one caution if the plain way is another one; half a turn has
+ * no shorter way.
+ */
 START_TEST(unanswered)
 {
 	static const char *const text = "C turns the shorter way here, because its wrap=\"shortest\" says so";

@@ -5,7 +5,10 @@
 #define LEAVES(column) \
 	"the code at column " column " takes the words of its block, and leaves none for this one: write two blocks"
 
-/* Of two codes that take words, or of a code and the words of another, none says which one is meant. */
+/*
+ * If two codes of a block take words, or a code stands beside words of another, it is not known which code the words
+ * belong to.
+ */
 static const struct refused_program programs[] = {
 	{"G500 G17\nTRANS X10 G110\n", 2, 11, LEAVES("1")},
 	{"G500 G17\nG111 X5 ROT Z10\n", 2, 1, LEAVES("9")},

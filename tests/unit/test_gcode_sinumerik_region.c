@@ -67,14 +67,14 @@ static const struct program programs[] = {
 	{"G500 T1 D1 M6 F6 AROT Z90\nG0 X0 Y0 Z10\nLONGHOLE(10,0,2,-5,,1,30,0,0,20,0,0)\nG0 Y5\nF1 G1 Z11\n",
 	 "tool 1\nrapid X 0..0 Y -25..50 Z 102..110\nfeed X 0..0 Y 20..50 Z 95..102\nrapid X -5..0 Y 20..50 Z 102..110\n"
 	 "feed X -5..-5 Y 20..50 Z 110..111\n"},
-	/* CYCLE800 while the place is open: then it may be open along any axis. */
+	/* CYCLE800 while the position is uncertain: the position then may differ along any axis. */
 	{"G500 T1 D1 M6 F6 G0 X0 Y0 Z10\nPOCKET2(10,0,2,-5,,20,50,60)\nCYCLE800(0,\"TC1\",0,57,0,0,0,30,0,0,0,0,0,-1)\n"
 	 "G0 X1 Y2\nX1 Y2 Z3\nX2\n",
 	 "tool 1\nrapid X -32.5..65 Y -37.5..75 Z 102..110\nfeed X 35..65 Y 45..75 Z 95..102\n"
 	 "rapid X 35..65 Y 45..75 Z 102..110\norient X 0..0 Y -0.5..-0.5 Z 0.866025..0.866025\n"
 	 "rapid X 28.7868..71.2132 Y 38.7868..81.2132 Z 88.7868..131.213\ntcp on length 100 zero A0 C0\n"
 	 "rapid X -20.2132..71.2132 Y -14.2568..81.2132 Z -42.5763..31.2132\n"},
-	/* Drilled and milled where the last cycle has left it. */
+	/* Holes and pockets where the last cycle has left the tool. */
 	{"G500 T1 D1 M6 F6 G0 X0 Y0 Z10\nPOCKET2(10,0,2,-5,,20,50,60)\nPOCKET2(10,0,2,-5,,20,50,60)\nCYCLE81(10,0,2,-9)\n",
 	 "tool 1\nrapid X -32.5..65 Y -37.5..75 Z 102..110\nfeed X 35..65 Y 45..75 Z 95..102\n"
 	 "rapid X 20..80 Y 30..90 Z 102..110\nfeed X 35..65 Y 45..75 Z 95..102\n"

@@ -106,7 +106,7 @@ static const struct program {
 	 "X0\n",
 	 "feed 11 20 0 0 0\nfeed 31 20 0 0 0\nfeed 32 23 0 0 0\nfeed 6 0 0 0 0\nfeed 0 0 0 0 0\n"},
 	{"G700 F6 G500\nG58 X1\nX1\n", "feed 50.8 0 0 0 0\n"},
-	/* Words that take back what was never given, and those without geometry. */
+	/* Words that cancel what was never active, and words without geometry. */
 	{"F6 G500 TOFFL=0 OFFN=0 TCARR=0 CUTMOD=0 TOFF[Z]=0\nSETPIECE(1) CP ORIC TCOABS DRFOF LFOF NEWCONF\nOVRRAP=50 WAITE(1) X1\n",
 	 "feed 1 0 0 0 0\n"},
 	{"G500 TRAORI(1,0,0,1)\nG1 F6 X1\nTRAFOOF\nTRAORI(1,,,1)\nX2\n",
@@ -115,7 +115,7 @@ static const struct program {
 	/* "Constant cutting rate": G97 has feeds per revolution, G971 per minute. */
 	{"G500 S60\nG97 F1 X1\nG971 F60 X2\nG972 X3\n", "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
 	/* The programmable frame as a variable: parts are chained as the forms with A are. */
-	/* What is in force is changed by its next selection; D, TRANS and SUPA may stand in between. */
+	/* A change takes effect at the next selection; D, TRANS and SUPA may stand in between. */
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=$P_UIFR[1,X,TR]+5 TRANS Y1\nD0 SUPA G0 X1\nG54 G1 X2 Y2\n$P_UIFR[1]=CTRANS(Y,7)\n"
 	 "G500 X0\nG54 Y0\n",
 	 "feed 10 0 0 0 0\nrapid 1 0 0 0 0\nfeed 17 23 0 0 0\nfeed 0 23 0 0 0\nfeed 0 8 0 0 0\n"},

@@ -146,7 +146,7 @@ static void expect_curve(const char *program, const struct control *points, int 
 	ck_assert_double_eq_tol(pieces[found - 1].y1, points[count - 1].y, ROUNDING);
 }
 
-/* A way of points that turn less than a right angle, so that no tangent turns back. */
+/* A sequence of points whose turns are less than a right angle, so that no tangent turns back. */
 static void walk(struct random *random, struct control *points, int count, bool weights)
 {
 	double angle = random_in(random, -3, 3);

@@ -44,7 +44,7 @@ START_TEST(length_changes)
 	struct gcode_case c;
 
 	tcp_case(&c);
-	/* The axes stand still: 60 mm less of tool bring the tool point 60 mm up. */
+	/* The axes do not move: a tool that is 60 mm shorter raises the tool point by 60 mm. */
 	case_expect(&c, "G43.4 H1\nG0 Z0\nG43.4 H2\nG91 Z0\nM2\n",
 		    "tcp on length 100 zero A0 C0\nrapid 0 0 0 0 0 tcp\n"
 		    "tcp on length 40 zero A0 C0\nrapid 0 0 60 0 0 tcp\n");
@@ -56,7 +56,7 @@ START_TEST(by_mcode)
 	struct gcode_case c;
 
 	tcp_case(&c);
-	/* G49 takes the length back, not the kinematics that the M-code has switched. */
+	/* G49 cancels the length, but not the kinematics that the M-code has switched. */
 	case_expect(&c, "G43 H1 G0 Z0\nM428\nX1 Z0 M428\nG49 Z0\nG43 H2\nZ0\nM429 X0\nM429 Z0\nM2\n",
 		    "rapid 0 0 100 0 0\n"
 		    "tcp on length 100 zero A0 C0\nrapid 1 0 0 0 0 tcp\n"
@@ -177,7 +177,7 @@ START_TEST(haas_g28_cancels_the_length)
 }
 END_TEST
 
-/* LinuxCNC keeps it ("G28" says nothing of it, and rs274 does). */
+/* LinuxCNC keeps the length (the manual's "G28" says nothing about it; rs274 does). */
 START_TEST(linuxcnc_g28_keeps_the_length)
 {
 	struct gcode_case c;
@@ -188,7 +188,7 @@ START_TEST(linuxcnc_g28_keeps_the_length)
 }
 END_TEST
 
-/* What goes on without Z, with machine coordinates, by zero increments or with a new G43 does not depend on it. */
+/* Blocks without Z, with machine coordinates, with zero increments or with a new G43 do not depend on the length. */
 START_TEST(fanuc_length_in_doubt_is_not_needed)
 {
 	struct gcode_case c;

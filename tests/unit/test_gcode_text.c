@@ -96,7 +96,7 @@ START_TEST(number_forms)
 }
 END_TEST
 
-/* Whatever the bytes: a blank before them, which leads past the quick way of reading, changes nothing. */
+/* For all bytes: a blank before them, which prevents the fast path of the reader, changes nothing. */
 START_TEST(quick_and_slow_numbers_agree)
 {
 	static const char bytes[] = "0123456789012345678901234567890123456789...+-  \tX";
@@ -330,7 +330,7 @@ static void run_last_line(struct gcode_case *c, int dialect, const char *line)
 	strbuf_release(&program);
 }
 
-/* Whatever the words: a comment behind them, which leads past the quick way of reading, changes nothing. */
+/* For all words: a comment after them, which prevents the fast path of the reader, changes nothing. */
 START_TEST(plain_and_general_blocks_agree)
 {
 	struct random random = random_case(3, 0);
