@@ -172,6 +172,12 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 12.0\nCYCL DEF 12.1 PGM S\nL X+1 FMAX M89\n",
 	 "p.nc:4:12: error: M89 with CYCL DEF 12 (a program after every move) is not supported; write M99 into each "
 	 "block that calls the program"},
+	{"CYCL DEF 12.0\nCYCL DEF 12.1 PGM S\nL X+1 FMAX M99 M5\n",
+	 "p.nc:4:16: error: M5 behind M99 that calls a program (CYCL DEF 12) is not supported: write it into a block of "
+	 "its own"},
+	{"CYCL DEF 12.0\nCYCL DEF 12.1 PGM S\nL X+1 FMAX M99 M129\n",
+	 "p.nc:4:16: error: M129 behind M99 that calls a program (CYCL DEF 12) is not supported: write it into a block "
+	 "of its own"},
 	{"CYCL DEF 12.0\nCYCL DEF 12.1 nowhere.h\n",
 	 "p.nc:3:15: error: CYCL DEF 12.1 needs PGM and a name"},
 	{"Q1 = SQRT -1\n",

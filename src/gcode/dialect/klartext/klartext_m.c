@@ -150,6 +150,12 @@ static bool is_end(enum m_action action)
 	return action == M_END || action == M_STAND || action == M_PLAIN;
 }
 
+/* Does the function take effect at the start of a block, or is its place of no consequence? It moves no axis. */
+static bool is_harmless(enum m_action action)
+{
+	return action == M_HARMLESS || action == M_TURN_RIGHT || action == M_TURN_LEFT || action == M_SHORTEST;
+}
+
 bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words, const char *where, bool ends)
 {
 	for (int i = 0; i < words->m_count; i++) {
@@ -157,8 +163,7 @@ bool klartext_m_check_harmless(struct interp *interp, const struct klartext_word
 
 		if (!find_action(interp, &words->m[i], &action))
 			return false;
-		if (action != M_HARMLESS && action != M_TURN_RIGHT && action != M_TURN_LEFT && action != M_SHORTEST &&
-		    !(ends && is_end(action)))
+		if (!is_harmless(action) && !(ends && is_end(action)))
 			return fault(&interp->at, words->m[i].column,
 				     "M%d %s is not supported: write it into a block of its own", words->m[i].number,
 				     where);
@@ -361,10 +366,34 @@ static bool end(struct interp *interp, const struct klartext_m *m)
 	}
 }
 
+/*
+ * A program that M99 calls (CYCL DEF 12) runs from the next line on. The effect of an M-function behind M99 would come
+ * before the program, and not after it.
+ */
+static bool check_behind_call(struct interp *interp, const struct klartext_words *words, int call)
+{
+	enum m_action action;
+
+	if (words->m[call].number != 99 || klartext_of(interp)->cycles.active.number != 12)
+		return true;
+	for (int i = call + 1; i < words->m_count; i++) {
+		const struct klartext_m *m = &words->m[i];
+
+		if (!find_action(interp, m, &action))
+			return false;
+		if (!is_harmless(action))
+			return fault(&interp->at, m->column,
+				     "M%d behind M99 that calls a program (CYCL DEF 12) is not supported: write it "
+				     "into a block of its own",
+				     m->number);
+	}
+	return true;
+}
+
 bool klartext_m_end(struct interp *interp, const struct klartext_words *words)
 {
 	for (int i = 0; i < words->m_count; i++) {
-		if (!end(interp, &words->m[i]))
+		if (!check_behind_call(interp, words, i) || !end(interp, &words->m[i]))
 			return false;
 	}
 	return true;
