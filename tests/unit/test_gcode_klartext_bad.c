@@ -26,7 +26,7 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 FMAX LA5\n",
 	 "p.nc:2:12: error: LA belongs to M120"},
 	{"L X+1 R+ F100\n",
-	 "p.nc:2:7: error: R+: the radius compensation of a single axis is not supported yet"},
+	 "p.nc:2:7: error: R+: the radius compensation of a single axis is not supported"},
 	{"L X+1 FMAX F100\n",
 	 "p.nc:2:12: error: F stands twice in the block"},
 	{"L X+1 R0 R0 FMAX\n",
@@ -56,7 +56,7 @@ static const struct klartext_fault faults[] = {
 	{"CC X+1 Y+1\nC X+1 Y+1 DR+ F100 M92\n",
 	 "p.nc:3:20: error: M92 belongs to straight lines (L)"},
 	{"L X+1 FMAX M101\n",
-	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet; if it may be left "
+	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported; if it may be left "
 	 "out, set <mcode number=\"101\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"L X+1 FU0.1\n",
 	 "p.nc:2:7: error: a feed per revolution (FU, M136) without a spindle speed (S)"},
@@ -80,7 +80,7 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:12: error: M118: handwheel moves during the program are not supported; if they may be left out, "
 	 "set <mcode number=\"118\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"M124 T0.01\n",
-	 "p.nc:2:1: error: M124: contour filter is not supported yet; if it may be left out, set <mcode "
+	 "p.nc:2:1: error: M124: contour filter is not supported; if it may be left out, set <mcode "
 	 "number=\"124\" action=\"ignore\"/> in the machine file's <controller>"},
 	{"L X+1 F AUTO\n",
 	 "p.nc:2:7: error: F AUTO, but TOOL CALL has given no F"},
@@ -195,16 +195,16 @@ static const struct klartext_fault faults[] = {
 	{"Q110 = 5\n",
 	 "p.nc:2:1: error: Q110 belongs to the control: a program cannot assign it"},
 	{"QS1 = \"A\"\nQ1 = QS1 + 1\n",
-	 "p.nc:3:6: error: a string (QS) in a formula is not supported yet"},
+	 "p.nc:3:6: error: a string (QS) in a formula is not supported"},
 	{"QS1 = QS2\n",
 	 "p.nc:2:7: error: QS2 has no value that is known here; if the control holds one from before, set "
 	 "<variable name=\"QS2\" value=\"\"/> in the machine file's <controller>"},
 	{"QS1 = SUBSTR ( SRC_QS2 BEG0 LEN4 )\n",
 	 "p.nc:2:7: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings are "
-	 "not supported yet"},
+	 "not supported"},
 	{"QS1 = \"A\" || \n",
 	 "p.nc:2:14: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings "
-	 "are not supported yet"},
+	 "are not supported"},
 	{"QS1 \"A\"\n",
 	 "p.nc:2:5: error: '=' is needed here"},
 	{"QS1 = \"A\" + 5\n",
@@ -303,7 +303,7 @@ static const struct klartext_fault faults[] = {
 	{"L M3\nL M5\nL X+Q110 FMAX\n",
 	 "p.nc:4:5: error: Q110 is a value of the control that is not known here: write the value in its place"},
 	{"FN 99: Q1 = 1\n",
-	 "p.nc:2:4: error: FN 99 is not supported yet"},
+	 "p.nc:2:4: error: FN 99 is not supported"},
 	{"TOOL CALL 9 Z\n",
 	 "p.nc:2:11: error: the setup defines no tool T9: add <tool number=\"9\" length=\"\"/> with "
 	 "what it is made of"},
@@ -314,7 +314,7 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:11: error: the setup has two tools named \"TWIN\", T3 and T4, and the control decides which it loads: "
 	 "keep the one in the spindle, or give the other one another name"},
 	{"TOOL CALL 1 Y\n",
-	 "p.nc:2:13: error: another tool axis than Z is not supported yet"},
+	 "p.nc:2:13: error: another tool axis than Z is not supported"},
 	{"TOOL CALL 1.25 Z\n",
 	 "p.nc:2:11: error: a tool's number is a whole number from 0 to 32767"},
 	{"TOOL CALL 1 Z FU0.2\n",

@@ -145,7 +145,7 @@ static const struct klartext_fault faults[] = {
 	{"L X+5 F100\nCC X+0 Y+0\nCP IPA+0 DR+\n",
 	 "p.nc:4:4: error: a circle of 0 degrees"},
 	{"L X+5 F100\nCC X+0 Y+0\nC X+0 Y+5 C+5 DR+\n",
-	 "p.nc:4:11: error: C in a circle or in polar coordinates is not supported yet"},
+	 "p.nc:4:11: error: C in a circle or in polar coordinates is not supported"},
 	{"L X+5 F100\nCC X+0 Y+0\nC X+0 Y+5 DR+ M91\n",
 	 "p.nc:4:15: error: M91 belongs to straight lines (L)"},
 	{"RND R5\n",
@@ -192,20 +192,20 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:4:5: error: RND and CHF need a line or a circle in the plane behind them"},
 	{"F100\nFL X+10\n",
 	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is "
-	 "not supported yet; write the end of the element"},
+	 "not supported; write the end of the element"},
 	{"F100\nFL LEN10 X+5\n",
 	 "p.nc:3:10: error: FK: the block does not say where its line ends, or leaves several solutions: that is "
-	 "not supported yet; write the end of the element"},
+	 "not supported; write the end of the element"},
 	{"F100\nFL AN+0 X-5\n",
 	 "p.nc:3:9: error: FK: the data of this element contradict each other"},
 	{"F100\nFL AN+0 LEN5 X+6\n",
 	 "p.nc:3:14: error: FK: the data of this element contradict each other"},
 	{"F100\nFL RX 10 Y+5\n",
-	 "p.nc:3:4: error: RX: points and relations of FK are not supported yet"},
+	 "p.nc:3:4: error: RX: points and relations of FK are not supported"},
 	{"F100\nFL PR+5 PA+0\n",
 	 "p.nc:3:13: error: polar coordinates of FK need FPOL before them"},
 	{"F100\nFL IX+5 Y+1\n",
-	 "p.nc:3:4: error: FK reads absolute coordinates of X and Y; increments and Z are not supported yet"},
+	 "p.nc:3:4: error: FK reads absolute coordinates of X and Y; increments and Z are not supported"},
 	/* The direction in which a tangential element continues after a change of coordinates is not known. */
 	{"L X+5 F100\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFLT LEN5\n",
 	 "p.nc:5:9: error: a tangential element needs a path block before it that moves in the plane"},
@@ -215,27 +215,27 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:9: error: a tangential element needs a path block before it that moves in the plane"},
 	{"F100\nFC R+5 DR+ X+10 Y+0\n",
 	 "p.nc:3:4: error: FK: the block does not say where the centre of its circle is, or leaves several "
-	 "solutions: that is not supported yet; write the end of the element"},
+	 "solutions: that is not supported; write the end of the element"},
 	{"F100\nFC CCX+5 CCY+0 DR+\n",
 	 "p.nc:3:16: error: FK: the block does not say where its circle ends, or leaves several solutions: that is "
-	 "not supported yet; write the end of the element"},
+	 "not supported; write the end of the element"},
 	/* The circle of the next block does not determine the end: it lies inside, is skipped, or has no centre. */
 	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFLT\nFCT DR- R5 CCX+5 CCY+0 CCA90\n",
 	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
-	 "supported yet; write the end of the element"},
+	 "supported; write the end of the element"},
 	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\n/FLT\nFCT DR- R5 CCX+50 CCY+0 CCA90\n",
 	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
-	 "supported yet; write the end of the element"},
+	 "supported; write the end of the element"},
 	{"L Y+20 F100\nFC DR- R20 CCX+0 CCY+0\nFLT\nFCT DR- R5 X+50\n",
 	 "p.nc:3:4: error: FK: the block does not say where its circle ends, or leaves several solutions: that is not "
-	 "supported yet; write the end of the element"},
+	 "supported; write the end of the element"},
 	/* The line misses the circle by 1 mm. */
 	{"L X+5 F100\nFLT\nFCT DR+ R5 CCX+20 CCY+6 CCA90\n",
 	 "p.nc:3:4: error: FK: the block does not say where its line ends, or leaves several solutions: that is not "
-	 "supported yet; write the end of the element"},
+	 "supported; write the end of the element"},
 	{"L X+5 F100\nFLT IAN+5 LEN5\n",
 	 "p.nc:3:15: error: FK: an angle that counts from the element before (IAN) is not read, or leaves several solutions: "
-	 "that is not supported yet; write the end of the element"},
+	 "that is not supported; write the end of the element"},
 	/* CLSD-, but the contour is open. */
 	{"L X+10 F100\nFCT DR+ R5 CCA90 CLSD+\nFLT Y+20 CLSD-\n",
 	 "p.nc:4:5: error: FK: the data of this element contradict each other"},

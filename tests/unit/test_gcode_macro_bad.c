@@ -331,7 +331,7 @@ static const struct {
 	 "p.nc:1:1: error: M97 is not known; if it moves no axis, set <mcode number=\"97\" action=\"ignore\"/> in the "
 	 "machine file's <controller>\n    M97 P1\n    ^\n"},
 	{H, "M97 P5\n", "p.nc:1:5: error: the program has no block N5\n    M97 P5\n        ^\n"},
-	{BOTH, "M99 L2\n", "p.nc:1:5: error: M99 with L is not supported yet\n    M99 L2\n        ^\n"},
+	{BOTH, "M99 L2\n", "p.nc:1:5: error: M99 with L is not supported\n    M99 L2\n        ^\n"},
 	{BOTH, "M99 P5\n", "p.nc:1:5: error: the program has no block N5\n    M99 P5\n        ^\n"},
 	{BOTH, "G0 X1.\nO2\nM30\n",
 	 "p.nc:2:1: error: another program begins here before M2, M30 or M99\n    O2\n    ^\n"},

@@ -61,7 +61,7 @@ static const struct refused_program programs[] = {
 	{"G500 F6 P2 CYCLE81(10,0,2,-5)\n", 1, 9,
 	 "P belongs to the call of a subprogram"},
 	{"ISOCALL \"X\"\n", 1, 1,
-	 "ISOCALL: call of a program in ISO mode is not supported yet"},
+	 "ISOCALL: call of a program in ISO mode is not supported"},
 };
 
 START_TEST(refused)

@@ -131,7 +131,7 @@ static const struct refused_words bad[] = {
 	 "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool away from the contour by "
 	 "OFFN alone is not known; write D1, or OFFN=0"},
 	{TOOL "SCALE X2 Y2 Z2\nG41 G1 X10\n",
-	 "tool radius compensation while SCALE is in force is not supported yet"},
+	 "tool radius compensation while SCALE is in force is not supported"},
 	{TOOL "ROT X30\nG41 G1 X10\n",
 	 "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of the "
 	 "machine's axes; CUT2DF corrects in the tilted one"},

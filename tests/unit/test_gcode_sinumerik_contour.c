@@ -273,9 +273,9 @@ static const struct refused_program refused[] = {
 	{"G500 F6 T1 D1 M6\nSCALE X2 Y2 Z2\nPOCKET4(50,0,2,-10,20,30,30,5,0,0,300,100,0,11,1)\n", 3, 1,
 	 "POCKET4 while SCALE is in force is not supported"},
 	{"G500 F6 T1 D1 M6\nSCALE Y2\nG1 G41 X0 Y0\n", 3, 4,
-	 "tool radius compensation while SCALE is in force is not supported yet"},
+	 "tool radius compensation while SCALE is in force is not supported"},
 	{"MCALL CYCLE72(\"A:B\",50,0,1,-5)\n", 1, 7,
-	 "CYCLE72: milling of a contour is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "CYCLE72: milling of a contour is not supported; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
 };
 

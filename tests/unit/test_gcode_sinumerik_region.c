@@ -117,7 +117,7 @@ static const struct refused_program bad[] = {
 	{"T1 D1 M6 G500 F6 G41 X10 Y10\nPOCKET2(10,0,2,-5,,20,50,60)\n", 2, 1,
 	 "POCKET2 while tool radius compensation is on; G40 first"},
 	{"CYCLE76(50,0,1,,10,60,40)\n", 1, 1,
-	 "CYCLE76: milling round a spigot, from how far outside is not published, is not supported yet; lines and circles (G1, G2, G3) can say "
+	 "CYCLE76: milling round a spigot, from how far outside is not published, is not supported; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
 	{"T1 D1 M6 G500 F6 G0 X0 Y0 Z10\nPOCKET2(10,0,2,-5,,20,50,60)\nG91 X5\n", 3, 5,
 	 "an increment from where a milling cycle has left the tool: where it stands over its region is not "

@@ -182,20 +182,20 @@ static const struct refused_words bad[] = {
 	 "ANG= belongs to a straight line (G0, G1) in the program's coordinates"},
 	{"G500 G0 X1 Y1\nSUPA X2 ANG=90\n",
 	 "ANG= belongs to a straight line (G0, G1) in the program's coordinates"},
-	{"DL=1\n", "DL: sum offset of the tool is not supported yet, only DL=0"},
-	{"FZ=0.1\n", "FZ: feed per tooth (F can say it) is not supported yet"},
+	{"DL=1\n", "DL: sum offset of the tool is not supported, only DL=0"},
+	{"FZ=0.1\n", "FZ: feed per tooth (F can say it) is not supported"},
 	{"G[8]=101\n", "the number of a G-code in its group must be a whole number from 1 to 100, not 101"},
-	{"G[10]=1\n", "G[10]=1 is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only the usual codes"},
+	{"G[10]=1\n", "G[10]=1 is not supported: of the groups 1, 6, 7, 8, 13 and 14 only the usual codes"},
 	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25[1,1] is known to the control alone; if it stays the same "
 	 "while the program runs, set <variable name=\"$TC_DP25[1,1]\" value=\"\"/> in the machine file's "
 	 "<controller>"},
 	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
 	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
 	{"$P_UIFR[1]=CTRANS(X,1):CROT(X,0,Z,10)\n",
-	 "$P_UIFR that turns or scales is not supported yet, only its shift; ROT and SCALE behind the work offset can say it"},
+	 "$P_UIFR that turns or scales is not supported, only its shift; ROT and SCALE behind the work offset can say it"},
 	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},
 	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
-	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported yet, only RNDM=0"},
+	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported, only RNDM=0"},
 	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nX1\n",
 	 "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
@@ -209,9 +209,9 @@ static const struct refused_words bad[] = {
 	{"T1 M6 D1 G54\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n$P_UIFR[1,X,TR]=5\nG54\nG0 X0\n",
 	 "another work offset was selected while CYCLE800 has swivelled, and whether the plane goes with it is not certain: "
 	 "write CYCLE800 behind it"},
-	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},
+	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported, only with TR"},
 	{"$P_UIFR[1]=CMIRROR(X)\n",
-	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},
+	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported"},
 	{"$TC_DP3[1,1]=5\n", "$TC_DP3[1,1]=5, but the setup has 100, and the setup counts: give edge D1 of tool T1 the "
 			      "length there that the program writes"},
 	{"$TC_DP12[1,1]=0.1\n", "$TC_DP12=0.1 adds to the size of the tool, which the setup has as a whole: 0 is supported "
@@ -220,7 +220,7 @@ static const struct refused_words bad[] = {
 	{"$SC_FRAME_OFFSET_INCR_PROG=1\n", "$SC_FRAME_OFFSET_INCR_PROG=1: what increments do has one answer for "
 					   "the whole program; set increments_after_shift=\"traverse\" in the "
 					   "machine file's <controller>, which has the same meaning"},
-	{"$P_PFRAME[X,RT]=5\n", "$P_PFRAME with RT is not supported yet, only with TR; ROT, SCALE and MIRROR can say it"},
+	{"$P_PFRAME[X,RT]=5\n", "$P_PFRAME with RT is not supported, only with TR; ROT, SCALE and MIRROR can say it"},
 	{"$P_IFRAME=$P_UIFR[2]\n", "$P_IFRAME is given the work offset that is in force here, $P_UIFR[1] of G54; others are "
 				   "selected by G54 and the like"},
 	{"SETMS(3) S1=5\n",
@@ -234,7 +234,7 @@ static const struct refused_words bad[] = {
 	 "$P_UBFR: of base frames only the shift of none, CTRANS(), is supported; a work offset can say it"},
 	{"$P_UBFR=CTRANS(X,0\n", "',' or ')' is needed here"},
 	{"$P_UBFR=CTRANS(\n", "an axis of the machine is needed here"},
-	{"CUTCONON\n", "CUTCONON: suspended cutter compensation is not supported yet"},
+	{"CUTCONON\n", "CUTCONON: suspended cutter compensation is not supported"},
 	{"F6 G500\nAP=30\n", "AP= without any RP= before"},
 	{"F6 G500\nRP=30\n", "RP= without any AP= before"},
 	{"F6 G500\nRP=-3 AP=0\n", "RP= is an absolute radius that is not negative"},
@@ -254,8 +254,7 @@ static const struct refused_words bad[] = {
 	 "G33 beside SUPA, TRAORI, a chamfer or tool radius compensation is not supported"},
 	{"F6 G500\nG63\n", "G63 needs the axis that it moves"},
 	{"F6 G500 G0 Z10\nCYCLE802(211111111,111111111,1,2)\n",
-	 "CYCLE802 with positions that are not all absolute (its first two arguments must be 111111111) is not supported "
-	 "yet"},
+	 "CYCLE802 with positions that are not all absolute (its first two arguments must be 111111111) is not supported"},
 	{"F6 G500 G0 Z10\nCYCLE802(111111111,111111111,1)\nCYCLE802(111111111,111111111,1,)\n",
 	 "a position of CYCLE802 has one coordinate only"},
 	{"F6 G500 G0 Z10\nCYCLE83(10,0,1,-20,,-5,,1,0,0,1,0,1)\n",

@@ -313,7 +313,7 @@ static bool do_m99(struct interp *interp, int column)
 	struct position target;
 
 	if (block_has(block, 'L'))
-		return fault(&interp->at, block_column(block, 'L'), "M99 with L is not supported yet");
+		return fault(&interp->at, block_column(block, 'L'), "M99 with L is not supported");
 	if (macro_b_of(interp)->level == 0 && !p)
 		return start_anew(interp);
 	if (!p)

@@ -78,7 +78,7 @@ bool klartext_circle_pole(struct lexer *lexer)
 	if (!klartext_words_read(lexer, &words))
 		return false;
 	if (words.has_radius || words.has_angle)
-		return fault(lexer->at, words.first_column, "CC in polar coordinates is not supported yet");
+		return fault(lexer->at, words.first_column, "CC in polar coordinates is not supported");
 	if (words.axes & ~plane || words.m_count || words.feed || words.has_size || words.direction || words.comp)
 		return fault(lexer->at, words.first_column, "CC has coordinates of X, Y and Z alone");
 	if (!words.axes) {

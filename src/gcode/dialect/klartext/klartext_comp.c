@@ -95,7 +95,7 @@ static bool check_start(struct interp *interp, int column)
 			     "radius compensation before the rotary axes stand where PLANE ... STAY needs them");
 	if (fabs(frame->scale.x - 1) + fabs(frame->scale.y - 1) > 0)
 		return fault(&interp->at, column,
-			     "radius compensation while a scaling is in force is not supported yet");
+			     "radius compensation while a scaling is in force is not supported");
 	return true;
 }
 

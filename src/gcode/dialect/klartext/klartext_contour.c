@@ -224,7 +224,7 @@ static bool take_block(void *context, struct lexer *lexer)
 		return true;
 	if (strcmp(word, "L") != 0 && strcmp(word, "C") != 0 && strcmp(word, "CC") != 0 && strcmp(word, "CR") != 0 &&
 	    strcmp(word, "LP") != 0 && strcmp(word, "CP") != 0)
-		return fault(lexer->at, column, "%s in a contour of CYCL DEF 14 is not supported yet", word);
+		return fault(lexer->at, column, "%s in a contour of CYCL DEF 14 is not supported", word);
 	if (!klartext_words_read(lexer, &words))
 		return false;
 	if (!strcmp(word, "CC"))

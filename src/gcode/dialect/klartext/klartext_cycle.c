@@ -223,7 +223,7 @@ static bool by_q(const struct klartext_call_of *call)
 		if (cycles[i].number == call->cycle->number)
 			return cycles[i].find(call, &hole) && klartext_hole_make(call->interp, &hole, call->column);
 	}
-	return fault(&call->interp->at, call->column, "CYCL DEF %d is not supported yet", call->cycle->number);
+	return fault(&call->interp->at, call->column, "CYCL DEF %d is not supported", call->cycle->number);
 }
 
 /*
@@ -345,7 +345,7 @@ bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift
 	if (!defined.by_q || !klartext_parameter_find(&call, 203, &surface))
 		return fault(&interp->at, column,
 			     "a Z other than 0 in CYCL CALL POS shifts the cycle: of a cycle without Q203 that is "
-			     "not supported yet");
+			     "not supported");
 	klartext_cycle_set(&cycles->active, "Q203", surface + shift / interp->state.scale);
 	good = klartext_cycle_carry_out(interp, column);
 	cycles->active = defined;

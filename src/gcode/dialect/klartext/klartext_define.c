@@ -216,7 +216,7 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO"))
 		word->value = klartext_of(interp)->tool.feed_bare;
 	else
-		return fault(lexer->at, column, "Q%d=%s is not supported yet: give a number", number, text);
+		return fault(lexer->at, column, "Q%d=%s is not supported: give a number", number, text);
 	word->given = true;
 	klartext_q_set(klartext_of(interp), number, word->value);
 	return true;

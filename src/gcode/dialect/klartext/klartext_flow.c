@@ -349,7 +349,7 @@ bool klartext_flow_select(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 
 	if (!klartext_take(lexer, "PGM"))
-		return fault(lexer->at, 1, "SEL other than SEL PGM, SEL TABLE and SEL PATTERN is not supported yet");
+		return fault(lexer->at, 1, "SEL other than SEL PGM, SEL TABLE and SEL PATTERN is not supported");
 	return klartext_string_name(lexer, "a program's name", klartext_of(interp)->calls.selected) &&
 	       klartext_expect_end(lexer);
 }

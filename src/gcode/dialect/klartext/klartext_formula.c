@@ -164,7 +164,7 @@ static bool variable(struct expr *expr, struct expr_operand *value)
 {
 	if (!klartext_value_follows(expr->lexer))
 		return fault(expr->lexer->at, klartext_column(expr->lexer),
-			     "a string (QS) in a formula is not supported yet");
+			     "a string (QS) in a formula is not supported");
 	return klartext_q_read(expr->lexer, &value->number);
 }
 

@@ -153,7 +153,7 @@ static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 			return word_fault(interp, word, "the machine has no %c axis", AXIS_LETTERS[slot]);
 		if (slot_is_rotary(slot) && frame->tilted && !same_double(word->value, 0))
 			return word_fault(interp, word,
-					  "a shift of a rotary axis in a tilted plane is not supported yet");
+					  "a shift of a rotary axis in a tilted plane is not supported");
 		if (slot <= SLOT_Z)
 			note_order(klartext_of(interp), slot, increment);
 		if (slot_is_rotary(slot) || slot > SLOT_Z)
@@ -231,7 +231,7 @@ bool klartext_frame_cycle_mirror(struct interp *interp, const struct klartext_cy
 		if (slot < 0 || word->given || increment)
 			return word_fault(interp, word, "MIRROR IMAGE needs axes without values here");
 		if (slot > SLOT_Z)
-			return word_fault(interp, word, "a mirror image of %c is not supported yet",
+			return word_fault(interp, word, "a mirror image of %c is not supported",
 					  AXIS_LETTERS[slot]);
 		frame.mirror[slot] = true;
 	}

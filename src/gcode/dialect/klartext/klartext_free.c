@@ -51,7 +51,7 @@ struct element {
 static bool open(const struct element *element, const char *what)
 {
 	return fault(&element->interp->at, element->words->first_column,
-		     "FK: %s, or leaves several solutions: that is not supported yet; write the end of the element",
+		     "FK: %s, or leaves several solutions: that is not supported; write the end of the element",
 		     what);
 }
 
@@ -128,7 +128,7 @@ static bool begin(struct interp *interp, const struct klartext_words *words, con
 	}
 	if (words->increments || words->has_radius || words->has_angle || klartext_words_has(words, SLOT_Z))
 		return fault(&interp->at, words->first_column,
-			     "FK reads absolute coordinates of X and Y; increments and Z are not supported yet");
+			     "FK reads absolute coordinates of X and Y; increments and Z are not supported");
 	if (free->has[KLARTEXT_FREE_PR] != free->has[KLARTEXT_FREE_PA] ||
 	    free->has[KLARTEXT_FREE_CCPR] != free->has[KLARTEXT_FREE_CCPA])
 		return open(element, "one polar coordinate alone does not determine the element");

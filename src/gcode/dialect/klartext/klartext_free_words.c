@@ -69,7 +69,7 @@ bool klartext_free_words_split(struct lexer *lexer, struct klartext_free *free, 
 		start = ahead.position;
 		relation = klartext_free_words_relation(&ahead);
 		if (relation)
-			return fault(lexer->at, column, "%s: points and relations of FK are not supported yet",
+			return fault(lexer->at, column, "%s: points and relations of FK are not supported",
 				     relation);
 		if (!klartext_free_words_take(&ahead, free, &taken))
 			return false;

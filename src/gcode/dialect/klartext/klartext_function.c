@@ -50,7 +50,7 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	case 28:
 		return klartext_system_read_table(lexer);
 	default:
-		return fault(lexer->at, column, "FN %d is not supported yet", number);
+		return fault(lexer->at, column, "FN %d is not supported", number);
 	}
 }
 
@@ -128,7 +128,7 @@ static bool read_tcpm(struct lexer *lexer)
 				return fault(lexer->at, word, "PATHCTRL of TCPM is AXIS or VECTOR");
 		} else if (klartext_take(lexer, "REFPNT")) {
 			if (!klartext_take(lexer, "TIP-TIP"))
-				return fault(lexer->at, word, "REFPNT other than TIP-TIP is not supported yet");
+				return fault(lexer->at, word, "REFPNT other than TIP-TIP is not supported");
 		} else {
 			return fault(lexer->at, word, "this is no word of FUNCTION TCPM");
 		}
@@ -219,5 +219,5 @@ bool klartext_function_mode(struct lexer *lexer)
 			     "FUNCTION MODE MILL with another kinematics is not supported: leave its "
 			     "name out, and check the program with the machine file of these "
 			     "kinematics");
-	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");
+	return fault(lexer->at, column, "this FUNCTION is not supported; TCPM, RESET TCPM and MODE MILL are");
 }

@@ -61,12 +61,12 @@ static bool begin(struct lexer *lexer)
 	if (length == 2 && !strncmp(unit, "MM", 2)) {
 		if (klartext->calls.programs && klartext->inch)
 			return fault(lexer->at, column,
-				     "a program in mm that one in inches calls is not supported yet");
+				     "a program in mm that one in inches calls is not supported");
 		klartext->inch = false;
 	} else if ((length == 4 && !strncmp(unit, "INCH", 4)) || (length == 2 && !strncmp(unit, "IN", 2))) {
 		if (klartext->calls.programs && !klartext->inch)
 			return fault(lexer->at, column,
-				     "a program in inches that one in mm calls is not supported yet");
+				     "a program in inches that one in mm calls is not supported");
 		klartext->inch = true;
 	} else {
 		return fault(lexer->at, (int)(unit - text) + 1,

@@ -103,7 +103,7 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			     instead_of(m->number));
 	if (found->state == CODE_REFUSED)
 		return fault(&interp->at, m->column,
-			     "M%d: %s is not supported yet; if it may be left out, set <mcode number=\"%d\" "
+			     "M%d: %s is not supported; if it may be left out, set <mcode number=\"%d\" "
 			     "action=\"ignore\"/> in the machine file's <controller>",
 			     m->number, found->what, m->number);
 	/* "M118" without limits ends an M118 with limits. */
@@ -206,7 +206,7 @@ static bool reduce(struct interp *interp, const struct klartext_m *m)
 			continue;
 		if (fabs(interp->state.position.v[slot] - interp->state.offset.v[slot]) >= 360)
 			return fault(&interp->at, m->column,
-				     "M94 where %c stands a turn or more away from 0 is not supported yet",
+				     "M94 where %c stands a turn or more away from 0 is not supported",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -219,7 +219,7 @@ static bool select_axes(struct interp *interp, const struct klartext_m *m)
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot] && named && !(named & 1U << slot))
-			return fault(&interp->at, m->column, "M138 that leaves %c out is not supported yet",
+			return fault(&interp->at, m->column, "M138 that leaves %c out is not supported",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;

@@ -68,11 +68,11 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (klartext_words_has(words, slot))
 			return fault(&interp->at, words->column[slot],
-				     "%c in a circle or in polar coordinates is not supported yet", AXIS_LETTERS[slot]);
+				     "%c in a circle or in polar coordinates is not supported", AXIS_LETTERS[slot]);
 	}
 	if (words->has_spatial)
 		return fault(&interp->at, words->first_column,
-			     "a spatial angle (AXIS SPAT) in a circle or in polar coordinates is not supported yet");
+			     "a spatial angle (AXIS SPAT) in a circle or in polar coordinates is not supported");
 	if (words->has_length || words->has_centre_angle)
 		return fault(&interp->at, words->first_column, "LEN and CCA belong to APPR and DEP");
 	if (klartext_m_machine(words))

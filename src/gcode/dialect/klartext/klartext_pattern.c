@@ -213,7 +213,7 @@ bool klartext_pattern_circle(struct interp *interp, const struct klartext_cycle 
 	if (same_double(klartext_parameter_or(&call, 365, 0), 1))
 		return fault(&interp->at, cycle->column,
 			     "CYCL DEF 220 with Q365=1, on circles from point to point, is not "
-			     "supported yet");
+			     "supported");
 	/* A step of 0 spreads the points over the angle; on a whole circle the last point is not the first one. */
 	if (same_double(step, 0))
 		step = (end - start) / (same_double(fabs(end - start), 360) ? count : fmax(1, count - 1));

@@ -72,7 +72,7 @@ static bool circular_slot(const struct klartext_call_of *call, struct klartext_r
 		return false;
 	if (!same_double(klartext_parameter_or(call, 367, 0), 0))
 		return fault(&call->interp->at, call->column,
-			     "CYCL DEF 254 with Q367 other than 0 is not supported yet");
+			     "CYCL DEF 254 with Q367 other than 0 is not supported");
 	klartext_shape_disc(region, diameter + width, klartext_shape_tool_radius(call));
 	return true;
 }

@@ -144,7 +144,7 @@ static bool read_row(struct table *table)
 			return false;
 		if (table->kind[i] == COLUMN_CLEARANCE)
 			return fault(&table->at, (int)at + 1,
-				     "a clearance height of a single point (CLEARANCE) is not supported yet: take it "
+				     "a clearance height of a single point (CLEARANCE) is not supported: take it "
 				     "out, and the cycle's Q204 counts");
 		if (table->kind[i] == COLUMN_FADE && length == 1 && (text[at] == 'Y' || text[at] == 'N'))
 			hidden = text[at] == 'Y';

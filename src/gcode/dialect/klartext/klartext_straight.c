@@ -220,7 +220,7 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 		return fault(
 		    lexer->at, words.first_column,
 		    "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "
-		    "supported yet");
+		    "supported");
 	return run(lexer, &words);
 }
 

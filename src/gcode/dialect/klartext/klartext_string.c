@@ -76,7 +76,7 @@ static bool read_term(struct lexer *lexer, char text[KLARTEXT_NAME])
 		   ? read_value(lexer, text)
 		   : fault(lexer->at, column,
 			   "a string is a text in quotation marks, QS, or several of them joined by ||; functions of "
-			   "strings are not supported yet");
+			   "strings are not supported");
 }
 
 bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text)

@@ -149,7 +149,7 @@ static bool read_word(struct lexer *lexer, struct request *request)
 		return true;
 	if (klartext_take(lexer, "X") || klartext_take(lexer, "Y") || klartext_take(lexer, "U") ||
 	    klartext_take(lexer, "V") || klartext_take(lexer, "W"))
-		return fault(lexer->at, column, "another tool axis than Z is not supported yet");
+		return fault(lexer->at, column, "another tool axis than Z is not supported");
 	if (klartext_take(lexer, "S"))
 		return request->has_speed = true, klartext_value(lexer, &request->speed);
 	if (klartext_take(lexer, "FZ")) {

@@ -48,7 +48,7 @@ static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int 
 	struct klartext_tcpm *tcpm = &klartext_of(lexer->context)->tcpm;
 
 	if (increment)
-		return fault(lexer->at, column, "an increment of a spatial angle (AXIS SPAT) is not supported yet");
+		return fault(lexer->at, column, "an increment of a spatial angle (AXIS SPAT) is not supported");
 	lexer_take(lexer);
 	words->has_spatial = tcpm->given[slot - SLOT_A] = true;
 	return klartext_value(lexer, &tcpm->angle[slot - SLOT_A]);
@@ -206,7 +206,7 @@ static bool read_r(struct lexer *lexer, struct klartext_words *words, int column
 	if (byte == ' ' || byte == '\t' || byte == '\0' || byte == ';')
 		return true;
 	if ((byte == '+' || byte == '-') && (behind == ' ' || behind == '\0'))
-		return fault(lexer->at, column, "R%c: the radius compensation of a single axis is not supported yet",
+		return fault(lexer->at, column, "R%c: the radius compensation of a single axis is not supported",
 			     byte);
 	if (words->has_size)
 		return refuse_twice(lexer, column, "R");

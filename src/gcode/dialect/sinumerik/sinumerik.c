@@ -128,7 +128,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 		return call_by_path(interp, lexer);
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
-			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
+			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported");
 		if (!sinumerik_call_check_end(interp, column))
 			return false;
 		/* A subprogram that was started as the main program ends the program here. */

@@ -103,7 +103,7 @@ static bool read_g(struct reading *r, double value, int column)
 	if (!code)
 		return fault(r->lexer->at, column, "G%g is not known", value);
 	if (code->state == CODE_REFUSED)
-		return fault(r->lexer->at, column, "G%g: %s is not supported yet", value, code->what);
+		return fault(r->lexer->at, column, "G%g: %s is not supported", value, code->what);
 	return code->group == GROUP_NONE || set_code(r, code->group, code->number, column);
 }
 
@@ -305,7 +305,7 @@ static bool read_zero(struct reading *r, const char *name, const struct sinumeri
 
 	if (!step_over_value(r, name, &value))
 		return false;
-	return !(fabs(value) > 0) || fault(r->lexer->at, column, "%s: %s is not supported yet, only %s=0", name,
+	return !(fabs(value) > 0) || fault(r->lexer->at, column, "%s: %s is not supported, only %s=0", name,
 					   word->what, name);
 }
 
@@ -363,7 +363,7 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_STATEMENT:
 		return fault(r->lexer->at, column, "%s stands at the start of its block", name);
 	default:
-		return fault(r->lexer->at, column, "%s: %s is not supported yet", name, word->what);
+		return fault(r->lexer->at, column, "%s: %s is not supported", name, word->what);
 	}
 }
 
@@ -388,7 +388,7 @@ static bool read_group(struct reading *r, int column)
 		if (rows[i].group == group && number >= rows[i].first && number < rows[i].first + rows[i].count)
 			return read_g(r, rows[i].code + number - rows[i].first, column);
 	}
-	return fault(r->lexer->at, column, "G[%d]=%d is not supported yet: of the groups 1, 6, 7, 8, 13 and 14 only "
+	return fault(r->lexer->at, column, "G[%d]=%d is not supported: of the groups 1, 6, 7, 8, 13 and 14 only "
 					   "the usual codes",
 		     group, number);
 }

@@ -108,7 +108,7 @@ bool sinumerik_builder_refuse(struct interp *interp, const char *name, const cha
 			     "place, set <macro program=\"%s\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
 			     "machine file's <controller> to say how far it moves",
 			     name, name);
-	return fault(&interp->at, column, "%s: %s is not supported yet; lines and circles (G1, G2, G3) can say its "
+	return fault(&interp->at, column, "%s: %s is not supported; lines and circles (G1, G2, G3) can say its "
 					  "moves",
 		     name, what);
 }

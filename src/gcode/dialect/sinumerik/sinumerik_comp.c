@@ -99,7 +99,7 @@ static bool check_plane(struct interp *interp, int column)
 
 	if (sinumerik_frame_resizes(interp))
 		return fault(&interp->at, column,
-			     "tool radius compensation while SCALE is in force is not supported yet");
+			     "tool radius compensation while SCALE is in force is not supported");
 	if (sinumerik_of(interp)->comp.turns_plane)
 		return true;
 	if (state->tcp != TCP_BY_PLANE && state->frame.on)
@@ -226,7 +226,7 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 	if (interp->comp.side != 0)
 		return refuse(interp, column, "another OFFN");
 	if (allowance < 0)
-		return fault(&interp->at, column, "OFFN that is negative is not supported yet: the tool would cut into "
+		return fault(&interp->at, column, "OFFN that is negative is not supported: the tool would cut into "
 						  "the contour");
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column,

@@ -222,7 +222,7 @@ static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *w
 			     "frame: set rotation_order=\"rpy\" or \"euler\" in the machine file's <controller>");
 	if (angles > 1 && interp->config->controller.rotation_order == ROTATION_ORDER_EULER)
 		return fault(&interp->at, words->column,
-			     "several angles in one ROT by Euler's angles are not supported yet; write one angle in a "
+			     "several angles in one ROT by Euler's angles are not supported; write one angle in a "
 			     "block, ROT and then AROT");
 	if (angles > 0 && words->has_plane_angle)
 		return fault(&interp->at, words->column, "RPL stands alone in its ROT");

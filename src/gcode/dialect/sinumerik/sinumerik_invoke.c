@@ -44,7 +44,7 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	for (size_t i = 0; i < sinumerik->passed.count; i++) {
 		if (!modal->cycle && (sinumerik->passed.is_text[i]))
 			return fault(&interp->at, block->call_column,
-				     "a modal call of a subprogram with text among its arguments is not supported yet");
+				     "a modal call of a subprogram with text among its arguments is not supported");
 	}
 	return true;
 }

@@ -255,7 +255,7 @@ static bool run_circle(struct interp *interp, const struct sinumerik_block *bloc
 		return false;
 	if (turn.on_circle)
 		return fault(&interp->at, interp->block.g_column[G_MOTION],
-			     "a circle during which the tool turns on a great circle (ORIVECT) is not supported yet");
+			     "a circle during which the tool turns on a great circle (ORIVECT) is not supported");
 	if (!sinumerik_comp_check_turn(interp, &target, false, interp->block.g_column[G_MOTION]) ||
 	    !sinumerik_circle_find(interp, block, &target, &circle))
 		return false;

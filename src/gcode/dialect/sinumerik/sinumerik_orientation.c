@@ -298,7 +298,7 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 	}
 	if (sinumerik_of(interp)->orientation.in_machine)
 		return fault(&interp->at, column,
-			     "a direction A3= B3= C3= with ORIMKS is not supported yet; use ORIWKS");
+			     "a direction A3= B3= C3= with ORIMKS is not supported; use ORIWKS");
 	if (state->frame.on && !sinumerik_frame_scale(&state->frame.turn, &scale))
 		return fault(&interp->at, column, "a direction where the frame scales its axes differently");
 	if (state->frame.on)

@@ -60,7 +60,7 @@ static bool find_own_end(struct interp *interp, const struct position *first, in
 
 	if (first->line >= interp->at.line)
 		return fault(&interp->at, column,
-			     "a part behind its REPEAT is not supported yet without a second label");
+			     "a part behind its REPEAT is not supported without a second label");
 	if (!sinumerik_seek_label_behind(interp, "ENDLABEL", first, interp->at.line, column, &end, &found))
 		return false;
 	*last = found ? end.line : interp->at.line - 1;

@@ -200,7 +200,7 @@ static bool run_positions(struct pattern *p)
 			return fault(
 			    &p->of.interp->at, p->of.column,
 			    "CYCLE802 with positions that are not all absolute (its first two arguments must be "
-			    "111111111) is not supported yet");
+			    "111111111) is not supported");
 	}
 	for (size_t i = 2; i < 2 + 2 * POSITIONS; i += 2) {
 		const bool x = sinumerik_argument_given(&p->of, i), y = sinumerik_argument_given(&p->of, i + 1);
@@ -273,7 +273,7 @@ bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 	if (hide && hide < sinumerik->passed.count &&
 	    (sinumerik->passed.is_text[hide] ? sinumerik->passed.texts[hide].bytes[0] != '\0'
 					       : sinumerik_argument_counts(&of, hide)))
-		return fault(&interp->at, column, "%s that leaves holes out (_HIDE) is not supported yet", name);
+		return fault(&interp->at, column, "%s that leaves holes out (_HIDE) is not supported", name);
 	if (!sinumerik_target_check_cycle(interp, column) || !sinumerik_open_place_check(interp, column, name) ||
 	    !sinumerik_argument_plane(&of, patterns[at].display ? patterns[at].display : SIZE_MAX))
 		return false;

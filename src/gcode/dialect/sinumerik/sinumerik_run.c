@@ -122,7 +122,7 @@ static bool known_m(struct interp *interp, int number, int column, struct ending
 			     "in the machine file's <controller>",
 			     number, number);
 	if (code->state == CODE_REFUSED)
-		return fault(&interp->at, column, "M%d: %s is not supported yet", number, code->what);
+		return fault(&interp->at, column, "M%d: %s is not supported", number, code->what);
 	if (code->group == M_SPINDLE)
 		return turn_spindle(interp, number == 3	  ? SPINDLE_CLOCKWISE
 					    : number == 4 ? SPINDLE_COUNTERCLOCKWISE

@@ -39,7 +39,7 @@ static bool check_restored(struct interp *interp, const struct sinumerik_saved *
 	if (saved->tcp != interp->state.tcp || saved->frames.tool_frame != sinumerik->frames.tool_frame ||
 	    !same_frame(&saved->frames.swivel, &sinumerik->frames.swivel))
 		return fault(&interp->at, column,
-			     "a subprogram with SAVE that switches TRAORI or TOROT, or swivels, is not supported yet");
+			     "a subprogram with SAVE that switches TRAORI or TOROT, or swivels, is not supported");
 	if (saved->comp_side != interp->comp.side)
 		return fault(&interp->at, column,
 			     "a subprogram with SAVE that switches tool radius compensation is not supported; G40, G41 "

@@ -337,9 +337,9 @@ static bool check(const struct sinumerik_swivel *s, long status, long direction)
 				 "changed");
 	if (status / 10 % 10)
 		return refuse(s,
-			      "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");
+			      "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported");
 	if (status / 100 % 10)
-		return refuse(s, "CYCLE800 that sets the tool up (hundreds of ST) is not supported yet");
+		return refuse(s, "CYCLE800 that sets the tool up (hundreds of ST) is not supported");
 	if (status / 100000 > 2)
 		return refuse(s, "the hundred thousands of ST of CYCLE800 must be 0, 1 or 2");
 	if (direction < -1 || direction > 1)

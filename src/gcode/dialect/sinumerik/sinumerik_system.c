@@ -47,7 +47,7 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 		return false;
 	if (!strcmp(name, "$AA_IM")) {
 		if (state->tcp != TCP_OFF && !slot_is_rotary(slot))
-			return fault(&interp->at, column, "$AA_IM of %c under TRAORI is not supported yet",
+			return fault(&interp->at, column, "$AA_IM of %c under TRAORI is not supported",
 				     AXIS_LETTERS[slot]);
 		*value = in_unit(interp, slot, state->position.v[slot]);
 		return true;

@@ -75,14 +75,14 @@ static bool read_offset_part(struct interp *interp, struct lexer *lexer, slot_va
 		i++;
 	if (i == sizeof(parts) / sizeof(parts[0]))
 		return fault(lexer->at, column,
-			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet");
+			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported");
 	if (!read_values(interp, lexer, parts[i].name, true, &values))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT && parts[i].shifts; slot++)
 		shift->v[slot] += values.value[slot];
 	return parts[i].shifts || all_are(&values, parts[i].nothing) ||
 	       fault(lexer->at, column,
-		     "$P_UIFR that turns or scales is not supported yet, only its shift; ROT and SCALE behind the work "
+		     "$P_UIFR that turns or scales is not supported, only its shift; ROT and SCALE behind the work "
 		     "offset can say it");
 }
 
@@ -132,7 +132,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		return set_component(interp, system, slot, value);
 	if ((!strcmp(component, "FI") || !strcmp(component, "RT") || !strcmp(component, "MI")) && same_double(value, 0))
 		return true;
-	return fault(&interp->at, column, "$P_UIFR with %s is not supported yet, only with TR",
+	return fault(&interp->at, column, "$P_UIFR with %s is not supported, only with TR",
 		     component[0] ? component : "no component");
 }
 
@@ -218,7 +218,7 @@ static bool write_shift(struct interp *interp, struct lexer *lexer, int column)
 		return false;
 	if (strcmp(component, "TR") != 0)
 		return fault(&interp->at, column,
-			     "$P_PFRAME with %s is not supported yet, only with TR; ROT, SCALE and MIRROR can say it",
+			     "$P_PFRAME with %s is not supported, only with TR; ROT, SCALE and MIRROR can say it",
 			     component[0] ? component : "no component");
 	if (sinumerik->frames.programmed_unsure)
 		return fault(&interp->at, column,

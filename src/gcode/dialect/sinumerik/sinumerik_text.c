@@ -112,7 +112,7 @@ static bool read_variable(struct expr *expr, const struct sinumerik_variable *va
 	if (variable->dimensions > 0 && !sinumerik_name_need(expr->lexer, ']', "the indices"))
 		return false;
 	if (lexer_peek(expr->lexer) == '[')
-		return fault(expr->lexer->at, expr_column(expr->lexer), "single bytes of a text are not supported yet");
+		return fault(expr->lexer->at, expr_column(expr->lexer), "single bytes of a text are not supported");
 	*text = variable->texts[element];
 	return sinumerik_variables_check(expr->lexer->at, variable, element, column);
 }
