@@ -24,8 +24,8 @@ static const struct klartext_fault faults[] = {
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 R0\n",
 	 "p.nc:4:8: error: R0 right behind the first block of radius compensation is not supported"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100 M120 LA5\n",
-	 "p.nc:3:7: error: radius compensation with M120: it leaves out what the tool cannot reach, which is not supported "
-	 "yet; post the path of the tool's centre with R0"},
+	 "p.nc:3:7: error: radius compensation with M120: it leaves out what the tool cannot reach, which is not supported; "
+	 "post the path of the tool's centre with R0"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 M120 LA5\n",
 	 "p.nc:4:8: error: M120 under radius compensation is not supported; R0 comes first"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 M98\n",

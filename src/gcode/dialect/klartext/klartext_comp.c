@@ -88,8 +88,8 @@ static bool check_start(struct interp *interp, int column)
 	if (klartext->crossing.looks_ahead)
 		return fault(
 		    &interp->at, column,
-		    "radius compensation with M120: it leaves out what the tool cannot reach, which is not supported "
-		    "yet; post the path of the tool's centre with R0");
+		    "radius compensation with M120: it leaves out what the tool cannot reach, which is not supported; "
+		    "post the path of the tool's centre with R0");
 	if (klartext->stay.waits)
 		return fault(&interp->at, column,
 			     "radius compensation before the rotary axes stand where PLANE ... STAY needs them");
