@@ -131,10 +131,10 @@ enum power_on_plane { POWER_ON_PLANE_UNKNOWN, POWER_ON_XY, POWER_ON_ZX, POWER_ON
 
 enum power_on_motion { POWER_ON_MOTION_UNKNOWN, POWER_ON_RAPID, POWER_ON_FEED };
 
-/* The word that repeats a canned cycle on controls with a parameter for it. */
 /* The axis that drills in planes other than that of G17: the one across the plane, or Z. */
 enum cycle_axis { CYCLE_AXIS_UNKNOWN, CYCLE_AXIS_ACROSS, CYCLE_AXIS_Z };
 
+/* The word that repeats a canned cycle on controls with a parameter for it. */
 enum cycle_repeats { CYCLE_REPEATS_UNKNOWN, CYCLE_REPEATS_K, CYCLE_REPEATS_L };
 
 /* The action of an M-code of the machine builder. */
