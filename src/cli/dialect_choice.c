@@ -8,6 +8,7 @@
 #include "base/strbuf.h"
 #include "control/dialects.h"
 #include "gcode/dialect/family.h"
+#include "gcode/interp.h"
 
 #define NAME_ROW(id, ...) #id,
 #define NAME_IT "name the dialect: --dialect=NAME"
@@ -39,8 +40,10 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 	struct strbuf open = {0};
 
 	list_open(guess, &open);
-	if (guess->advice)
-		diag_error(diag, loc, "%s", guess->advice);
+	if (guess->end.status == READER_END && guess->end.line == 0)
+		diag_error(diag, loc, INTERP_NO_BLOCK);
+	else if (guess->end.status != READER_LINE && guess->end.status != READER_END)
+		reader_fault_report(&guess->end, program, diag);
 	else if (guess->against.line)
 		diag_error(diag, (struct srcloc){program, guess->against.line, 0},
 			   "--dialect=auto: this line looks like %s (%s), but line %ld looks like %s (%s); " NAME_IT,

@@ -1,6 +1,5 @@
 #include "gcode/interp.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +15,7 @@
 #include "gcode/state.h"
 #include "gcode/text/leader.h"
 #include "gcode/text/line_shape.h"
+#include "gcode/text/reader_fault.h"
 #include "gcode/text/rest_of_file.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
@@ -213,37 +213,6 @@ static bool end_file(struct interp *interp)
 	return !dialect->end_of_file || dialect->end_of_file(interp);
 }
 
-/* Reports a fault in the bytes of the file; false. */
-static bool fault_of_reader(struct interp *interp, enum reader_status status, const char *text)
-{
-	struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
-
-	switch (status) {
-	case READER_TOO_LONG:
-		diag_error(interp->diag, loc, "a line of more than %d bytes is not an NC block", LINE_LENGTH_MAX);
-		break;
-	case READER_NUL_BYTE:
-		loc.column = (int)strlen(text) + 1;
-		diag_error(interp->diag, loc,
-			   "a NUL byte: the file was not written completely, or is no NC program; write or copy it "
-			   "again");
-		break;
-	case READER_MIXED_ENDS:
-		loc.column = (int)strlen(text) + 1;
-		diag_error(interp->diag, loc,
-			   "mixed line ends: some are a carriage return alone, some have a line feed");
-		break;
-	case READER_NO_TEXT:
-		diag_error(interp->diag, loc, "%s", text);
-		break;
-	default:
-		loc.line = 0;
-		diag_error(interp->diag, loc, "cannot read: %s", strerror(errno));
-		break;
-	}
-	return false;
-}
-
 /* Lines between two calls of `cancel`; this includes blank lines, which cause no other events. */
 #define QUIT_LINES 4096
 
@@ -266,7 +235,12 @@ static bool next_line(struct interp *interp, bool *good)
 		*good = false;
 		return false;
 	}
-	*good = status == READER_END ? end_file(interp) : fault_of_reader(interp, status, interp->at.text);
+	*good = status == READER_END && end_file(interp);
+	if (status != READER_END) {
+		const struct reader_fault fault = reader_fault_of(&source->reader, status, interp->at.text);
+
+		reader_fault_report(&fault, source->name, interp->diag);
+	}
 	if (!*good)
 		note_callers(interp);
 	/* At the end of a part that is repeated, reading continues elsewhere. */

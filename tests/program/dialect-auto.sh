@@ -11,7 +11,10 @@ printf '%%\nO1\n#<depth> = 3\nM30\n%%\n' >both.nc
 mkdir folder.nc
 gzip -c haas.nc >packed.nc
 iconv -t UTF-16 haas.nc >wide.nc
-for name in haas fanuc linuxcnc either plain both missing folder packed wide; do
+: >empty.nc
+printf 'G21\0\nG0 X1\n' >nul.nc
+head -c 70000 /dev/zero | tr '\0' X >long.nc
+for name in haas fanuc linuxcnc either plain both missing folder packed wide empty nul long; do
 	echo "$name"
 	status fivecheck --dialect=auto --parse-only c.xml $name.nc 2>&1 | grep -v '^  \|^[0-9]* blocks\|incomplete'
 done

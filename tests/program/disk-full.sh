@@ -12,3 +12,7 @@ for arguments in '--help' '--version' 'm.xml a.nc' '--dump-path m.xml a.nc' '--l
 done
 fivecheck -q -o /dev/full m.xml a.nc
 echo "status $?" >&2
+# The command line of init is right, so nothing points to its options.
+fivecheck init table-table --rotary=A,C --limits=X=none,Y=none,Z=none,A=none,C=none --location=A=0,0,0 \
+	--location=C=0,0,0 --spindle=0,0,500 >/dev/full
+echo "status $?" >&2

@@ -153,11 +153,11 @@ static enum run_status make_file(struct request *request)
 	/* Check the output file before the user answers questions. */
 	if (!is_new(request->words.output, request->diag) || !ask(request) ||
 	    !machine_plan_finish(&request->plan, request->diag))
-		return RUN_INCOMPLETE;
+		return subcommand_refuse(&subcommand, request->diag);
 	machine_plan_xml_write(&text, &request->plan);
 	if (request->plan.answer_count && !machine_check_controller(strbuf_text(&text), &faults)) {
 		strbuf_release(&text);
-		return RUN_INCOMPLETE;
+		return subcommand_refuse(&subcommand, request->diag);
 	}
 	if (!write_file(request->words.output, &text, request->diag))
 		return RUN_INCOMPLETE;
@@ -174,9 +174,8 @@ enum run_status init_run(const struct command *all, int argc, char **argv, struc
 	(void)all;
 	machine_plan_init(&request.plan);
 	if (subcommand_read(&subcommand, &request.words, &operands, argc, argv, &ui->diag, &status)) {
-		status = take_words(&request, &operands) ? make_file(&request) : RUN_INCOMPLETE;
-		if (status == RUN_INCOMPLETE)
-			status = subcommand_refuse(&subcommand, &ui->diag);
+		status = take_words(&request, &operands) ? make_file(&request) :
+							   subcommand_refuse(&subcommand, &ui->diag);
 	}
 	for (int i = 0; i < PLAN_KEY_END - PLAN_FAMILY; i++)
 		free(request.words.given[i].items);

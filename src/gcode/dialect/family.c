@@ -487,8 +487,7 @@ struct family_guess family_guess(struct reader *reader)
 		if (status == READER_LINE)
 			agreed = narrow(text, reader->line, &dialects, &guess);
 	}
-	if (status == READER_NO_TEXT)
-		guess.advice = text;
+	guess.end = reader_fault_of(reader, status, text);
 	go_back(reader, start);
 	guess.rows = dialects;
 	for (int row = 0; agreed && dialect_names[row]; row++) {

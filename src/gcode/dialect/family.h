@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "gcode/text/reader.h"
+#include "gcode/text/reader_fault.h"
 
 /* A sign of a family of controls. Strings are constant. */
 struct family_sign {
@@ -26,7 +26,7 @@ struct family_guess {
 	unsigned rows;	/* a bit for each row that agrees with all signs; 0: no dialect reads the program */
 	struct family_sign sign;	/* a sign of the dialect; line 0: no sign of any control was found */
 	struct family_sign against;	/* a sign of another control; line 0: there is none */
-	const char *advice;	/* advice if the file is no text (base/file_signature.h), or NULL */
+	struct reader_fault end;	/* why no more lines were read: READER_LINE if these lines were enough */
 };
 
 /*
