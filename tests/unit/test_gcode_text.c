@@ -153,9 +153,11 @@ START_TEST(faulty_files)
 		       "p.nc:1: error: this file is in UTF-16: save it as UTF-8 (a text editor does)\n");
 	expect_message("\x1f\x8b\x08\0\n", 5, "p.nc:1: error: this file is compressed by gzip: unpack it first\n");
 	expect_message("G0 X1\nX2\rY3\n", 12,
-		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed\n");
+		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed; save "
+		       "the file with one kind of line end\n");
 	expect_message("G0 X1\rX2\nY3\n", 12,
-		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed\n");
+		       "p.nc:2:3: error: mixed line ends: some are a carriage return alone, some have a line feed; save "
+		       "the file with one kind of line end\n");
 }
 END_TEST
 
