@@ -8,6 +8,7 @@
 #include "gcode/execute/circular_pocket.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/corner_insert.h"
+#include "gcode/execute/cutter_comp/comp_codes.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/cylinder.h"
 #include "gcode/execute/dynamic_work_offset.h"
@@ -400,13 +401,13 @@ static bool start_block(struct interp *interp)
 	       (!corner_insert_concerns(interp) || corner_insert_start_block(interp)) &&
 	       ((!state->frame.on && state->plane_parts.form == 0) || coordinate_rotation_start_block(interp)) &&
 	       dynamic_work_offset_start_block(interp) &&
-	       (interp->comp.side == 0 || cutter_comp_start_block(interp));
+	       (interp->comp.side == 0 || comp_codes_start_block(interp));
 }
 
 /* A block with no code but that of its motion: has the same effect as execute_codes. */
 static bool execute_plain(struct interp *interp)
 {
-	return execute_feed(interp) && execute_increments(interp) && cutter_comp_check_block(interp) &&
+	return execute_feed(interp) && execute_increments(interp) && comp_codes_check_block(interp) &&
 	       (!interp->state.work_assigned || work_offset_use_check(interp)) && execute_motion(interp);
 }
 
@@ -438,7 +439,7 @@ static bool execute_codes(struct interp *interp)
 		state->plane = block->g[G_PLANE];
 	if (block->g[G_UNITS] != CODE_NONE)
 		state->scale = state_unit(block->g[G_UNITS]);
-	if (!execute_increments(interp) || !cutter_comp_select(interp) || !cutter_comp_check_block(interp))
+	if (!execute_increments(interp) || !comp_codes_select(interp) || !comp_codes_check_block(interp))
 		return false;
 	if (!tool_length_select(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||
 	    !execute_path(interp) || !path_control_select(interp))

@@ -236,32 +236,7 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 	return true;
 }
 
-/* ------------------------------------------------------------------ codes */
-
-bool cutter_comp_select(struct interp *interp)
-{
-	struct cutter_comp *comp = &interp->comp;
-	int code = interp->block.g[G_CUTTER];
-
-	if (!cutter_comp_take_number(interp))
-		return false;
-	if (code == CODE_NONE)
-		return true;
-	if (code != G40)
-		return cutter_comp_switch_on(interp);
-	if (comp->entered && comp->looks_ahead && comp_lookahead_leaves(interp)) {
-		comp->leaving = true;
-		return true;
-	}
-	if (comp->entered) {
-		if (comp->looks_ahead ? !comp_lookahead_stop(interp) : !comp_send_to(interp, comp->current))
-			return false;
-		comp->arc_refused = true;
-	}
-	comp->side = 0;
-	comp->entered = false;
-	return true;
-}
+/* ----------------------------------------------------------------- blocks */
 
 /* The positions of axes that the block has moved are certain again; in turned coordinates it must move all axes. */
 static void tighten(struct interp *interp)

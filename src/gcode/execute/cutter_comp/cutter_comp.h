@@ -10,21 +10,9 @@
  * LinuxCNC's manual, "Cutter Compensation", and its 2.9 interpreter: the first move goes to the side of the path,
  * outside corners are rounded, and at inside corners the two paths end at their intersection. The end of a move is
  * known only after the next move was read, so moves and the ends of their blocks wait in comp_queue. While compensation
- * is on, state.position is the programmed point. Controls that look ahead: comp_lookahead.h.
+ * is on, state.position is the programmed point. comp_codes.h has the codes, comp_lookahead.h the controls that look
+ * ahead.
  */
-
-/* Refuse what compensation does not allow: call the first one first for each block, the second one after G40 to G42. */
-bool cutter_comp_start_block(struct interp *interp);
-bool cutter_comp_check_block(struct interp *interp);
-
-/* Takes the block's D, on controls where D is modal. */
-bool cutter_comp_take_number(struct interp *interp);
-
-/* Carries out the block's G40, G41, G41.1, G42 or G42.1, if it has one. */
-bool cutter_comp_select(struct interp *interp);
-
-/* Checks the block's G41 or G42 and takes its side and radius; the next move is the entry. */
-bool cutter_comp_switch_on(struct interp *interp);
 
 /* Is compensation on? Then cutter_comp_line and cutter_comp_arc make the moves. */
 static inline bool cutter_comp_is_on(const struct interp *interp)

@@ -1,9 +1,11 @@
-#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/cutter_comp/comp_codes.h"
 
 #include <math.h>
 
 #include "base/same_double.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/read_on.h"
 
 static bool find_radius(struct interp *interp, double *radius)
@@ -96,7 +98,8 @@ static bool switch_on_ahead(struct interp *interp)
 	return true;
 }
 
-bool cutter_comp_take_number(struct interp *interp)
+/* Takes the block's D, on controls where D is modal. */
+static bool take_number(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct cutter_comp *comp = &interp->comp;
@@ -114,7 +117,8 @@ bool cutter_comp_take_number(struct interp *interp)
 	return true;
 }
 
-bool cutter_comp_switch_on(struct interp *interp)
+/* Checks the block's G41 or G42 and takes its side and radius; the next move is the entry. */
+static bool switch_on(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct cutter_comp *comp = &interp->comp;
@@ -143,12 +147,37 @@ bool cutter_comp_switch_on(struct interp *interp)
 	return true;
 }
 
+bool comp_codes_select(struct interp *interp)
+{
+	struct cutter_comp *comp = &interp->comp;
+	int code = interp->block.g[G_CUTTER];
+
+	if (!take_number(interp))
+		return false;
+	if (code == CODE_NONE)
+		return true;
+	if (code != G40)
+		return switch_on(interp);
+	if (comp->entered && comp->looks_ahead && comp_lookahead_leaves(interp)) {
+		comp->leaving = true;
+		return true;
+	}
+	if (comp->entered) {
+		if (comp->looks_ahead ? !comp_lookahead_stop(interp) : !comp_send_to(interp, comp->current))
+			return false;
+		comp->arc_refused = true;
+	}
+	comp->side = 0;
+	comp->entered = false;
+	return true;
+}
+
 static bool refuse(struct interp *interp, int column, const char *what)
 {
 	return fault(&interp->at, column, "%s while cutter compensation is on; write G40 first", what);
 }
 
-bool cutter_comp_start_block(struct interp *interp)
+bool comp_codes_start_block(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 
@@ -187,7 +216,7 @@ static bool check_loose(struct interp *interp)
 	return true;
 }
 
-bool cutter_comp_check_block(struct interp *interp)
+bool comp_codes_check_block(struct interp *interp)
 {
 	static const struct {
 		enum g_group group;
