@@ -52,7 +52,8 @@ static const struct code g_codes[] = {
 	{G99, G_RETRACT, CODE_READ, "canned cycles retract to R"},
 };
 
-static const struct code m_codes[] = {
+/* The same in the programming manual of Sinumerik 840D sl, "Fundamentals". */
+static const struct code basic_rows[] = {
 	{0, M_STOP, CODE_READ, "program stop"},
 	{1, M_STOP, CODE_READ, "optional stop"},
 	{2, M_STOP, CODE_READ, "end of program"},
@@ -63,10 +64,14 @@ static const struct code m_codes[] = {
 	{7, M_COOLANT, CODE_IGNORED, "coolant"},
 	{8, M_COOLANT, CODE_IGNORED, "coolant"},
 	{9, M_COOLANT, CODE_IGNORED, "coolant off"},
+};
+
+static const struct code m_codes[] = {
 	{30, M_STOP, CODE_READ, "end of program and rewind"},
 	{60, GROUP_NONE, CODE_REFUSED, "pallet change"},
 	{99, M_STOP, CODE_READ, "end of a subprogram, or restart of the program"},
 };
 
 const struct code_set standard_g_codes = CODE_SET(g_codes);
+const struct code_set basic_m_codes = CODE_SET(basic_rows);
 const struct code_set standard_m_codes = CODE_SET(m_codes);

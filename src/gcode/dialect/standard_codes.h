@@ -7,4 +7,7 @@
 /* A dialect has these only if its own table names them. */
 extern const struct code_set standard_g_codes, standard_m_codes;
 
+/* M0 to M9, the beginning of the standard M-codes. */
+extern const struct code_set basic_m_codes;
+
 #endif

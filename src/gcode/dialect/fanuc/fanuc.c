@@ -135,7 +135,8 @@ const struct dialect dialect_fanuc = {
 	.name = "fanuc",
 	.manual = "Fanuc 30i-B operator's manual (B-64484EN)",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
-	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.m_codes = {&basic_m_codes, &standard_m_codes, &fanuc_family_m_codes,
+		    &(const struct code_set)CODE_SET(m_codes)},
 	.words = {&fanuc_family_words, &(const struct word_set){words, sizeof(words) / sizeof(*words)}},
 	.traits = {
 		/* B-64484EN, "Preparatory Function": of one group in one block the last one is valid. */

@@ -168,7 +168,8 @@ const struct dialect dialect_haas = {
 	.name = "haas",
 	.manual = "Haas mill operator's manual",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
-	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.m_codes = {&basic_m_codes, &standard_m_codes, &fanuc_family_m_codes,
+		    &(const struct code_set)CODE_SET(m_codes)},
 	.words = {&fanuc_family_words},
 	.traits = {
 		.last_of_group = ANSWER_NO,

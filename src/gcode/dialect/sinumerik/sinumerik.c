@@ -21,6 +21,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_synchronous.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/dialect/standard_codes.h"
 #include "gcode/eval/expr.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -280,7 +281,7 @@ const struct dialect dialect_sinumerik = {
 	.name = "sinumerik",
 	.manual = "Siemens SINUMERIK 840D sl, programming manuals \"Fundamentals\", \"Job planning\", \"Cycles\"",
 	.g_codes = {&sinumerik_g_codes, &sinumerik_offset_codes},
-	.m_codes = {&sinumerik_m_codes},
+	.m_codes = {&basic_m_codes, &sinumerik_m_codes},
 	.words = {&sinumerik_word_set, &sinumerik_cycle_set},
 	.traits = {
 		/*

@@ -138,16 +138,6 @@ static const struct code g_rows[] = {
 };
 
 static const struct code m_rows[] = {
-	{0, M_STOP, CODE_READ, "program stop"},
-	{1, M_STOP, CODE_READ, "optional stop"},
-	{2, M_STOP, CODE_READ, "end of program"},
-	{3, M_SPINDLE, CODE_READ, "spindle on, clockwise"},
-	{4, M_SPINDLE, CODE_READ, "spindle on, counter-clockwise"},
-	{5, M_SPINDLE, CODE_READ, "spindle stop"},
-	{6, M_TOOL, CODE_READ, "tool change"},
-	{7, M_COOLANT, CODE_IGNORED, "coolant"},
-	{8, M_COOLANT, CODE_IGNORED, "coolant"},
-	{9, M_COOLANT, CODE_IGNORED, "coolant off"},
 	{17, M_STOP, CODE_READ, "end of a subprogram"},
 	{19, M_SPINDLE, CODE_READ, "spindle at an angle"},
 	{30, M_STOP, CODE_READ, "end of program"},
