@@ -1,7 +1,7 @@
 /*
- * test_gcode_variable.c - variables that a control keeps from one program to the next, as the machine file tells them:
- * common variables of Fanuc and Haas, GUD, R parameters and system variables of Sinumerik, parameters and tables of
- * Heidenhain. Where the axes stand is worked out by hand from the values.
+ * test_gcode_variable.c - variables that a control keeps from one program to the next and whose values the machine file
+ * gives: common variables of Fanuc and Haas; GUD, R parameters and system variables of Sinumerik; parameters and tables
+ * of Heidenhain. The expected positions are computed by hand from the values.
  */
 #include "gcode_case.h"
 
@@ -19,7 +19,7 @@ struct kept {
 	const struct dialect *dialect;
 	struct control_variable variables[VARIABLES];
 	const char *program;
-	const char *outcome;	/* where the last rapid leads, or the message */
+	const char *outcome;	/* the end of the last rapid, or the message */
 };
 
 #define KLARTEXT(blocks) "BEGIN PGM T MM\n" blocks "END PGM T MM\n"
@@ -28,47 +28,47 @@ static const struct kept accepted[] = {
 	/* Fanuc, Haas: 5 + 2 */
 	{&dialect_fanuc, {VALUE("#500", 5), VALUE("#100", 2)}, "G90 G21 G17\nG0 X[#500+#100]\n", "7 0 0"},
 	{&dialect_haas, {VALUE("#500", 5), VALUE("#100", 2)}, "G90 G21 G17\nG0 X[#10500+#100]\n", "7 0 0"},
-	/* #0 is vacant, and so is what the file says to be: the jump is taken */
+	/* #0 is vacant, and so is #500 by the file: the jump is taken */
 	{&dialect_fanuc, {TEXT("#500", "vacant")}, "G90 G21 G17\nIF [#500 EQ #0] GOTO 10\nG0 X1.\nN10 G0 Y2.\n", "0 2 0"},
 	{&dialect_fanuc, {VALUE("#500", 0)}, "G90 G21 G17\nIF [#500 EQ #0] GOTO 10\nG0 X1.\nN10 G0 Y2.\n", "1 2 0"},
-	/* the program's own value counts from where it is given */
+	/* a value that the program assigns is valid from the assignment on */
 	{&dialect_fanuc, {VALUE("#500", 5)}, "G90 G21 G17\n#1=#500\n#500=9\nG0 X#1 Y#500\n", "5 9 0"},
 	{&dialect_fanuc, {VALUE("#1005", 1), VALUE("#8000", 3)}, "G90 G21 G17\nG0 X#1005 Y#8000\n", "1 3 0"},
 	/* Sinumerik */
 	{&dialect_sinumerik, {VALUE("R5", 3), VALUE("R12", 4)}, "G500\nG0 X=R5 Y=R[R5*4]\n", "3 4 0"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 2, .size = {3, 2}}, VALUE("_POS[2,1]", 6)},
 	 "G500\n_POS[0,0]=_POS[2,1]+1\nG0 X=_POS[2,1] Y=_POS[0,0]\n", "6 7 0"},
-	/* a value of the array is that of each element */
+	/* the value of an array is the value of each of its elements */
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {4}, .text = "2", .number = 2},
 			      VALUE("_POS[3]", 9)},
 	 "G500\nG0 X=_POS[0] Y=_POS[3] Z=_POS[2]\n", "2 9 2"},
-	/* an element without a value gets one from the program, whatever the array's is */
+	/* an element without a value in the file gets one from the program, even if the array has none */
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {4}, .text = "2", .number = 2},
 			      {.name = "_POS[3]"}},
 	 "G500\n_POS[3]=1\nG0 X=_POS[0] Y=_POS[3]\n", "2 1 0"},
-	/* INT rounds what is assigned to it, REAL does not */
+	/* INT rounds an assigned value, REAL does not */
 	{&dialect_sinumerik, {{.name = "WHOLE", .typed = true, .type = CONTROL_INT}, REAL_OF("PART", CONTROL_REAL)},
 	 "G500\nWHOLE=2.5\nPART=2.5\nG0 X=WHOLE Y=PART\n", "3 2.5 0"},
 	{&dialect_sinumerik, {{.name = "DOOR", .typed = true, .type = CONTROL_BOOL, .text = "TRUE", .number = 1}},
 	 "G500\nIF DOOR\nG0 X5\nENDIF\nIF NOT DOOR\nG0 Y5\nENDIF\n", "5 0 0"},
 	{&dialect_sinumerik, {{.name = "NAME", .typed = true, .type = CONTROL_STRING, .text = "AB", .number = NAN}},
 	 "G500\nIF NAME<<\"C\"==\"ABC\"\nG0 X5\nENDIF\n", "5 0 0"},
-	/* FOR counts it, and it needs no value for that */
+	/* a variable that FOR counts needs no value before */
 	{&dialect_sinumerik, {REAL_OF("COUNT_", CONTROL_INT)}, "G500\nFOR COUNT_=1 TO 3\nG0 X=COUNT_\nENDFOR\n", "3 0 0"},
-	/* DEF makes another one, of the program alone */
+	/* DEF defines another variable of this name, which belongs to the program */
 	{&dialect_sinumerik, {{.name = "SAME", .typed = true, .text = "8", .number = 8}},
 	 "G500\nG0 Y=SAME\nDEF REAL SAME\nSAME=1\nG0 X=SAME\n", "1 8 0"},
 	{&dialect_sinumerik, {{.name = "MOVED", .typed = true, .type = CONTROL_AXIS, .text = "Y", .number = NAN}},
 	 "G500\n$P_PFRAME=CTRANS(MOVED,3)\nG0 X1 Y1\n", "1 4 0"},
 	{&dialect_sinumerik, {VALUE("$MN_DATA", 4), VALUE("$A_DBB[2]", 5), VALUE("$MA_POS[1,Y]", 6)},
 	 "G500\nR1=1\nG0 X=$MN_DATA Y=$A_DBB[R1+1] Z=$MA_POS[R1, Y]\n", "4 5 6"},
-	/* Heidenhain: Q of the file, and the tool table of the tool that is called */
+	/* Heidenhain: a Q parameter of the file, and the tool table for the tool of TOOL CALL */
 	{&dialect_klartext, {VALUE("Q1600", 4), VALUE("QR3", 5)}, KLARTEXT("L X+Q1600 Y+QR3 FMAX\n"), "4 5 0"},
 	{&dialect_klartext, {VALUE("Q5", 4)}, KLARTEXT("Q6 = Q5 + 1\nQ5 = 9\nL X+Q6 Y+Q5 FMAX\n"), "5 9 0"},
 	{&dialect_klartext, {VALUE("ID50NR3IDX3", 1.5)},
 	 KLARTEXT("TOOL CALL 3 Z S100\nFN 18: SYSREAD Q1 = ID50 NR3\nFN 18: SYSREAD Q2 = ID50 NR3 IDX3\n"
 		  "L X+Q1 Y+Q2 FMAX\n"), "1.5 1.5 0"},
-	/* what TOOL CALL has given is known without the file */
+	/* TOOL CALL gives the value, so the file need not */
 	{&dialect_klartext, {{0}},
 	 KLARTEXT("TOOL CALL 3 Z S100 DL+0.5 DR-0.25\nFN 18: SYSREAD Q1 = ID60 NR1\nFN 18: SYSREAD Q2 = ID60 NR4\n"
 		  "FN 18: SYSREAD Q3 = ID60 NR5\nL X+Q1 Y+Q2 FMAX\nL X+Q3 FMAX\n"), "-0.25 0.5 0"},
@@ -77,7 +77,7 @@ static const struct kept accepted[] = {
 #define ASKS(name) "set <variable name=\"" name "\" value=\"\"/> in the machine file's <controller>"
 
 static const struct kept refused[] = {
-	/* an output of the program, a place: the file cannot tell what changes */
+	/* a position that the program changes: the file must not give it */
 	{&dialect_fanuc, {VALUE("#5021", 1)}, "G90 G21 G17\nG0 X#5021\n",
 	 "#5021 (the position of the machine during read-ahead (#5001 has the programmed position)) is not known "
 	 "before the program runs"},
@@ -94,7 +94,7 @@ static const struct kept refused[] = {
 	 ASKS("NAME")},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[3]", 1)}, "G500\n",
 	 "<variable name=\"_POS[3]\"> is no element of that array"},
-	/* two spellings of a name would be two values of it */
+	/* two spellings of one name would give it two values */
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[01]", 1)}, "G500\n",
 	 "<variable name=\"_POS[01]\"> is no element of that array"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 1, .size = {3}}, VALUE("_POS[+1]", 1)}, "G500\n",
@@ -129,7 +129,7 @@ static const struct kept refused[] = {
 	 "<variable name=\"$P_UIFR[1,X,TR]\">: the offsets and tools of the setup, or the program, determine its value"},
 	{&dialect_sinumerik, {VALUE("$TC_DP3[1,1]", 10)}, "G500\n",
 	 "<variable name=\"$TC_DP3[1,1]\">: the offsets and tools of the setup, or the program, determine its value"},
-	/* what the program itself may have written there */
+	/* the program itself may have written this variable */
 	{&dialect_sinumerik, {VALUE("$AC_MARKER[1]", 1)}, "G500\n$AC_MARKER[1]=2\nG0 X=$AC_MARKER[1]\n",
 	 "<variable name=\"$AC_MARKER[1]\">: the offsets and tools of the setup, or the program, determine its value"},
 	{&dialect_klartext, {VALUE("ID270NR1IDX1", 1)}, KLARTEXT("L X+1 FMAX\n"),
@@ -145,7 +145,7 @@ static const struct kept refused[] = {
 	 "of FN 18, such as ID50 NR3 IDX1"},
 	{&dialect_klartext, {TEXT("Q5", "five")}, KLARTEXT("L X+1 FMAX\n"),
 	 "Q5: the value of its <variable> is no number"},
-	/* the control itself changes it */
+	/* the control itself changes this parameter */
 	{&dialect_klartext, {VALUE("Q111", 1)}, KLARTEXT("L X+1 FMAX\n"),
 	 "<variable name=\"Q111\">: the control itself changes this parameter while the program runs"},
 };
@@ -166,7 +166,7 @@ static void init(struct gcode_case *c, const struct kept *kept)
 		c->config.controller.variable_count++;
 }
 
-/* Where X, Y and Z stand at last, without the tool's length. */
+/* The position of X, Y and Z after the program, without the tool length. */
 START_TEST(values)
 {
 	const struct kept *kept = &accepted[_i];

@@ -1,4 +1,4 @@
-/* test_head_check.c - a tool that points into its head is doubted, however the machine stands in space. */
+/* test_head_check.c - a tool that points into its head is doubted, for every position and rotation of the machine. */
 #include "scene/head_check.h"
 
 #include "model_case.h"
@@ -28,7 +28,7 @@ static bool in_head(const struct model *model, int body, double ahead)
 	return found;
 }
 
-/* A head from `up` mm above the gauge point to `ahead` mm ahead of it. */
+/* Expects a doubt, or none, for a head from `up` mm above the gauge point to `ahead` mm in front of it. */
 static void expect(double up, double ahead, bool doubted)
 {
 	struct random random = random_case(1, (long)(ahead * 100));
@@ -56,7 +56,7 @@ START_TEST(both_sides_of_the_nose)
 }
 END_TEST
 
-/* What begins at the gauge point is drawn in the spindle, if there is a head behind it. */
+/* A body that begins at the gauge point counts as an arbor in the spindle if there is a head behind it. */
 START_TEST(an_arbor)
 {
 	for (int gap = 0; gap < 3; gap++) {
@@ -67,7 +67,7 @@ START_TEST(an_arbor)
 			model_init(&model);
 			if (with_head)
 				head(&model, 300, 500);
-			/* It begins 0, 0.9 or 1.1 mm behind the gauge point. */
+			/* The arbor begins 0, 0.9 or 1.1 mm behind the gauge point. */
 			arbor = head(&model, 200, 300 + (gap ? 0.7 + 0.2 * gap : 0));
 			require(in_head(&model, arbor, 100) == (!with_head || gap == 2), "gap %d, head %d", gap,
 				with_head);
@@ -77,7 +77,7 @@ START_TEST(an_arbor)
 }
 END_TEST
 
-/* Bodies of other links and of the setup are none of the head. */
+/* Bodies of other links and of the setup do not belong to the head. */
 START_TEST(other_bodies)
 {
 	struct model model;
@@ -85,14 +85,16 @@ START_TEST(other_bodies)
 	model_init(&model);
 	model_box(&model, ROLE_MACHINE, LINK_X, (vec3){-60, -70, 100}, (vec3){60, 70, 200});
 	model_box(&model, ROLE_FIXTURE, LINK_Z, (vec3){-60, -70, 100}, (vec3){60, 70, 200});
-	/* So far beside the spindle's line that no line of the search, 15 mm off it, meets the body. */
+	/*
+	 * The body is so far beside the spindle's line that none of the examined lines, 15 mm from it, meets the body.
+	 */
 	model_box(&model, ROLE_MACHINE, LINK_Z, (vec3){16, -70, 100}, (vec3){60, 70, 400});
 	ck_assert(!in_head(&model, -1, 0));
 	model_release(&model);
 }
 END_TEST
 
-/* A head behind the gauge point confirms a spindle across Z; one around it does not. */
+/* A head behind the gauge point confirms a spindle across Z; a head around the gauge point does not. */
 START_TEST(a_spindle_across)
 {
 	static const enum doubt_kind kinds[] = {DOUBT_SPINDLE_ACROSS, DOUBT_SPINDLE_AWAY, DOUBT_WORKHOLDING_BESIDE,
@@ -109,7 +111,7 @@ START_TEST(a_spindle_across)
 				doubts_add(&doubts, &(struct doubt){.kind = kinds[i]});
 			head_check(model.scene, &doubts);
 			ck_assert_int_eq(model_doubt(&doubts, DOUBT_SPINDLE_ACROSS) != NULL, ahead && across);
-			/* Without the first nothing goes. */
+			/* The other doubts go only together with the first one. */
 			ck_assert_int_eq(model_doubt(&doubts, DOUBT_SPINDLE_AWAY) != NULL, ahead || !across);
 			ck_assert_int_eq(model_doubt(&doubts, DOUBT_WORKHOLDING_BESIDE) != NULL, ahead || !across);
 			ck_assert_ptr_nonnull(model_doubt(&doubts, DOUBT_SPINDLE_FAR));

@@ -1,4 +1,7 @@
-/* Points in boxes, whose inside is known by comparing coordinates, however the boxes are drawn; a torus against solid angles. */
+/*
+ * test_inside.c - points against boxes, whose inside is known from the coordinates, in all forms in which boxes are
+ * drawn; a torus against solid angles.
+ */
 #include "geom/inside.h"
 
 #include <math.h>
@@ -49,7 +52,7 @@ static bool in_block(struct block block, vec3 p)
 	       p.z > block.least.z && p.z < block.greatest.z;
 }
 
-/* The answer for a point, of a copy of the mesh. */
+/* Checks the answer for a point, on a copy of the mesh. */
 struct model {
 	struct bvh *bvh;
 	struct topology topology;
@@ -98,7 +101,7 @@ START_TEST(drawn_in_all_ways)
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
 	add_block(&mesh, outer, true);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
-	/* A cavity, the same with all its triangles turned round, and a shell within another one. */
+	/* A cavity; the same with all triangles reversed; a shell inside a cavity. */
 	add_block(&mesh, outer, false);
 	add_block(&mesh, inner, true);
 	expect(&mesh, INSIDE_NO, INSIDE_YES, INSIDE_NO, INSIDE_NO);
@@ -108,7 +111,7 @@ START_TEST(drawn_in_all_ways)
 	add_block(&mesh, outer, false);
 	add_block(&mesh, inner, false);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
-	/* One outward, one inward, side by side. */
+	/* One block faces outward, the one beside it inward. */
 	add_block(&mesh, outer, false);
 	add_block(&mesh, aside, true);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_YES, INSIDE_NO);
@@ -126,26 +129,26 @@ START_TEST(drawn_from_both_sides)
 	ck_assert(t.closed && !t.plain && !topology_is_open(&t));
 	topology_release(&t);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
-	/* Four times is twice too many as well. */
+	/* A block that is drawn four times. */
 	add_doubled(&mesh, outer);
 	add_doubled(&mesh, outer);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
-	/* Beside a solid that is drawn once. */
+	/* A doubled block beside a block that is drawn once. */
 	add_doubled(&mesh, outer);
 	add_block(&mesh, aside, false);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_YES, INSIDE_NO);
-	/* Cavity or solid: it cannot be known. */
+	/* This can be a cavity or a solid, so the answer is unknown. */
 	add_doubled(&mesh, outer);
 	add_doubled(&mesh, inner);
 	expect(&mesh, INSIDE_UNKNOWN, INSIDE_YES, INSIDE_NO, INSIDE_NO);
-	/* Without a lid it is open. */
+	/* Without a lid the block is open. */
 	add_block(&mesh, outer, false);
 	mesh.count = 11;
 	add_block(&mesh, outer, true);
 	mesh.triangles[22] = mesh.triangles[21];
 	mesh.count = 22;
 	expect(&mesh, INSIDE_UNKNOWN, INSIDE_UNKNOWN, INSIDE_NO, INSIDE_NO);
-	/* Two solids with a common face: nothing is drawn twice but that face. */
+	/* Two solids with a common face: only this face is drawn twice. */
 	add_block(&mesh, (struct block){{-10, -8, -6}, {0.5, 8, 6}}, false);
 	add_block(&mesh, (struct block){{0.5, -8, -6}, {10, 8, 6}}, false);
 	expect(&mesh, INSIDE_YES, INSIDE_YES, INSIDE_NO, INSIDE_NO);
@@ -157,16 +160,16 @@ START_TEST(drawn_badly)
 	struct mesh mesh = {0};
 	mesh_triangle swap;
 
-	/* A hole: what is inside cannot be known, what is outside can. */
+	/* A hole: the inside is unknown, the outside is known. */
 	add_block(&mesh, outer, false);
 	mesh.count = 11;
 	expect(&mesh, INSIDE_UNKNOWN, INSIDE_UNKNOWN, INSIDE_NO, INSIDE_NO);
-	/* A closed solid beside the one with the hole. */
+	/* A closed solid beside the block with the hole. */
 	add_block(&mesh, outer, false);
 	mesh.count = 11;
 	add_block(&mesh, aside, false);
 	expect(&mesh, INSIDE_UNKNOWN, INSIDE_UNKNOWN, INSIDE_YES, INSIDE_NO);
-	/* Neighbours that face opposite ways: no winding number, but every edge has two sides. */
+	/* Neighbours that face opposite ways: there is no winding number, but every edge has two sides. */
 	add_block(&mesh, outer, false);
 	for (int t = 0; t < 12; t += 5) {
 		swap = mesh.triangles[t];
@@ -179,7 +182,7 @@ START_TEST(drawn_badly)
 }
 END_TEST
 
-/* Blocks of whole coordinates drawn anyhow, asked at points that lie in the planes of their faces and edges too. */
+/* Blocks with whole coordinates in all forms; some points lie in the planes of their faces and edges. */
 START_TEST(random_blocks)
 {
 	struct random state = random_case(5, 0);
@@ -191,7 +194,7 @@ START_TEST(random_blocks)
 		struct model model;
 		bool all_inward = turn % 3 == 0;
 
-		/* In a row along x, so that they are apart. */
+		/* The blocks are in a row along x, so they are apart. */
 		for (int b = 0; b < 4; b++) {
 			double x = 10 * b;
 
@@ -229,7 +232,7 @@ START_TEST(random_blocks)
 }
 END_TEST
 
-/* The ray against the sum of the solid angles. */
+/* The answer of the ray against the sum of the solid angles. */
 START_TEST(ray_matches_solid_angles)
 {
 	enum { N = 60 };
@@ -262,7 +265,7 @@ START_TEST(ray_matches_solid_angles)
 		ck_assert(!truth || !mesh_ray_is_free(model.bvh, p));
 	}
 	ck_assert_int_gt(inside, 150);
-	/* Of the points outside of the torus most have one, those in its hole too. */
+	/* Most points outside the torus have a free ray, also those in its hole. */
 	ck_assert_int_gt(free_rays, (1000 - inside) * 9 / 10);
 	model_release(&model);
 }

@@ -1,4 +1,4 @@
-/* test_interval_pool.c - intervals are kept while they have users, and used again when they have none. */
+/* test_interval_pool.c - intervals stay as long as they have users; then their storage is used again. */
 #include "scene/interval_pool.h"
 
 #include "suite.h"
@@ -37,7 +37,9 @@ START_TEST(halves_live_as_long_as_they_are_used)
 	interval_pool_share(whole);
 	interval_pool_leave(&pool, whole);
 	ck_assert_uint_eq(count_spare(&pool), 0);
-	/* The second half goes with its whole; the first one has a user of its own, and keeps its halves. */
+	/*
+	 * The second half is released together with the whole; the first half has its own user, and keeps its halves.
+	 */
 	interval_pool_leave(&pool, whole);
 	ck_assert_uint_eq(count_spare(&pool), 2);
 	interval_pool_leave(&pool, first);
@@ -46,7 +48,7 @@ START_TEST(halves_live_as_long_as_they_are_used)
 }
 END_TEST
 
-/* A walk that drops each interval once its halves are there needs three, however deep it goes. */
+/* A walk that releases each interval as soon as it is halved needs three intervals, for any depth. */
 START_TEST(storage_is_used_again)
 {
 	struct interval_pool pool = {0};

@@ -1,10 +1,13 @@
-/* test_joint_check.c - gaps between the bodies of a joint, in closed forms, however the machine stands in space. */
+/*
+ * test_joint_check.c - gaps between the bodies of a joint, against closed forms, for every position and rotation of the
+ * machine.
+ */
 #include "scene/joint_check.h"
 
 #include "model_case.h"
 #include "suite.h"
 
-/* A bed, and a slide of X `gap` mm above it. The bodies of the other links are none. */
+/* A bed, and a slide of X `gap` mm above it. The other links have no bodies. */
 static void start(struct model *model, double gap)
 {
 	model_init(model);
@@ -12,7 +15,7 @@ static void start(struct model *model, double gap)
 	model_box(model, ROLE_MACHINE, LINK_X, (vec3){-50, -50, 100 + gap}, (vec3){50, 50, 200 + gap});
 }
 
-/* The doubt's distance is a bound that may be a tenth too small. 0: there is none. */
+/* Expects this distance in the doubt, which is a lower bound and may be a tenth too small. 0: no doubt. */
 static void expect(struct model *model, enum doubt_kind kind, int body, int against, double distance)
 {
 	struct doubts doubts = {0};
@@ -52,7 +55,7 @@ START_TEST(both_sides_of_a_gap)
 }
 END_TEST
 
-/* The bodies stand at home, not at 0, when they are looked at. */
+/* The bodies are examined with the axes at home, not at 0. */
 START_TEST(at_home)
 {
 	struct model model;
@@ -64,7 +67,10 @@ START_TEST(at_home)
 }
 END_TEST
 
-/* The nearest of what carries the link counts, directly or not; bodies of a setup and of other branches do not. */
+/*
+ * The nearest of all bodies that carry the link counts, also over other axes; bodies of a setup and of other branches
+ * do not.
+ */
 START_TEST(what_carries)
 {
 	struct model model;
@@ -72,13 +78,13 @@ START_TEST(what_carries)
 
 	start(&model, 10);
 	head = model_box(&model, ROLE_MACHINE, LINK_Z, (vec3){-20, -20, 400}, (vec3){20, 20, 500});
-	/* 190 mm above the slide. */
+	/* The head is 190 mm above the slide. */
 	expect(&model, DOUBT_GAP, head, 1, 190);
-	/* A table and a part beside it hold nothing. */
+	/* A table and a part beside the head do not hold it. */
 	model_box(&model, ROLE_MACHINE, LINK_Y, (vec3){-300, -200, 120}, (vec3){-200, 200, 390});
 	model_box(&model, ROLE_FIXTURE, LINK_X, (vec3){-20, -20, 300}, (vec3){20, 20, 399});
 	expect(&model, DOUBT_GAP, head, 1, 190);
-	/* A column of the base does, although X is between. */
+	/* A column of the base holds it, although X is between them. */
 	model_box(&model, ROLE_MACHINE, LINK_BASE, (vec3){100, -20, 390}, (vec3){140, 20, 500});
 	expect(&model, DOUBT_GAP, head, 5, 80);
 	model_box(&model, ROLE_MACHINE, LINK_BASE, (vec3){60, -20, 390}, (vec3){140, 20, 500});
@@ -106,7 +112,7 @@ static void excuse(struct model *model, int a, int b)
 	model->scene->pairs[model->scene->pair_count++] = (struct scene_pair){.a = a, .b = b, .status = PAIR_ADJACENT};
 }
 
-/* Of what a wide adjacent_within excuses, the farthest pair is named if it is no joint. */
+/* Among the pairs that a wide adjacent_within excuses, the farthest pair that is no joint is named. */
 START_TEST(excused_apart)
 {
 	static const double gaps[] = {19, 23, 45};
@@ -116,7 +122,7 @@ START_TEST(excused_apart)
 			struct model model;
 
 			start(&model, gaps[i]);
-			/* A second body of the slide, near the bed. */
+			/* The slide has a second body, near the bed. */
 			model_box(&model, ROLE_MACHINE, LINK_X, (vec3){-50, -50, 101}, (vec3){50, 50, 105});
 			excuse(&model, 0, 2);
 			excuse(&model, 0, 1);

@@ -1,4 +1,6 @@
-/* Doubts about a machine's motions, against the tip and the work moved by forward kinematics. */
+/*
+ * test_kinematics.c - doubts about the motions of a machine, against forward kinematics of the tool tip and the work.
+ */
 #include "machine/kinematics_check.h"
 
 #include <math.h>
@@ -8,7 +10,10 @@
 #include "random.h"
 #include "suite.h"
 
-/* X Y Z A C, each on a link of its own: those of `tool` carry the spindle one after the other, the rest the work. */
+/*
+ * Axes X Y Z A C, each with a link of its own. The axes in `tool` (bits) carry the spindle, in this order; the others
+ * carry the work.
+ */
 static struct machine five_axes(unsigned tool)
 {
 	static const char *const names[] = {"X", "Y", "Z", "A", "C"};
@@ -24,7 +29,10 @@ static struct machine five_axes(unsigned tool)
 			.name = names[i], .slot = slots[i], .rotary = i > 2, .parent = ends[on_tool],
 			.direction = vec3_scale(on_tool ? 1 : -1, along[i]), .limit_min = i > 2 ? -INFINITY : -500,
 			.limit_max = i > 2 ? INFINITY : 500, .rate_max = 100,
-			/* C beside the spindle's line, or it would only turn the tool about itself behind A. */
+			/*
+			 * C is beside the spindle's line; on the line it would only turn the tool about itself when A
+			 * is at 0.
+			 */
 			.location = {i == 4 ? 40 : 0, 0, 0},
 		};
 		ends[on_tool] = i + 1;
@@ -70,7 +78,7 @@ static size_t count_all(const struct machine *machine)
 	return found;
 }
 
-/* How the work sees the tool's link. */
+/* The pose of the tool's link relative to the work. */
 static xform relative(const struct machine *machine, const axis_values *q)
 {
 	xform tool = machine_pose(machine, machine->spindle.link, q);
@@ -80,7 +88,7 @@ static xform relative(const struct machine *machine, const axis_values *q)
 	return xform_mul(&back, &tool);
 }
 
-/* Whatever moves tool or work: nothing is doubted, and each direction is the one that forward kinematics show. */
+/* For every assignment of axes to tool and work there is no doubt, and each direction is that of forward kinematics. */
 START_TEST(all_arrangements)
 {
 	for (unsigned tool = 0; tool < 32; tool++) {
@@ -96,7 +104,7 @@ START_TEST(all_arrangements)
 			q.v[axis->slot] = 1e-3;
 			pose = relative(&machine, &q);
 			if (axis->rotary) {
-				/* A right-handed turn by 1e-3 about `said` moves a point r across it by said x r. */
+				/* A right-handed turn by 1e-3 about `said` moves the point r by 1e-3 said x r. */
 				vec3 r = {0.3, 0.5, 0.7}, turned = mat3_apply(&pose.rotation, r);
 
 				moved = vec3_scale(1e3, vec3_sub(turned, r));
@@ -147,7 +155,7 @@ START_TEST(letters_and_lines)
 	machine.axes[1].direction = keep;
 	ck_assert_uint_eq(count_all(&machine), 0);
 
-	/* A whole frame of its own: Z horizontal along Y of the drawing, the rotary axes with it. */
+	/* The whole frame is turned: Z is horizontal, along -Y of the drawing, and so are the rotary axes. */
 	machine = five_axes(7);
 	machine.axes[1].direction = (vec3){0, 0, 1};
 	machine.axes[2].direction = (vec3){0, -1, 0};
@@ -187,7 +195,7 @@ START_TEST(nesting)
 {
 	struct machine machine = five_axes(31);
 
-	/* C next to the tool, on the spindle's line: it turns nothing that matters. */
+	/* C is next to the tool, on the spindle's line: it turns the tool only about itself. */
 	machine.axes[4].location = (vec3){0, 0, 900};
 	ck_assert_uint_eq(count(&machine, DOUBT_TURNS_ITSELF), 1);
 	machine.axes[4].location = (vec3){0.5, 0, 0};
@@ -196,12 +204,12 @@ START_TEST(nesting)
 	machine.axes[4].checked = "the spindle turns the work";
 	ck_assert_uint_eq(count(&machine, DOUBT_TURNS_ITSELF), 0);
 
-	/* A head that only C carries, such as one for angle heads, and A of the table. */
+	/* Only C carries the head, as for angle heads; A carries the table. */
 	machine = five_axes(23);
 	machine.axes[4].location = (vec3){0, 0, 0};
 	ck_assert_uint_eq(count_all(&machine), 0);
 
-	/* Y beside X instead of under it. */
+	/* Y is beside X instead of below it. */
 	machine = five_axes(7);
 	machine.axes[2].parent = 1;
 	ck_assert_uint_eq(count(&machine, DOUBT_IDLE), 1);
@@ -210,7 +218,7 @@ START_TEST(nesting)
 }
 END_TEST
 
-/* Rates are kept for a second; 100 mm/s are 6 m a minute. */
+/* Rates are per second inside: 100 mm/s are 6 m/min. */
 START_TEST(values)
 {
 	struct machine machine = five_axes(7);
@@ -222,7 +230,7 @@ START_TEST(values)
 	machine.axes[0].checked = "a crane";
 	ck_assert_uint_eq(count_values(&machine, DOUBT_RATE_LOW), 1);
 
-	/* -360 to 360 as radians, read as degrees; then 20 real degrees. */
+	/* Limits of -360 to 360 degrees in radians, read as degrees; then real degrees, 15. */
 	ck_assert_uint_eq(count_values(&machine, DOUBT_RADIANS), 0);
 	machine.axes[4].limit_max = 2 * acos(-1) * acos(-1) / 180;
 	machine.axes[4].limit_min = -machine.axes[4].limit_max;
@@ -232,7 +240,10 @@ START_TEST(values)
 }
 END_TEST
 
-/* Straight as floats go, nutating axes and slanted beds are right; a little off is a slip, of axes and of the spindle. */
+/*
+ * Directions that are straight to the precision of floats, nutating axes and slanted beds are right; a small angle is a
+ * mistake, for axes and for the spindle.
+ */
 START_TEST(tilts)
 {
 	static const struct {

@@ -1,11 +1,11 @@
-/* test_length_check.c - which lengths in force are those of another tool. */
+/* test_length_check.c - which active tool lengths belong to another tool. */
 #include "motion/length_check.h"
 
 #include <string.h>
 
 #include "suite.h"
 
-/* T1 100, T2 140, T3 140.2, T4 120 with edges of 115 and 110; H2 is said by an <offset> to be 90. */
+/* T1 100, T2 140, T3 140.2, T4 120 with edges of 115 and 110. An <offset> gives 90 for H2. */
 static struct tool tools[4];
 static struct tool_edge edges[] = {{4, 2, 115, 0}, {4, 3, 110, 0}};
 static struct length_offset lengths[] = {{2, 90}, {50, 105}};
@@ -31,7 +31,7 @@ static struct canon_move move_of(enum canon_kind kind, bool turns, const struct 
 	return move;
 }
 
-/* How often is it said in a move of that tool? */
+/* The number of warnings for a move of this tool with this length. */
 static int said(int tool, double length)
 {
 	const struct canon_origin origin = {.length = length};
@@ -49,30 +49,30 @@ static int said(int tool, double length)
 START_TEST(own_and_others)
 {
 	start();
-	/* None, its own, nearly its own, no tool's. */
+	/* No length, the tool's own, nearly its own. */
 	ck_assert_int_eq(said(1, 0), 0);
 	ck_assert_int_eq(said(1, 100), 0);
 	ck_assert_int_eq(said(1, 100.4), 0);
 	ck_assert_int_eq(said(1, 103), 0);
-	/* An offset that belongs to no tool. */
+	/* A length that belongs to no tool. */
 	ck_assert_int_eq(said(1, 105), 0);
-	/* Those of T2 as its offset says, T3, T4. */
+	/* The lengths of T2 (by its offset), T3 and T4. */
 	ck_assert_int_eq(said(1, 90), 1);
 	ck_assert_int_eq(said(1, 140.2), 1);
 	ck_assert_int_eq(said(1, 120), 1);
 	ck_assert_int_eq(said(1, 120.00001), 0);
-	/* The length of T2 that its offset has replaced. */
+	/* The length of T2 that its offset replaces. */
 	ck_assert_int_eq(said(1, 140), 0);
 	ck_assert_int_eq(said(2, 90), 0);
 	ck_assert_int_eq(said(2, 140.2), 1);
-	/* Edges of its own. */
+	/* The tool's own edges. */
 	ck_assert_int_eq(said(4, 115), 0);
 	ck_assert_int_eq(said(4, 110), 0);
 	ck_assert_int_eq(said(4, 100), 1);
 	edges[1].length = 100.2;
 	ck_assert_int_eq(said(4, 100), 0);
 	edges[1].length = 110;
-	/* A tool that nobody described. */
+	/* A tool that the setup does not have. */
 	ck_assert_int_eq(said(9, 100), 0);
 	ck_assert_int_eq(said(0, 100), 0);
 	tools[0].checked = "r";
@@ -102,11 +102,11 @@ START_TEST(which_moves)
 	ck_assert_uint_eq(diag.warnings, 0);
 	length_check_move(&check, &diag, at, &arc);
 	ck_assert_uint_eq(diag.warnings, 1);
-	/* Once a program, whatever tool comes. */
+	/* One warning per program, for all tools. */
 	length_check_tool(&check, &setup, 2);
 	length_check_move(&check, &diag, at, &arc);
 	ck_assert_uint_eq(diag.warnings, 1);
-	/* A length that stays while the tool changes. */
+	/* The length stays active while the tool changes. */
 	check = (struct length_check){.told = false};
 	length_check_tool(&check, &setup, 4);
 	length_check_move(&check, &diag, at, &arc);

@@ -1,4 +1,4 @@
-/* Where moves leave the axes' travel: against closed forms and dense samples. */
+/* test_limits.c - where moves leave the travel of the axes: against closed forms and dense samples. */
 
 #include "motion_record.h"
 #include "suite.h"
@@ -15,7 +15,7 @@ START_TEST(straight_moves_past_a_limit)
 	ck_assert_int_eq(record.limit_count, 0);
 	ck_assert(!record.steps[0].outside);
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
-	/* X goes out at 5/6 of the way, Z at 1/2: in the order of time. */
+	/* X passes its limit at 5/6 of the move, Z at 1/2: the reports are in the order of time. */
 	record.clock = record.converter.time = 100;
 	go(&record, move_to(CANON_FEED, (axis_values){{300, 0, -200}}));
 	ck_assert_int_eq(record.limit_count, 2);
@@ -29,20 +29,20 @@ START_TEST(straight_moves_past_a_limit)
 	ck_assert_double_eq_tol(record.limits[1].time, 100 + 5 / 6.0 * record.steps[2].seconds, 1e-6);
 	ck_assert_int_eq((int)record.limits[1].line, 12);
 	ck_assert(record.steps[2].outside);
-	/* On the way back it starts outside. */
+	/* The way back starts outside. */
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	ck_assert_int_eq(record.limit_count, 4);
 	ck_assert_int_eq(record.limits[2].travel.slot, SLOT_X);
 	ck_assert_int_eq(record.limits[3].travel.slot, SLOT_Z);
 	ck_assert_double_eq_tol(record.limits[3].time, record.steps[3].time, 1e-12);
-	/* And then all is well again. */
+	/* The next move stays inside. */
 	go(&record, move_to(CANON_FEED, (axis_values){{1, 0, 0}}));
 	ck_assert_int_eq(record.limit_count, 4);
 	ck_assert(!record.steps[4].outside);
 }
 END_TEST
 
-/* Ends inside, bulge out: x = 100 sin(a) passes 99 at a = asin 0.99 of the half circle. */
+/* An arc with both ends inside bulges out: x = 100 sin(a) passes 99 at a = asin(0.99) of the half circle. */
 START_TEST(an_arc_bulges_past_a_limit)
 {
 	struct machine machine = rig_three_axes();
@@ -57,7 +57,7 @@ START_TEST(an_arc_bulges_past_a_limit)
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 99, 3e-6);
 	ck_assert_double_eq_tol(record.limits[0].time, asin(0.99) / PI * record.travelled, 1e-6);
 	ck_assert(record.steps[0].outside);
-	/* Grazing: half a micrometre within the tolerance is inside, twice it is not. */
+	/* A touch: half a micrometre, within the tolerance, is inside; twice as much is outside. */
 	for (int i = 0; i < 2; i++) {
 		rig_find(&machine, SLOT_X)->limit_max = 100 - (i ? 2e-6 : 0.5e-6);
 		start(&record, &machine);
@@ -68,7 +68,7 @@ START_TEST(an_arc_bulges_past_a_limit)
 }
 END_TEST
 
-/* C turns by half, the tip at radius 100: Y swings to 100 and back, with both ends at 0. */
+/* C turns by 180 degrees with the tip at radius 100: Y goes to 100 and back, and is 0 at both ends. */
 START_TEST(a_guided_move_bulges_past_a_limit)
 {
 	struct machine machine = rig_trunnion();
@@ -113,7 +113,7 @@ START_TEST(a_dogleg_reports_an_axis_once)
 }
 END_TEST
 
-/* Against the densest of samples: the bisection finds an excursion exactly when there is one. */
+/* Against dense samples: the bisection finds that an axis leaves its travel exactly where the samples do. */
 START_TEST(limits_agree_with_samples)
 {
 	uint64_t random = 12;
@@ -149,7 +149,7 @@ START_TEST(limits_agree_with_samples)
 			ck_assert_double_eq_tol(record.limits[0].position.v[slot], bound, 3e-6);
 			crossed++;
 		} else if (record.limit_count) {
-			/* A sliver between samples. */
+			/* The axis is outside only between two samples. */
 			ck_assert_double_eq_tol(record.limits[0].position.v[slot], bound, 3e-6);
 		}
 	}
@@ -157,7 +157,7 @@ START_TEST(limits_agree_with_samples)
 }
 END_TEST
 
-/* A move that is known only to within its spread may leave the travel, and the report says what is known of it. */
+/* A move of which only a set of paths is known may leave the travel; the report gives what is known. */
 START_TEST(the_whole_set_is_held_to_the_limits)
 {
 	struct machine machine = rig_three_axes();
@@ -171,7 +171,7 @@ START_TEST(the_whole_set_is_held_to_the_limits)
 	go(&record, move);
 	ck_assert_int_eq(record.limit_count, 0);
 	ck_assert(!record.steps[0].outside);
-	/* 199 and 1.5 is 0.5 too far; passed at 198.5. Y begins at 0 with 3 beside it: below -2 from the start. */
+	/* X: 199 + 1.5 is 0.5 too far, from 198.5 on. Y starts at 0 and may be 3 beside it: below -2 from the start. */
 	start(&record, &machine);
 	move.spread[0] = 1.5;
 	move.spread[1] = 3;
@@ -188,7 +188,7 @@ START_TEST(the_whole_set_is_held_to_the_limits)
 	ck_assert_double_eq_tol(record.limits[1].position.v[SLOT_X], 198.5, 1e-6);
 	ck_assert_double_eq_tol(record.limits[1].time, 198.5 / 199 * record.travelled, 1e-6);
 	ck_assert(record.steps[0].outside);
-	/* The path itself passes the limit: that is what is said, without the spread. */
+	/* The programmed path itself passes the limit: the report is about the path, without the spread. */
 	start(&record, &machine);
 	move.end.v[SLOT_X] = 210;
 	move.spread[1] = 0;
@@ -200,7 +200,7 @@ START_TEST(the_whole_set_is_held_to_the_limits)
 }
 END_TEST
 
-/* Between places that other moves cover an axis is not farther out than these; an arc bulges all the same. */
+/* Between places that other moves cover, an axis is not farther out than these places; an arc still bulges. */
 START_TEST(spread_between_covered_places)
 {
 	struct machine machine = rig_three_axes();
@@ -224,7 +224,7 @@ START_TEST(spread_between_covered_places)
 }
 END_TEST
 
-/* A move whose path goes nowhere is a step all the same if the axes may be beside it, of no time. */
+/* A move without length makes a step that takes no time if the axes may be beside their positions. */
 START_TEST(a_spread_at_one_place)
 {
 	struct machine machine = rig_three_axes();
@@ -248,8 +248,8 @@ START_TEST(a_spread_at_one_place)
 END_TEST
 
 /*
- * A rapid under TCP whose way is not known: C turns by half with the tip at radius 100. If the tip keeps the line, Y
- * swings to 100; the box of both ends is Y 0. Nothing swings past the ends of X.
+ * A rapid under TCP whose path is not known: C turns by 180 degrees with the tip at radius 100. If the tip stays on its
+ * line, Y goes to 100; in the box of both ends Y is 0. X does not pass its ends in either case.
  */
 START_TEST(a_rapid_under_tcp_may_swing_past_a_limit)
 {
@@ -275,7 +275,7 @@ START_TEST(a_rapid_under_tcp_may_swing_past_a_limit)
 }
 END_TEST
 
-/* A control that rounds a corner stays on its inner side: the path tolerance takes no axis past its limit. */
+/* A control that rounds a corner stays on its inner side, so the path tolerance takes no axis past its limit. */
 START_TEST(path_tolerance_is_not_held_to_the_limits)
 {
 	struct machine machine = rig_three_axes();
