@@ -1,4 +1,4 @@
-/* test_machine.c - good machine files: what is read of them. */
+/* test_machine.c - valid machine files: the values that are read from them. */
 #include <math.h>
 #include <sys/stat.h>
 
@@ -70,7 +70,7 @@ START_TEST(reads_bodies_and_mounts)
 	ck_assert_double_eq(m->bodies[1].scale, 25.4);
 	ck_assert_double_eq(m->bodies[3].scale, 1000);
 	ck_assert_ptr_null(m->bodies[1].solid);
-	/* X by 90 takes y to z, then Z by 90 takes x to y: y -> z, z -> -y -> x, x -> y. */
+	/* X by 90 turns y to z, then Z by 90 turns x to y: so y -> z, z -> -y -> x, x -> y. */
 	p = xform_apply(&m->bodies[1].placement, (vec3){10, 20, 30});
 	assert_vec3(p, 1 + 30, 2 + 10, 3 + 20);
 	ck_assert(m->spindle.present && m->spindle.link == 2);
@@ -116,7 +116,7 @@ static void check_places(const struct controller *controller)
 	ck_assert(third->order_count == 2 && third->order[0] == SLOT_Y && third->order[1] == SLOT_X);
 }
 
-/* The schema has a list of its own of the dialects' names. */
+/* The schema has its own list of the names of dialects. */
 START_TEST(reads_every_dialect)
 {
 	for (int row = 0; dialect_names[row]; row++) {
@@ -238,7 +238,7 @@ START_TEST(mesh_beside_its_file)
 }
 END_TEST
 
-/* The setup stands before what it is mounted on. */
+/* The setup precedes the workholding on which it is mounted. */
 START_TEST(setup_inside)
 {
 	struct machine *m;
@@ -264,7 +264,7 @@ START_TEST(setup_inside)
 }
 END_TEST
 
-/* Every preset of every control is read, and answers what the file leaves out. */
+/* Every preset of every control is read, and answers the questions that the file leaves open. */
 START_TEST(presets)
 {
 	int count = 0;

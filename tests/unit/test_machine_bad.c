@@ -1,9 +1,9 @@
-/* test_machine_bad.c - faulty machine files, each with all that is said about it. */
+/* test_machine_bad.c - faulty machine files, each with all of its messages. */
 #include "machine/setup.h"
 #include "machine_case.h"
 
 static const struct xml_case bad[] = {
-    /* the file as XML */
+    /* faults of the XML */
     {"", "m.xml: error: the file is empty: it has no element\n"},
     {"\n \n", "m.xml: error: the file is empty: it has no element\n"},
     {"solid cube\n", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
@@ -30,7 +30,7 @@ static const struct xml_case bad[] = {
      "m.xml:1: error: this is a setup file, but a machine file is needed here: give it with --setup\n"},
     {"<machine version='2'><novelty/></machine>",
      "m.xml:1: error: version \"2\" of the machine file is not supported; fivecheck reads version 1\n"},
-    /* its form */
+    /* faults of the form */
     {"<machine><base/></machine>", "m.xml:1: error: <machine> needs the attribute 'version'\n"},
     {MACHINE(""), "m.xml:1: error: <machine> needs <base>\n"},
     {MACHINE("<base/>\n<base/>"), "m.xml:3: error: <machine> has a second <base>\n"},
@@ -95,7 +95,7 @@ static const struct xml_case bad[] = {
      "m.xml:1: error: <machine> declares a namespace; fivecheck files use none\n"
      "m.xml:1: error: element <base> is in a namespace; fivecheck files use none\n"
      "m.xml:1: error: <machine> needs <base>\n"},
-    /* its meaning */
+    /* faults of the meaning */
     {BASE("<body name='b' mesh=''/>"), "m.xml:2: error: mesh=\"\" of <body> is empty\n"},
     {BASE("<body name='' mesh='b.stl'/>"), "m.xml:2: error: name=\"\" of <body> is empty\n"},
     {BASE("<body name='a&#9;b' mesh='b.stl'/>"),

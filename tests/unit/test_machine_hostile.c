@@ -1,4 +1,4 @@
-/* test_machine_hostile.c - files that are no machine files, too large, too deep, foreign or damaged. */
+/* test_machine_hostile.c - files that are no machine files, or are too large, too deep, foreign or damaged. */
 #include <sys/stat.h>
 
 #include "base/mem.h"
@@ -48,7 +48,7 @@ START_TEST(refuses_foreign_bytes)
 }
 END_TEST
 
-/* Each of these kept a parser or validator busy for minutes. */
+/* Each of these files once kept a parser or validator busy for minutes. */
 START_TEST(refuses_quickly)
 {
 	struct strbuf text = {0};
@@ -124,7 +124,7 @@ START_TEST(stops_telling_after_twenty)
 }
 END_TEST
 
-/* Cut anywhere, or with any byte replaced, a file is read or refused, no more. */
+/* A file that is cut anywhere, or in which a byte is replaced, is read or refused; nothing else happens. */
 START_TEST(survives_damage)
 {
 	static const char replacements[] = {'<', '>', '"', '\'', '&', '\0', ' ', '9', (char)0xff};
@@ -132,7 +132,7 @@ START_TEST(survives_damage)
 	size_t length = sizeof(trunnion) - 1;
 	struct diag diag = {0};
 
-	/* Without the final newline it is whole. */
+	/* Without its last newline the file is still complete. */
 	for (size_t i = 0; i < length - 1; i++) {
 		write_bytes("m.xml", trunnion, i);
 		ck_assert_ptr_null(machine_load("m.xml", &diag));

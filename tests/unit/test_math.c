@@ -1,6 +1,6 @@
 /*
- * test_math.c - the elementary functions: exact values, special values, the C library's long doubles, and their bits.
- * make check-math asks MPFR.
+ * test_math.c - the elementary functions: exact values, special values, the C library's long doubles, and fixed bits.
+ * make check-math compares them with MPFR.
  */
 #include <float.h>
 #include <math.h>
@@ -57,7 +57,7 @@ START_TEST(known_values)
 	same(math_cos(0), 1.0);
 	same(math_sin(PI / 2), 1.0);
 	same(math_cos(PI), -1.0);
-	/* How far PI is from pi; and the hardest reduction of all doubles. */
+	/* The difference of PI from pi; and the hardest argument reduction of all doubles. */
 	same(math_sin(PI), 0x1.1a62633145c07p-53);
 	same(math_cos(PI / 2), 0x1.1a62633145c07p-54);
 	same(math_cos(0x1.6ac5b262ca1ffp849), -0x1.14ae72e6ba22fp-61);
@@ -223,7 +223,10 @@ static long double truth(int function, double x, double y)
 
 START_TEST(agrees_with_long_doubles)
 {
-	/* Where they are no longer than doubles, and for the sine of degrees, whose radians they round, there is less to hold. */
+	/*
+	 * The bound is larger where long doubles are not longer than doubles, and for the sine of degrees, which rounds
+	 * the radians.
+	 */
 	const double most = LDBL_MANT_DIG >= 64 ? 0.505 : 1.5;
 	struct random random = random_case(1, 0);
 
@@ -241,7 +244,7 @@ START_TEST(agrees_with_long_doubles)
 }
 END_TEST
 
-/* The same number on every computer, with every compiler: what verdicts rest on. */
+/* The functions give the same bits on every computer and with every compiler; verdicts depend on this. */
 START_TEST(bits_are_the_same_everywhere)
 {
 	uint64_t state = 1, hash = UINT64_C(0xcbf29ce484222325);
@@ -250,13 +253,13 @@ START_TEST(bits_are_the_same_everywhere)
 		double value[2];
 
 		for (int k = 0; k < 2; k++) {
-			/* Of the splitmix64 kind; no function of the C library makes the arguments. */
+			/* Arguments as by splitmix64, because no function of the C library may make them. */
 			uint64_t z = state += UINT64_C(0x9e3779b97f4a7c15);
 
 			z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
 			z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
 			z ^= z >> 31;
-			/* From 2^-20 to 2^44, either sign. */
+			/* From 2^-20 to 2^44, with either sign. */
 			z = (z & UINT64_C(0x800fffffffffffff)) | (1003 + (z >> 52 & 63)) << 52;
 			memcpy(&value[k], &z, sizeof(z));
 		}

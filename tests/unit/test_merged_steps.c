@@ -7,7 +7,7 @@
 
 enum { STEPS = MERGED_STEPS_MAX };
 
-/* A way of single straight steps and of pieces of arcs, some of them long and some short. */
+/* A path of straight steps and pieces of arcs, some of them long and some short. */
 struct way {
 	struct random random;
 	struct path paths[STEPS];
@@ -50,7 +50,7 @@ static void way_init(struct way *way, uint64_t test, long number)
 	}
 }
 
-/* Where on the chord, from *s on, is it within the deviations of q? *s becomes the earliest place. False: nowhere. */
+/* Is q, within its deviations, on the chord at *s or later? *s becomes the earliest such place. False: nowhere. */
 static bool is_held(const struct chord *chord, const axis_values *q, double *s)
 {
 	double low = *s, high = 1;
@@ -73,7 +73,7 @@ static bool is_held(const struct chord *chord, const axis_values *q, double *s)
 	return true;
 }
 
-/* Every true position of the piece u0..u1 of the way is near the chord, the later ones not before the earlier. */
+/* Every true position of the piece u0..u1 of the path is near the chord, in the same order. */
 static void require_held(const struct way *way, const struct chord *chord, long number)
 {
 	double s = 0;

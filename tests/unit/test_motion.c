@@ -1,4 +1,4 @@
-/* test_motion.c - whole programs through interpreter and canon_to_spans, against hand computation. */
+/* test_motion.c - whole programs through the interpreter and canon_to_spans, compared with values computed by hand. */
 
 #include "machine/chain.h"
 #include "motion/motion.h"
@@ -27,7 +27,7 @@ static bool run(struct record *record, const struct machine *machine, const stru
 	return run_with(&options, record, machine, setup, program, summary);
 }
 
-/* Millimetres a minute, an offset, a tool with its length, a dwell, and G53 home again. */
+/* A feed in mm/min, a work offset, a tool with its length, a dwell, and a return home by G53. */
 START_TEST(a_program)
 {
 	static const char program[] = "G21 G90 G54\n"
@@ -57,7 +57,7 @@ START_TEST(a_program)
 	ck_assert_int_eq((int)summary.spans, record.step_count);
 	ck_assert_int_ge((int)summary.lines, 9);
 	ck_assert_int_eq(record.tool, 3);
-	/* G0 to the offset's (10, 0, 5), 80 higher for the tool. */
+	/* G0 to (10, 0, 5) in the work offset, and 80 higher because of the tool. */
 	ck_assert_double_eq_tol(record.steps[0].span.q1.v[SLOT_X], 110, 1e-12);
 	ck_assert_double_eq_tol(record.steps[0].span.q1.v[SLOT_Z], -300 + 5 + 80, 1e-12);
 	ck_assert_int_eq(record.steps[0].tool, 3);
@@ -71,7 +71,7 @@ START_TEST(a_program)
 }
 END_TEST
 
-/* The impeller's way of speaking: G43.4, then rotary words beside the linear ones. */
+/* Blocks like those of the impeller: G43.4, then rotary words beside linear ones. */
 START_TEST(a_guided_program)
 {
 	static const char program[] = "G21 G90 G54\n"
@@ -95,7 +95,7 @@ START_TEST(a_guided_program)
 		      record.messages.text);
 	ck_assert_int_eq((int)summary.moves, 2);
 	ck_assert_int_eq(record.steps[0].tool, 3);
-	/* The workpiece point (30, 0, 120) is the table's centre plus 30 in X; the tip is still there. */
+	/* The workpiece point (30, 0, 120) is the table's centre plus 30 in X; the tip stays there. */
 	table = machine_pose(&machine, machine.workholding.link, &record.last);
 	head = machine_pose(&machine, machine.spindle.link, &record.last);
 	inverse = xform_inverse(&table);
@@ -118,7 +118,7 @@ START_TEST(a_faulty_program)
 }
 END_TEST
 
-/* Steps that are not sent are counted, and change nothing else: limits, blocks, the clock. */
+/* Steps that are not sent are counted; limits, blocks and the clock stay the same. */
 START_TEST(steps_that_are_counted)
 {
 	static const char program[] = "G21 G90 G17 G1 F600 X10\nG2 X30 Y0 I10 J0\nG4 P2\nG0 X5000\nX0 Y0 Z0\nM2\n";

@@ -5,7 +5,7 @@
 
 enum { POINTS = 8, TIMES = 9 };
 
-/* One random chain with a motion, and the bounds on it. */
+/* A random chain with a motion, and the bounds for it. */
 struct scene_of_chain {
 	struct random random;
 	long number;
@@ -30,7 +30,7 @@ static void set_up(struct scene_of_chain *c, uint64_t test, long number)
 			random_size(&c->random, 1e-4, 1) * (c->chain.joints[i].rotary ? 0.1 : 10);
 	for (int k = 0; k < 2; k++)
 		c->ball[k] = (struct ball){random_point(&c->random, 300), random_size(&c->random, 0.1, 300)};
-	/* Near an axis, what carries it away from there counts most. */
+	/* For a ball near an axis, the joints that carry it away from that axis count most. */
 	if (!random_below(&c->random, 4)) {
 		c->ball[1] = (struct ball){c->chain.joints[0].location, random_size(&c->random, 0.01, 1)};
 		for (size_t i = 1; i < c->chain.count; i++) {
@@ -45,8 +45,8 @@ static void set_up(struct scene_of_chain *c, uint64_t test, long number)
 }
 
 /*
- * Points of the view's moving ball in its body's coordinates: its centre, points straight away from the axis of
- * each joint, which move most, and random ones.
+ * Points of the moving ball of this view, in the coordinates of its body: its centre, points straight away from the
+ * axis of each joint, which move most, and random points.
  */
 static void choose_points(struct scene_of_chain *c, int view, vec3 points[POINTS])
 {
@@ -76,7 +76,7 @@ static real3 place_of(const struct turned *pose, int view, vec3 point)
 	return view == 0 ? turned_apply(pose, real3_of(point)) : turned_back(pose, real3_of(point));
 }
 
-/* Greatest observed over allowed; and what is beyond rounding ends the test. */
+/* Records the greatest ratio of seen to bound; a ratio that rounding cannot explain fails the test. */
 static void observe(const struct scene_of_chain *c, const char *what, double seen, double bound, double *ratio)
 {
 	require(seen <= bound * (1 + 1e-12) + 1e-10, "case %ld: %s %.17g exceeds its bound %.17g", c->number, what,
@@ -105,7 +105,10 @@ START_TEST(pose_is_the_product_of_exponentials)
 }
 END_TEST
 
-/* rho of a joint: a point of the moving body against the axis, all joints beyond it at their place. */
+/*
+ * rho of a joint: the distance of a point of the moving body from the axis, with all joints beyond it at their
+ * positions.
+ */
 START_TEST(no_point_is_farther_from_an_axis)
 {
 	double tightest = 0;
@@ -198,7 +201,7 @@ static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
 			lengths[view] = fmax(lengths[view], way);
 		}
 	}
-	/* The better view's: in one of the two at least no point moves farther. */
+	/* In at least one of the two views no point moves farther than the better bound. */
 	observe(c, "length", fmin(lengths[0], lengths[1]), bound.length, &t->length);
 }
 
@@ -217,7 +220,7 @@ START_TEST(chord_bounds_hold_and_are_tight)
 }
 END_TEST
 
-/* What a path tolerance does to a point at an instant, and what the bound over a motion says of all points and instants. */
+/* The path displacement of a point at an instant, against the bound over a motion for all points and instants. */
 START_TEST(path_displacements)
 {
 	double tightest = 0;
@@ -270,7 +273,7 @@ START_TEST(path_displacements)
 }
 END_TEST
 
-/* The same formula with the joints numbered from the moved body: the bound does not hold. */
+/* The same formula with the joints numbered from the moved body, for which the bound does not hold. */
 static double bend_numbered_backwards(const struct scene_of_chain *c, int view)
 {
 	double turned = 0, acceleration = 0;
@@ -316,7 +319,10 @@ START_TEST(numbering_matters)
 }
 END_TEST
 
-/* The share of the linear joints: each by its own amount along its direction at the state, as the view sees it. */
+/*
+ * The part of the linear joints: each moves by its own amount along its direction at this position, as seen in the
+ * view.
+ */
 static real3 linear_share(const struct scene_of_chain *c, int view, const axis_values *off)
 {
 	real3 share = {0, 0, 0};
@@ -334,7 +340,7 @@ static real3 linear_share(const struct scene_of_chain *c, int view, const axis_v
 	return share;
 }
 
-/* The directions of the joints at the state, as the view sees them. */
+/* The directions of the joints at this position, as seen in the view. */
 static void joint_directions(const struct scene_of_chain *c, int view, vec3 directions[SLOT_COUNT])
 {
 	struct turned pose = true_pose(&c->chain, &c->q0, &c->q0, 0, NULL);
@@ -347,7 +353,7 @@ static void joint_directions(const struct scene_of_chain *c, int view, vec3 dire
 	}
 }
 
-/* The most that the rotary joints' turns may carry a point along n. */
+/* The largest distance by which the turns of the rotary joints can move a point along n. */
 static double turns_along(const struct scene_of_chain *c, const struct box_bound *bound, int view,
 			  const vec3 directions[SLOT_COUNT], vec3 n)
 {

@@ -10,7 +10,10 @@ enum { SAMPLES = 6 };
 
 static const struct position_errors exact = {.any = false};
 
-/* Two solids on a chain whose axes wander in short steps about a place where the solids are near each other. */
+/*
+ * Two solids on a chain whose axes move in random short steps around a position at which the solids are near each
+ * other.
+ */
 struct walk {
 	struct random random;
 	long number;
@@ -88,7 +91,7 @@ static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, co
 	kept_budgets_resume(&w->budgets, from);
 }
 
-/* Of the amount one part is chord error, the other path tolerance. */
+/* One part of the amount is chord error, the other part path tolerance. */
 static struct position_errors random_errors(struct walk *w, const axis_values *amount)
 {
 	struct position_errors errors = {.any = false};
@@ -173,7 +176,7 @@ START_TEST(what_is_covered_is_apart)
 				move_straight(&w, &sweep);
 			else
 				move_in_box(&w, &sweep);
-			/* Now and then the axes go elsewhere unwatched. */
+			/* Sometimes the axes go elsewhere, and the budget is not told. */
 			if (!random_below(&w.random, 20)) {
 				w.at = next_place(&w);
 				kept_budgets_resume(&w.budgets, &w.at);
@@ -190,7 +193,7 @@ START_TEST(what_is_covered_is_apart)
 }
 END_TEST
 
-/* As far as a budget reaches along a random direction, points of the balls move by no more than the room. */
+/* Along a random direction, up to the end of the budget, points of the balls move by no more than the room. */
 START_TEST(no_point_moves_farther_than_the_room)
 {
 	double tightest = 0;
@@ -231,7 +234,7 @@ START_TEST(no_point_moves_farther_than_the_room)
 				moved[view] = fmax(moved[view], (double)real3_norm(way));
 			}
 		}
-		/* One of the views stands for it. */
+		/* The bound must hold in one of the two views. */
 		require(fmin(moved[0], moved[1]) <= room * (1 + 1e-12), "case %ld: moved %g, room %g", n,
 			fmin(moved[0], moved[1]), room);
 		if (low < 9)
@@ -241,7 +244,7 @@ START_TEST(no_point_moves_farther_than_the_room)
 }
 END_TEST
 
-/* Along one linear axis straight at the other body the budget is worth all of its room. */
+/* Along one linear axis, straight toward the other body, the budget uses all of its room. */
 START_TEST(budget_is_not_slack)
 {
 	const struct chain chain = {.count = 1, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}}}};

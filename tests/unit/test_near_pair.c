@@ -1,4 +1,6 @@
-/* test_near_pair.c - the nearest triangle to a point, and two triangles near each other, against all triangles. */
+/*
+ * test_near_pair.c - the triangle that is nearest to a point, and two triangles near each other, against all triangles.
+ */
 #include "scene/near_pair.h"
 
 #include "geom/point_distance.h"
@@ -62,7 +64,7 @@ START_TEST(nearest_to_a_point)
 }
 END_TEST
 
-/* Above the middle of a triangle the nearest point is the foot, however the rounding falls out. */
+/* Above the middle of a triangle the nearest point is the foot of the perpendicular, for every rounding. */
 START_TEST(nearest_above_a_triangle)
 {
 	const long cases = random_cases(2000);
@@ -87,7 +89,7 @@ START_TEST(nearest_above_a_triangle)
 }
 END_TEST
 
-/* A triangle whose corners lie nearly or exactly on one line, from which rounding takes its normal. */
+/* A triangle whose corners are nearly or exactly on one line, so that its normal is only rounding. */
 START_TEST(nearest_to_a_sliver)
 {
 	const long cases = random_cases(2000);
@@ -122,7 +124,7 @@ START_TEST(nearest_to_a_sliver)
 }
 END_TEST
 
-/* A body that stands still and another that moves in x, y and z beside it. */
+/* A body that stands still, and another one beside it that moves in x, y and z. */
 static void duo_beside(struct duo *duo, struct random *random)
 {
 	const struct chain chain = {.count = 3, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
@@ -135,10 +137,11 @@ static void duo_beside(struct duo *duo, struct random *random)
 }
 
 /*
- * Never nearer than the bodies are; the triangles that are remembered are as near; not farther than before. No case
- * promises how much farther than the bodies they may be: the number of rounds is limited, and of two solids that overlap
- * each point may be the nearest one of its surface to the other, although the surfaces cross elsewhere. But all solids
- * here are convex, so in nearly all cases nearly the nearest triangles are found.
+ * The distance found is never less than that of the bodies, is that of the two triangles that are kept, and never
+ * grows. How much more it may be than the true distance is not promised for a single case: the number of rounds is
+ * limited, and for two solids that overlap, each point may be the nearest point of its surface to the other, although
+ * the surfaces cross elsewhere. But all solids here are convex, so in nearly all cases nearly the nearest triangles are
+ * found.
  */
 START_TEST(near_each_other)
 {

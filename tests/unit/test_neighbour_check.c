@@ -1,4 +1,4 @@
-/* test_neighbour_check.c - excused neighbours that meet when their joint moves, in closed forms. */
+/* test_neighbour_check.c - excused neighbours that meet when their joint moves, against closed forms. */
 #include "scene/neighbour_check.h"
 
 #include "base/same_double.h"
@@ -8,8 +8,8 @@
 #include "suite.h"
 
 /*
- * A bed with a wall at X 200, and a slide of X that stands on the bed. At X its face is `x - 150` mm deep in the wall,
- * and with an end of the travel at 230 mm 80 mm deep.
+ * A bed with a wall at X 200, and a slide of X that stands on the bed. At X = x the face of the slide is x - 150 mm
+ * deep in the wall: 80 mm at 230, the end of the travel.
  */
 static void start(struct model *model, double most)
 {
@@ -29,7 +29,7 @@ static void excuse(struct model *model, enum pair_status status)
 	model->scene->pair_count = 1;
 }
 
-/* Expects the doubt with its depth (mm) and the position of the joint; a depth of 0: none. */
+/* Expects the doubt with its depth (mm) and the position of the joint; depth 0: no doubt. */
 static void expect(struct model *model, double depth, double position)
 {
 	struct doubts doubts = {0};
@@ -47,7 +47,7 @@ static void expect(struct model *model, double depth, double position)
 	doubts_release(&doubts);
 }
 
-/* The end of the travel decides; some machines draw their guideways a little through each other. */
+/* The end of the travel decides. On some machines guideways are drawn a little into each other. */
 START_TEST(linear)
 {
 	static const struct {
@@ -71,7 +71,7 @@ START_TEST(linear)
 }
 END_TEST
 
-/* Only what is excused is doubted, and not what the file says is right. */
+/* Only excused pairs are doubted, and no pair that the file marks as checked. */
 START_TEST(not_judged)
 {
 	static const enum pair_status others[] = {PAIR_CHECKED, PAIR_WAIVED, PAIR_OUT_OF_REACH};
@@ -89,7 +89,7 @@ START_TEST(not_judged)
 }
 END_TEST
 
-/* What is drawn as deep at home tells nothing new: 30 mm at home, 50 at the end. */
+/* A pair that is drawn as deep at home is not doubted: 30 mm at home, 50 mm at the end. */
 START_TEST(as_deep_at_home)
 {
 	struct model model;
@@ -105,8 +105,9 @@ START_TEST(as_deep_at_home)
 END_TEST
 
 /*
- * An endless rotary axis is turned once: an arm of C, 300 mm long and 40 mm wide, points into a post at -90 degrees. The
- * middles of the two triangles of its end are 60 - 20/3 mm from the flanks of the post, and `behind` from its far side.
+ * An endless rotary axis is turned once: an arm of C, 300 mm long and 40 mm wide, points into a post at -90 degrees.
+ * The middles of the two triangles at the arm's end are 60 - 20/3 mm from the flanks of the post, and `behind` mm from
+ * its far side.
  */
 START_TEST(endless_rotary)
 {
@@ -139,7 +140,10 @@ static void add_shell(struct mesh *mesh, double half, bool inverted)
 	mesh_release(&box);
 }
 
-/* What stands in a cavity is in no material, however large the solid around it: only the wall that it enters counts. */
+/*
+ * A body in a cavity is in no material, however large the solid around the cavity is: only the wall that it enters
+ * counts.
+ */
 START_TEST(in_a_cavity)
 {
 	static const struct {
@@ -164,7 +168,7 @@ START_TEST(in_a_cavity)
 }
 END_TEST
 
-/* All doubts of a model come in the same order from two threads: neighbours, a gap, a travel, a spindle that is far. */
+/* All doubts of a model come in the same order with two threads: neighbours, a gap, a travel, a distant spindle. */
 START_TEST(threads_change_nothing)
 {
 	struct doubts doubts[2] = {{0}, {0}};

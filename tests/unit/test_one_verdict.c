@@ -10,8 +10,8 @@
 #include "suite.h"
 
 /*
- * Programs near contact: where the first step begins the bodies are as far apart as they must be, give or take a few
- * tolerances. There a quick way that proves a little less than the sweep needs would turn the verdict.
+ * Programs near contact: where the first step begins, the distance of the bodies is the required one, plus or minus a
+ * few tolerances. A quick method that proved a little less than the sweep needs would change the verdict there.
  */
 struct near_program {
 	struct program p;
@@ -20,8 +20,8 @@ struct near_program {
 };
 
 /*
- * The closed form: the sum over the joints of tolerance times lever, for the corner where it is largest, in the better of
- * both views; linear joints by the largest sum of their vectors.
+ * The closed form: the sum over the joints of tolerance times lever, for the corner where the sum is largest, in the
+ * better of both views; for linear joints the largest sum of their vectors.
  */
 static double closed_form(const struct duo *duo, const axis_values *q, const axis_values *tolerance)
 {
@@ -59,7 +59,7 @@ static double closed_form(const struct duo *duo, const axis_values *q, const axi
 	return fmin(most[0], most[1]);
 }
 
-/* The shortest way (a's mesh coordinates) from a to b at q. */
+/* The shortest vector (in a's mesh coordinates) from a to b at q. */
 static vec3 way_between(const struct duo *duo, const axis_values *q)
 {
 	xform pose = body_pair_pose(&duo->pair, q);
@@ -85,7 +85,7 @@ static vec3 way_between(const struct duo *duo, const axis_values *q)
 	return way;
 }
 
-/* Moves b nearer to a, until they are `wanted` mm apart at q. False: they meet. */
+/* Moves b toward a, until they are `wanted` mm apart at q. False: they meet. */
 static bool bring_near(struct duo *duo, const axis_values *q, double wanted)
 {
 	for (int round = 0; round < 50; round++) {
@@ -107,7 +107,7 @@ static bool bring_near(struct duo *duo, const axis_values *q, double wanted)
 }
 
 /*
- * Every other program slides within a few tolerances of contact, without a clearance: there even a coarse distance is
+ * Every second program slides within a few tolerances of contact, without a clearance: there even a coarse distance is
  * a budget for some of its steps.
  */
 static bool slide_at_contact(struct program *p, const axis_values *allowed)
@@ -125,7 +125,7 @@ static bool slide_at_contact(struct program *p, const axis_values *allowed)
 	return bring_near(&p->duo, &p->corners[0], wanted);
 }
 
-/* False: the bodies meet where the program begins. */
+/* False: the bodies meet at the start of the program. */
 static bool near_program_init(struct near_program *n, uint64_t test, long number)
 {
 	struct program *p = &n->p;
@@ -156,7 +156,7 @@ static bool near_program_init(struct near_program *n, uint64_t test, long number
 	return p->clearance >= 0;
 }
 
-/* What the sweep alone says of a step: nothing is remembered from other steps. */
+/* The answer of the sweep alone for a step: nothing is remembered from other steps. */
 static enum query_answer sweep_alone(struct near_program *n, struct sweep *sweep, int step, struct contact *contact)
 {
 	struct body_pair bodies = n->p.duo.pair;
@@ -204,7 +204,7 @@ struct counts {
 	long chunks, merged, steps, contacts;
 };
 
-/* False: contact, and the program ends. */
+/* False: a contact, and the program ends. */
 static bool take_step(struct near_program *n, struct strategy *strategy, struct sweep *sweep, struct sweep *alone, int i,
 		      long number, struct counts *counts)
 {
@@ -225,7 +225,10 @@ static bool take_step(struct near_program *n, struct strategy *strategy, struct 
 	return false;
 }
 
-/* Whatever a strategy passes, by budgets, chunks, merged steps or what it remembers, the sweep alone calls apart. */
+/*
+ * Every step that a strategy passes, by budgets, chunks, merged steps or memory, is one that the sweep alone finds
+ * apart.
+ */
 START_TEST(quick_ways_pass_only_what_the_sweep_does)
 {
 	struct sweep sweep = {0}, alone = {0};
@@ -238,7 +241,7 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 		bool usable = near_program_init(&n, 1, number);
 
 		strategy_init(&strategy, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 5 == 0);
-		/* As if many sweeps had gone before: planes are searched from the first step on. */
+		/* As if many sweeps had preceded: planes are searched from the first step on. */
 		strategy.planes.credit = number % 2 ? 1e6 : 0;
 		for (int i = 0; usable && i < STEPS;) {
 			int passed = random_below(&n.p.random, 2) ? 0 : offer_chunk(&n, &strategy, i);
@@ -268,7 +271,7 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 }
 END_TEST
 
-/* A step swept whole, or cut into pieces as a program may be: each finding is within its closed form. */
+/* A step is swept as a whole, or cut into pieces as in a program: each finding is within its closed form. */
 START_TEST(findings_are_within_the_closed_form)
 {
 	struct sweep sweep = {0};
@@ -314,7 +317,7 @@ START_TEST(findings_are_within_the_closed_form)
 }
 END_TEST
 
-/* What is reported beside a finding is the closed form, too. */
+/* The displacement that is reported with a finding is that of the closed form, too. */
 START_TEST(path_displacement_of_a_pair)
 {
 	for (long number = 0; number < random_cases(100); number++) {
@@ -334,9 +337,9 @@ START_TEST(path_displacement_of_a_pair)
 END_TEST
 
 /*
- * A plate of 60 mm from its axis to its corners, turned by C, and a head 600 mm long above it, carried by X and Z. With 0.02 mm
- * and 0.02 degrees the control brings them no more than 60 * radians(0.02) + 0.02 * sqrt(2) = 0.0492 mm closer, and less near
- * the axis: 0.0427 mm where the head ends, 41 mm from it.
+ * A plate of 60 mm from its axis to its corners is turned by C; above it is a head 600 mm long, carried by X and Z.
+ * With 0.02 mm and 0.02 degrees the control can bring them nearer by at most 60 * radians(0.02) + 0.02 * sqrt(2) =
+ * 0.0492 mm, and by less near the axis: 0.0427 mm where the head ends, 41 mm from it.
  */
 START_TEST(a_long_head_over_a_small_plate)
 {

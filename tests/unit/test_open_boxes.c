@@ -17,14 +17,14 @@ START_TEST(counts_undecided_rapids_of_a_share)
 {
 	struct open_boxes boxes = {0};
 
-	/* Only a rapid of unknown way that used up its effort counts. */
+	/* Only a rapid whose path is not known, and that used up its effort, counts. */
 	ck_assert_int_eq(after(&boxes, 0, QUERY_UNDECIDED, true, PATH_STRAIGHT), 0);
 	ck_assert_int_eq(after(&boxes, 0, QUERY_UNDECIDED, false, PATH_BOX), 0);
 	ck_assert_int_eq(after(&boxes, 0, QUERY_CONTACT, true, PATH_BOX), 0);
 	ck_assert_int_eq(after(&boxes, 0, QUERY_UNDECIDED, true, PATH_BOX), 1);
 	ck_assert_int_eq(after(&boxes, 0, QUERY_UNDECIDED, true, PATH_BOX), 2);
 	ck_assert_int_eq(after(&boxes, 0, QUERY_CONTACT, false, PATH_BOX), 2);
-	/* Which shard checks which share must not matter. */
+	/* It must not matter which shard checks which share. */
 	ck_assert_int_eq(open_boxes_count(&boxes, 5), 0);
 	for (int i = 1; i <= 2 * BOX_HALVINGS_MAX; i++)
 		ck_assert_int_eq(after(&boxes, 5, QUERY_UNDECIDED, true, PATH_BOX),

@@ -1,4 +1,4 @@
-/* test_orient.c - G53.1's rotary positions: closed forms, forward kinematics of random machines, limits. */
+/* test_orient.c - the rotary positions of G53.1: closed forms, forward kinematics of random machines, limits. */
 
 #include "machine/chain.h"
 #include "motion/orient.h"
@@ -12,7 +12,7 @@ static vec3 euler_normal(double i, double j)
 	return (vec3){sin(radians(i)) * sin(radians(j)), -cos(radians(i)) * sin(radians(j)), cos(radians(j))};
 }
 
-/* Turns from `here` (degrees on two slots) and expects these degrees. */
+/* Starts with these positions of two slots (degrees) and expects these results. */
 static void expect_turn(const struct machine *machine, vec3 direction, int s1, double h1, int s2, double h2, double e1,
 			double e2)
 {
@@ -27,7 +27,7 @@ static void expect_turn(const struct machine *machine, vec3 direction, int s1, d
 	ck_assert_double_eq_tol(degrees(orientation.rotary.v[s2]), e2, 1e-9);
 }
 
-/* n = Rz(I) Rx(J) z; the trunnion makes it with A = J, C = I, or with A = -J, C = I + 180. */
+/* n = Rz(I) Rx(J) z: on the trunnion this is A = J, C = I, or A = -J, C = I + 180. */
 START_TEST(trunnion_closed_form)
 {
 	struct machine machine = rig_trunnion();
@@ -68,7 +68,7 @@ START_TEST(head_closed_form)
 }
 END_TEST
 
-/* B tilts the head, C turns the table: n = Rz(C) Ry(B) z, too. */
+/* B tilts the head and C turns the table: again n = Rz(C) Ry(B) z. */
 START_TEST(mixed_closed_form)
 {
 	struct machine machine = rig_three_axes();
@@ -84,7 +84,7 @@ START_TEST(mixed_closed_form)
 }
 END_TEST
 
-/* B leans by 45 degrees from Z to Y: the tool's tilt J has cos J = (1 + cos B) / 2. */
+/* The axis B is inclined by 45 degrees from Z to Y: for the tilt J of the tool, cos J = (1 + cos B) / 2. */
 START_TEST(nutating_closed_form)
 {
 	struct machine machine = rig_three_axes();
@@ -95,7 +95,7 @@ START_TEST(nutating_closed_form)
 	for (int k = 0; k < 1000; k++) {
 		double i = rig_random(&random, -180, 180), j = rig_random(&random, 1, 89);
 		double b = acos(2 * cos(radians(j)) - 1);
-		/* Rodrigues: z turned by b about (0, 1, 1) / sqrt 2. */
+		/* Rodrigues: z rotated by b about (0, 1, 1) / sqrt 2. */
 		double x = sin(b) / sqrt(2), y = (1 - cos(b)) / 2;
 		double c = i - 90 - degrees(atan2(y, x));
 
@@ -104,7 +104,7 @@ START_TEST(nutating_closed_form)
 }
 END_TEST
 
-/* Forward: the tool's direction in the workpiece where the axes stand. */
+/* Forward kinematics: the direction of the tool in the workpiece at this position of the axes. */
 static vec3 tool_in_workpiece(const struct machine *machine, const axis_values *q)
 {
 	xform head = machine_pose(machine, machine->spindle.link, q);
@@ -114,7 +114,7 @@ static vec3 tool_in_workpiece(const struct machine *machine, const axis_values *
 				     mat3_apply(&head.rotation, vec3_scale(-1, machine->spindle.direction)));
 }
 
-/* The controller's direction of a workpiece direction, by the definition of rotary zero. */
+/* The controller's form of a direction in the workpiece, by the definition of rotary zero. */
 START_TEST(random_machines)
 {
 	uint64_t random = 15;
@@ -163,7 +163,7 @@ START_TEST(random_machines)
 		ck_assert_msg(orient_tool(&machine, place, &messages.diag, &orientation), "%s", messages.text);
 		there = tool_in_workpiece(&machine, &orientation.rotary);
 		ck_assert_double_le(vec3_norm(vec3_sub(there, wanted)), 3e-6);
-		/* The truth is one of the candidates: none is better than what was chosen. */
+		/* The true position is one of the candidates: none may be better than the chosen one. */
 		first_way = fabs(orientation.rotary.v[one] - truth.v[one]);
 		second_way = fabs(orientation.rotary.v[two] - truth.v[two]);
 		ck_assert_double_le(first_way, first_best + 1e-5);
@@ -177,20 +177,19 @@ START_TEST(limits_choose)
 {
 	struct machine machine = rig_trunnion();
 
-	/* A from -120 to 30: of A60 C0 and A-60 C180 only the second is within. */
+	/* A from -120 to 30: of A60 C0 and A-60 C180 only the second one is inside the limits. */
 	rig_find(&machine, SLOT_A)->limit_min = radians(-120);
 	rig_find(&machine, SLOT_A)->limit_max = radians(30);
 	expect_turn(&machine, euler_normal(0, 60), SLOT_A, 0, SLOT_C, 10, -60, 180);
 	expect_turn(&machine, euler_normal(0, 60), SLOT_A, 0, SLOT_C, -10, -60, -180);
-	/* At the very limit. */
+	/* Exactly at the limit. */
 	expect_turn(&machine, euler_normal(5, 30), SLOT_A, 0, SLOT_C, 0, 30, 5);
 }
 END_TEST
 
 /*
- * Fanuc 16i/18i-B operator's manual (B-63534EN), tool axis direction control,
- * "Angle of rotation axis", output judgement conditions <1> to <4>. On the
- * trunnion A carries C: A's way decides, however far C has to go.
+ * Fanuc 16i/18i-B operator's manual (B-63534EN), tool axis direction control, "Angle of rotation axis", output
+ * judgement conditions <1> to <4>. On the trunnion A carries C, so the travel of A decides, however far C has to move.
  */
 START_TEST(first_axis_decides)
 {
@@ -199,14 +198,17 @@ START_TEST(first_axis_decides)
 	/* A20 C0 or A-20 C180: A moves by 10 or 30, C by 170 or 10. */
 	expect_turn(&machine, euler_normal(0, 20), SLOT_A, 10, SLOT_C, 170, 20, 0);
 	expect_turn(&machine, euler_normal(0, 20), SLOT_A, -10, SLOT_C, 10, -20, 180);
-	/* <2> From A0 both ways of A are equal. */
+	/* <2> From A0 both solutions move A equally far. */
 	expect_turn(&machine, euler_normal(0, 20), SLOT_A, 0, SLOT_C, 95, -20, 180);
-	/* <4> A20 C30 or A-20 C210 from A0 C120: equal ways, and 20 is as near to 0 as -20; 30 is nearer than 210. */
+	/*
+	 * <4> A20 C30 or A-20 C210 from A0 C120: equal distances, and 20 is as near to 0 as -20; 30 is nearer to 0 than
+	 * 210.
+	 */
 	expect_turn(&machine, euler_normal(30, 20), SLOT_A, 0, SLOT_C, 120 - 1e-9, 20, 30);
 }
 END_TEST
 
-/* Mixed type: the table comes first. B tilts the head, C turns the table: B20 C-90 or B-20 C90. */
+/* Mixed type: the table has precedence. B tilts the head, C turns the table: B20 C-90 or B-20 C90. */
 START_TEST(table_decides_before_head)
 {
 	struct machine machine = rig_three_axes();
@@ -218,7 +220,7 @@ START_TEST(table_decides_before_head)
 }
 END_TEST
 
-/* C carries B in the head: C comes first. */
+/* C carries B in the head: C has precedence. */
 START_TEST(carrier_decides_in_head)
 {
 	struct machine machine = rig_machine();
@@ -234,7 +236,7 @@ START_TEST(carrier_decides_in_head)
 	machine.spindle.link = rig_axis(&machine, SLOT_B, link, rig_y, (vec3){0, 0, 700});
 	expect_turn(&machine, euler_normal(0, 20), SLOT_B, 60, SLOT_C, 5, -20, 90);
 	expect_turn(&machine, euler_normal(0, 20), SLOT_B, -60, SLOT_C, -5, 20, -90);
-	/* <3> B20 C-60 or B-20 C120 from B0 C30: the ways are equal; -60 is nearer to 0 than 120. */
+	/* <3> B20 C-60 or B-20 C120 from B0 C30: the distances are equal; -60 is nearer to 0 than 120. */
 	expect_turn(&machine, euler_normal(30, 20), SLOT_B, 0, SLOT_C, 30 + 1e-9, 20, -60);
 }
 END_TEST
@@ -268,13 +270,13 @@ START_TEST(messages)
 	rig_find(&machine, SLOT_A)->limit_min = radians(-10);
 	expect_message(&machine, euler_normal(10, 20), false, 0,
 		       "within their limits, the rotary axes cannot turn the tool perpendicular to this plane");
-	/* Half a turn of C, either way. */
+	/* Half a turn of C, in either direction. */
 	rig_find(&machine, SLOT_A)->limit_min = radians(-90);
 	expect_message(
 	    &machine, euler_normal(0, 20), false, 0,
 	    "G53.1 could turn to C180 A-20 or to C-180 A-20, which are equally near: turn the rotary axes towards the "
 	    "intended position in a block before, or give half_turn to axis C in the machine file");
-	/* The machine file knows which. */
+	/* The machine file gives the direction. */
 	rig_find(&machine, SLOT_C)->half_turn = -1;
 	expect_message(&machine, euler_normal(0, 20), true, 0,
 		       "G53.1 turns to C-180 A-20; the other solution, C0 A20, is outside the limits");

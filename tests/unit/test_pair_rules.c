@@ -2,7 +2,7 @@
 
 #include "suite.h"
 
-/* Links: 0 base, 1 Z with the head, 2 A with the cradle. Tool, fixture and part are bodies of a setup. */
+/* Links: 0 is the base, 1 is Z with the head, 2 is A with the cradle. Tool, fixture and part are bodies of a setup. */
 static const struct body head = {.name = "head", .role = ROLE_MACHINE, .link = 1};
 static const struct body cradle = {.name = "cradle", .role = ROLE_MACHINE, .link = 2};
 static const struct body cover = {.name = "cover", .role = ROLE_MACHINE, .link = 2};
@@ -29,7 +29,7 @@ static struct pair_rule rule(struct pair_name a, struct pair_name b, enum rule_c
 	return (struct pair_rule){a, b, check, clearance, check == PAIR_NEVER ? "because" : NULL, 1};
 }
 
-/* Both orders of the rules and of the bodies must rule the same. */
+/* The order of the rules and of the bodies must not matter. */
 static struct pair_ruling apply(const struct pair_rule *rules, size_t count, const struct body *a, const struct body *b)
 {
 	struct pair_rule reversed[8];
@@ -68,7 +68,7 @@ START_TEST(who_is_named)
 	const struct pair_rule own[] = {rule(body_name("cradle"), link_name(1), PAIR_NEVER, -1)};
 
 	expect(links, 1, &head, &cradle, PAIR_NEVER, -1);
-	/* A link means the machine's own bodies on it, not what is clamped there. */
+	/* The name of a link stands for the machine's own bodies on it, not for those that are mounted there. */
 	expect(links, 1, &holder, &cradle, PAIR_DERIVED, -1);
 	expect(links, 1, &head, &vise, PAIR_DERIVED, -1);
 	expect(roles, 1, &holder, &vise, PAIR_ALWAYS, 3);
@@ -76,7 +76,7 @@ START_TEST(who_is_named)
 	expect(own, 1, &head, &cradle, PAIR_NEVER, -1);
 	expect(own, 1, &head, &cover, PAIR_DERIVED, -1);
 	expect(own, 0, &head, &cradle, PAIR_DERIVED, -1);
-	/* Two bodies of one link: both names must be theirs. */
+	/* Two bodies of one link: each name must belong to one of them. */
 	expect(links, 1, &cradle, &cover, PAIR_DERIVED, -1);
 }
 END_TEST
@@ -107,7 +107,7 @@ START_TEST(among_equals)
 	const struct pair_rule equals[] = {rule(body_name("head"), body_name("cradle"), PAIR_NEVER, 1),
 					   rule(body_name("cradle"), body_name("head"), PAIR_ALWAYS, 4),
 					   rule(body_name("head"), body_name("cradle"), PAIR_NEVER, 2)};
-	/* A rule without a check, or without a clearance, leaves that to the others. */
+	/* A rule without a check, or without a clearance, leaves this to other rules. */
 	const struct pair_rule halves[] = {rule(body_name("head"), body_name("cradle"), PAIR_DERIVED, 7),
 					   rule(link_name(1), link_name(2), PAIR_NEVER, 1)};
 	const struct pair_rule zero[] = {rule(body_name("head"), body_name("cradle"), PAIR_DERIVED, 0),

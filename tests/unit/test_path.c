@@ -1,4 +1,4 @@
-/* Arcs against closed forms, and the bound on their chords against dense samples in long double. */
+/* test_path.c - arcs against closed forms, and the bound of their chord error against dense samples in long double. */
 
 #include "motion/path.h"
 #include "motion_rig.h"
@@ -24,7 +24,7 @@ START_TEST(straight_is_linear)
 }
 END_TEST
 
-/* Quarter of a circle of radius 10 about (0, 0), and a rise of 4; A goes along. */
+/* A quarter of a circle of radius 10 about (0, 0) that rises by 4, while A turns. */
 START_TEST(helix_in_the_xy_plane)
 {
 	struct path path = {.kind = PATH_ARC, .circular = true, .start = {{10, 0, 1, 0}}, .end = {{0, 10, 5, 1}},
@@ -34,15 +34,17 @@ START_TEST(helix_in_the_xy_plane)
 	assert_xyz(path_position(&path, 1.0 / 3), 10 * cos(PI / 6), 5, 1 + 4 / 3.0);
 	ck_assert_double_eq_tol(path_position(&path, 0.25).v[SLOT_A], 0.25, 1e-15);
 	ck_assert_double_eq_tol(path_length(&path), sqrt(25 * PI * PI + 16), 1e-12);
-	/* The rise is linear: its chord is exact but for rounding. */
+	/* The rise is linear: its chord is exact except for rounding. */
 	ck_assert_double_lt(path_chord_error(&path, 0, 1).v[SLOT_Z], 1e-12);
-	/* The chord of a small arc leaves it by r (1 - cos(a/2)) on the axis that the arc's middle looks at. */
+	/*
+	 * The chord of a small arc differs by r (1 - cos(a/2)) on the axis toward which the middle of the arc points.
+	 */
 	ck_assert_double_ge(path_chord_error(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 - 1e-4));
 	ck_assert_double_le(path_chord_error(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 + 1e-4));
 }
 END_TEST
 
-/* G18 and G19 clockwise, and three turns in one go. */
+/* Clockwise arcs in G18 and G19, and three turns in one move. */
 START_TEST(other_planes_and_turns)
 {
 	struct path zx = {.kind = PATH_ARC, .circular = true, .start = {{0, 7, 20}}, .end = {{-20, 7, 0}},
@@ -61,7 +63,7 @@ START_TEST(other_planes_and_turns)
 }
 END_TEST
 
-/* Radius 10 to 20 over half a turn. */
+/* The radius grows from 10 to 20 over half a turn. */
 START_TEST(spiral)
 {
 	struct path path = {.kind = PATH_ARC, .circular = true, .start = {{10, 0, 0}}, .end = {{-20, 0, 0}},
@@ -77,7 +79,7 @@ START_TEST(spiral)
 		length += hypot(b.v[SLOT_X] - a.v[SLOT_X], b.v[SLOT_Y] - a.v[SLOT_Y]);
 	}
 	ck_assert_double_eq_tol(path_length(&path), length, 1e-3 * length);
-	/* Out of the very centre: half way round, half the radius. */
+	/* A spiral that starts at its centre: after half of its angle it has half of its radius. */
 	assert_xyz(path_position(&out, 0.5), 2 * sqrt(0.5), 2 * sqrt(0.5), 0);
 }
 END_TEST
@@ -93,7 +95,7 @@ START_TEST(ends_are_the_given_bits)
 }
 END_TEST
 
-/* An end that the arc's formula does not meet is inside the bound of the last piece. */
+/* If the formula of the arc misses the programmed end, the bound of the last piece includes this. */
 START_TEST(a_missed_end_is_accounted_for)
 {
 	struct path path = {.kind = PATH_ARC, .circular = true, .start = {{10, 0, 0}}, .end = {{0.001, 10, 0}},
@@ -104,7 +106,7 @@ START_TEST(a_missed_end_is_accounted_for)
 }
 END_TEST
 
-/* ------------------------------------------------------- the chord's bound */
+/* ------------------------------------------ the bound of the chord error */
 
 static struct path random_arc(uint64_t *random)
 {
@@ -156,7 +158,7 @@ static void true_position(const struct path *path, long double u, long double ou
 	}
 }
 
-/* The largest |true - chord| / bound over [u0, u1]. */
+/* The largest ratio of |true - chord| to the bound over [u0, u1]. */
 static double worst_ratio(const struct path *path, double u0, double u1, int samples)
 {
 	axis_values q0 = path_position(path, u0), q1 = path_position(path, u1);
@@ -194,7 +196,7 @@ START_TEST(chord_bound_holds_and_is_tight)
 }
 END_TEST
 
-/* With hardly any chord left, only rounding is in the bound: it must hold too, and not by accident. */
+/* If the chord is so short that the bound is only for rounding, it must still hold, and not by chance. */
 START_TEST(rounding_is_inside)
 {
 	uint64_t random = 77;

@@ -1,4 +1,4 @@
-/* test_path_copies.c - what copies of paths share, and how long they stay. */
+/* test_path_copies.c - what copies of a path share, and how long the shared data stay. */
 
 #include "check/path_copies.h"
 #include "suite.h"

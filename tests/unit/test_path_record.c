@@ -3,7 +3,7 @@
 #include "motion/span.h"
 #include "suite.h"
 
-/* Three blocks of one step each to x, the second with C at `turn`; they are `blocks` many. */
+/* Adds three blocks of one step each to x, the second one with C at `turn`; the number of blocks is `blocks`. */
 static void travel(struct path_record *path, double x, double turn, int tool, long blocks)
 {
 	for (long i = 0; i < blocks; i++) {
@@ -38,15 +38,15 @@ START_TEST(runs_are_compared)
 	y = path.digests[SLOT_Y];
 	ck_assert(is_same(&path, 5, 1, 2, 3, 0));
 	ck_assert(path.digests[SLOT_X] == x && path.digests[SLOT_Y] == y);
-	/* Farther along X: still the same path. */
+	/* Farther along X it is still the same path. */
 	ck_assert(is_same(&path, 5.25, 1, 2, 3, 0.25));
 	ck_assert(path.digests[SLOT_X] != x && path.digests[SLOT_Y] == y);
-	/* Another turn, another tool, less, more. */
+	/* Another turn, another tool, fewer blocks, more blocks. */
 	ck_assert(!is_same(&path, 5, 1 + 1e-6, 2, 3, 0));
 	ck_assert(!is_same(&path, 5, 1, 3, 3, 0));
 	ck_assert(!is_same(&path, 5, 1, 2, 2, 0));
 	ck_assert(!is_same(&path, 5, 1, 2, 4, 0));
-	/* What was recorded is not changed by that. */
+	/* These questions have not changed the record. */
 	ck_assert(is_same(&path, 4, 1, 2, 3, 1));
 	path_record_release(&path);
 }

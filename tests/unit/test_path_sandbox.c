@@ -1,4 +1,6 @@
-/* What lies inside of a folder, and that nothing else is opened while links and folders are exchanged. */
+/*
+ * test_path_sandbox.c - what is inside a folder, and that nothing else is opened while links and folders are exchanged.
+ */
 #include "base/path_sandbox.h"
 
 #include <errno.h>
@@ -26,7 +28,7 @@ static void write_file(const char *path, const char *text)
 	fclose(file);
 }
 
-/* in/f, in/d/f and in/up, a link to d/f, hold "i"; out/f, out/d/f and what the other links lead to holds "o". */
+/* in/f, in/d/f and in/up, a link to d/f, contain "i"; out/f, out/d/f and the targets of the other links contain "o". */
 static void set_up(void)
 {
 	ck_assert_ptr_nonnull(mkdtemp(folder));
@@ -48,7 +50,7 @@ static void tear_down(void)
 	ck_assert_int_eq(system(command), 0); /* NOLINT: the name is ours */
 }
 
-/* The first byte of what is opened, or '!' for outside, '?' for another error. */
+/* The first byte of the opened file, or '!' for a file outside, '?' for another error. */
 static char first_byte(const char *root, const char *path)
 {
 	int fd = path_sandbox_open(root, path);
@@ -99,7 +101,7 @@ START_TEST(only_what_is_inside)
 }
 END_TEST
 
-/* Now a folder, now a link that leads out. */
+/* Makes the name a folder and a link that leads out, in turns. */
 static void *exchange(void *context)
 {
 	atomic_bool *over = context;
@@ -129,7 +131,7 @@ START_TEST(never_outside_while_links_are_exchanged)
 	over = true;
 	pthread_join(other, &failed);
 	ck_assert_ptr_null(failed);
-	/* Else nothing was tested. */
+	/* Otherwise nothing was tested. */
 	ck_assert_int_gt(inside, 0);
 	ck_assert_int_gt(outside, 0);
 }

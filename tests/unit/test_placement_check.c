@@ -1,4 +1,4 @@
-/* test_placement_check.c - bodies that are drawn twice, and rotations given in radians. */
+/* test_placement_check.c - bodies that are drawn twice, and rotations that are given in radians. */
 #include "scene/placement_check.h"
 
 #include "base/units.h"
@@ -22,7 +22,7 @@ static int box(struct model *model, enum body_role role, int link, double size)
 	return model_box(model, role, link, (vec3){-size, -50, 0}, (vec3){size, 50, 80});
 }
 
-/* One mesh in one place is doubted whatever carries it, unless a body is marked. */
+/* One mesh that is twice in the same place is doubted on all links, unless a body is marked as checked. */
 START_TEST(twice)
 {
 	static const enum body_role roles[] = {ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART};
@@ -44,7 +44,7 @@ START_TEST(twice)
 }
 END_TEST
 
-/* A machine has two bearings of one mesh; a blank may have the shape of the part. */
+/* A machine may have two bearings with the same mesh, and a blank may have the shape of the part. */
 START_TEST(not_twice)
 {
 	struct model model;
@@ -56,7 +56,7 @@ START_TEST(not_twice)
 	model.bodies[body].placement.translation.x = 0.01;
 	box(&model, ROLE_STOCK, LINK_C, 60);
 	ck_assert_uint_eq(count(&model, DOUBT_TWICE), 0);
-	/* Turned by half a turn it is in one place, but its corners are not. */
+	/* Turned by 180 degrees the mesh is in the same place, but its corners are not. */
 	model.bodies[body].placement = xform_turn((vec3){0, 0, 0}, (vec3){0, 0, 1}, radians(180));
 	ck_assert_uint_eq(count(&model, DOUBT_TWICE), 0);
 	model.bodies[body].placement = xform_identity();
@@ -65,7 +65,7 @@ START_TEST(not_twice)
 }
 END_TEST
 
-/* Quarters and eighths of a turn as they are written in radians, and angles that are degrees. */
+/* Quarters and eighths of a turn in radians, and angles that really are degrees. */
 START_TEST(rotation)
 {
 	static const struct {
@@ -88,7 +88,7 @@ START_TEST(rotation)
 		model.bodies[body].placement.rotation = turned.rotation;
 		ck_assert_uint_eq(count(&model, DOUBT_ROTATION), cases[i].doubted);
 		model.bodies[body].checked = "measured";
-		/* The part is turned with the workholding, too. */
+		/* The part is rotated together with the workholding. */
 		body = box(&model, ROLE_PART, LINK_C, 60);
 		model.machine.workholding.frame = held;
 		model.bodies[body].placement = xform_mul(&held, &turned);

@@ -1,4 +1,7 @@
-/* What a check says of a block is told with the block's own file: the lines of a subprogram are not the program's. */
+/*
+ * test_places.c - messages about a block name the block's own file: the lines of a subprogram are not those of the
+ * program.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +14,7 @@
 #include "scene/scene.h"
 #include "suite.h"
 
-/* A ball in a bowl: they stay apart however the three rotary axes stand, but that is hard to prove. */
+/* A ball in a bowl: they stay apart at all positions of the three rotary axes, but this is hard to prove. */
 static const char machine_format[] =
 	"<machine version=\"1\" name=\"m\" units=\"mm\"><controller rapid=\"%s\"/><base>"
 	"<axis name=\"A\" type=\"rotary\" direction=\"1 0 0\" location=\"0 0 0\" rate_max=\"3600\">"
@@ -32,7 +35,7 @@ static void write_file(const char *name, const char *text)
 	ck_assert_int_eq(fclose(out), 0);
 }
 
-/* A corner of ring i and meridian k. */
+/* The corner of ring i and meridian k. */
 static void write_corner(FILE *out, double radius, int rings, int i, int k)
 {
 	double t = acos(-1) * i / rings, f = acos(-1) * k / rings;
@@ -69,12 +72,12 @@ static void write_sphere(const char *name, double radius, int rings)
 	ck_assert_int_eq(fclose(out), 0);
 }
 
-/* The first error, and where. */
+/* The first error, with its place. */
 struct heard {
 	char file[64], text[200];
 	long line;
-	int calls;	/* of progress */
-	int rounds;	/* of progress before the check is to be broken off; 0: it is not */
+	int calls;	/* of the progress callback */
+	int rounds;	/* the check is to be broken off at this call; 0: it is not */
 };
 
 static void on_diag(void *context, const struct diag_entry *entry)
@@ -104,7 +107,7 @@ static bool on_progress(void *context, long lines)
 	return heard->rounds == 0 || --heard->rounds > 0;
 }
 
-/* Checks the program, which has to end incomplete. */
+/* Checks the program; the check must end incomplete. */
 static void check(struct heard *heard, const struct check_options *options)
 {
 	struct diag diag = {.handle = on_diag, .context = heard};
@@ -158,7 +161,7 @@ START_TEST(what_cannot_be_decided)
 }
 END_TEST
 
-/* Progress is told in the middle of a batch, too: here the whole program is one. */
+/* Progress is also reported in the middle of a batch: here the whole program is one batch. */
 START_TEST(where_it_was_interrupted)
 {
 	for (int threads = 1; threads <= 2; threads++) {

@@ -5,7 +5,7 @@
 
 enum { SAMPLES = 12 };
 
-/* At every position of the motion, by the distance of all pairs of triangles. */
+/* At every position of the motion, by the distances of all pairs of triangles. */
 static void require_apart(struct scene_of_two *s, const struct plane_motion *motion, double needed, long n)
 {
 	for (int i = 0; i < SAMPLES; i++) {
@@ -17,7 +17,7 @@ static void require_apart(struct scene_of_two *s, const struct plane_motion *mot
 	}
 }
 
-/* What the planes of cells prove holds at every position. */
+/* What the planes of cells prove is true at every position. */
 START_TEST(what_cells_cover_is_apart)
 {
 	long covered = 0, divided = 0, copies = 0, cases = random_cases(80);
@@ -49,12 +49,12 @@ START_TEST(what_cells_cover_is_apart)
 		duo_release(&s.duo);
 	}
 	require(copies == covered, "of %ld motions that were covered, copies cover %ld as well", covered, copies);
-	/* Few cases divide: a tenth of the usual number need not have one. */
+	/* Cells are divided in few cases: a tenth of the usual number of cases may have none. */
 	require(covered > 2 * cases && (divided > 0 || cases < 80), "covered %ld, divided %ld", covered, divided);
 }
 END_TEST
 
-/* Along a path a plane is measured again at each end; then the gaps at both ends prove a step, too. */
+/* Along a path a plane is measured again at both ends of a step; then the gaps at both ends also prove the step. */
 START_TEST(what_the_ends_of_steps_prove_is_apart)
 {
 	long proved = 0, by_ends = 0, cases = random_cases(40);
@@ -88,7 +88,7 @@ START_TEST(what_the_ends_of_steps_prove_is_apart)
 }
 END_TEST
 
-/* mm: what planes that are carried on prove of the motion, with their own normals or with any other. */
+/* The distance (mm) that planes prove for the rest of the motion, with their own normals or other ones. */
 static double carry(struct scene_of_two *s, struct plane_cells *cells, const struct plane_motion *motion, double needed)
 {
 	const vec3 along = random_unit(&s->random);
@@ -98,7 +98,10 @@ static double carry(struct scene_of_two *s, struct plane_cells *cells, const str
 	return plane_cells_carry_whole(cells, &motion->q1, motion, needed, random_below(&s->random, 4) ? NULL : &along);
 }
 
-/* Along a path planes are carried on from end to end: what is said to be left is left. */
+/*
+ * Along a path planes are carried from the end of one step to the next: no pair of triangles is nearer than the
+ * distance that they leave.
+ */
 START_TEST(what_carried_planes_leave_is_apart)
 {
 	long proved = 0, lost = 0, cases = random_cases(80);

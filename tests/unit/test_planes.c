@@ -1,6 +1,6 @@
 /*
- * test_planes.c - programs with tilted planes and TCP, from text to machine axes, on five kinematics: what the axes
- * make of tool and workpiece, by formulae of its own, must be what the program says.
+ * test_planes.c - programs with tilted planes and TCP, from the text to the machine axes, on five kinematics: formulas
+ * of the test itself compute tool and workpiece from the axes, and must give what the program says.
  */
 #include <stdarg.h>
 
@@ -15,9 +15,9 @@
 #define LENGTH 87.5
 #define LINES 32
 
-/* ---------------------------------------------------- kinematics, by hand */
+/* ----------------------------------------------------- the test's kinematics */
 
-/* Nothing of geom/: plain rotations of plain numbers. */
+/* Plain rotations of plain numbers, without geom/. */
 struct v {
 	double x, y, z;
 };
@@ -58,7 +58,7 @@ static struct v about_z(double degrees_, struct v p)
 	return (struct v){c * p.x - s * p.y, s * p.x + c * p.y, p.z};
 }
 
-/* About (0, 1, 1): to where that is Z, and back. */
+/* A turn about (0, 1, 1): to the frame where this is Z, and back. */
 static struct v about_yz(double degrees_, struct v p)
 {
 	return about_x(-45, about_z(degrees_, about_x(45, p)));
@@ -72,7 +72,7 @@ static struct v euler(const double ijk[3], struct v p)
 
 enum kind { AC_TABLE, BC_TABLE, CB_HEAD, B_HEAD_C_TABLE, NUTATING_HEAD, KINDS };
 
-/* Where the axes are: A or B, and C. */
+/* Points on the axes: of A or B, and of C. */
 static const struct v tilt_at = {12, -7, 150}, turn_at = {-31, 22, 160};
 
 static struct v tilted(enum kind kind, double angle, struct v p)
@@ -95,7 +95,10 @@ static struct v turned(double angle, struct v p)
 	return add(about_z(angle, less(p, turn_at)), turn_at);
 }
 
-/* A point of the spindle at the zero pose, where the axes stand at q, in the workpiece's frame at the zero pose. */
+/*
+ * A point of the spindle at the zero pose, moved to the axis positions q, in the frame of the workpiece at the zero
+ * pose.
+ */
 static struct v in_workpiece(enum kind kind, const double q[5], struct v p)
 {
 	if (kind == CB_HEAD || kind == NUTATING_HEAD)
@@ -154,9 +157,9 @@ struct run {
 	struct strbuf text;
 	struct rig_messages messages;
 	double now[5];
-	double ends[LINES][5];	/* where the axes stand after each line */
+	double ends[LINES][5];	/* the positions of the axes after each line */
 	int lines;
-	/* Each step of the line `watch` is handed over. */
+	/* Each step of the line `watch` is passed to the callback. */
 	int watch;
 	void (*watcher)(const struct run *run, double u, const double q[5]);
 	const void *told;
@@ -197,7 +200,7 @@ static void start(struct run *run, enum kind kind)
 	rig_listen(&run->messages);
 }
 
-/* A line of the program; its number. */
+/* Adds a line to the program. The value is its number. */
 static int say(struct run *run, const char *format, ...)
 {
 	char line[256];
@@ -232,7 +235,7 @@ static void expect_near(struct v is, struct v wanted, double tolerance, const st
 		      run->kind, line, is.x, is.y, is.z, wanted.x, wanted.y, wanted.z, run->text.text);
 }
 
-/* As programs say numbers: six decimals. */
+/* A random number with six decimals, as in programs. */
 static double number(uint64_t *random, double least, double most)
 {
 	return round(rig_random(random, least, most) * 1e6) / 1e6;
@@ -245,7 +248,7 @@ static struct v point(uint64_t *random, double size)
 
 /* ------------------------------------------------------------ G53.1 alone */
 
-/* The two solutions, in degrees: the tool tilts by J towards I - 90 in the X Y plane. */
+/* The two solutions, in degrees: the tool tilts by J toward the direction I - 90 in the X Y plane. */
 static void closed_form(enum kind kind, const double ijk[3], double pairs[2][2])
 {
 	double i = ijk[0], j = ijk[1];
@@ -256,7 +259,7 @@ static void closed_form(enum kind kind, const double ijk[3], double pairs[2][2])
 		pairs[k][0] = sign * j;
 		pairs[k][1] = kind == AC_TABLE ? i + 180 * k : i - 90 + 180 * k;
 		if (kind == NUTATING_HEAD) {
-			/* z about (0, 1, 1) by b: (sin b / sqrt 2, (1 - cos b) / 2, (1 + cos b) / 2). */
+			/* z rotated about (0, 1, 1) by b: (sin b / sqrt 2, (1 - cos b) / 2, (1 + cos b) / 2). */
 			double b = sign * acos(2 * cos(radians(j)) - 1);
 
 			pairs[k][0] = degrees(b);
@@ -265,13 +268,13 @@ static void closed_form(enum kind kind, const double ijk[3], double pairs[2][2])
 	}
 }
 
-/* The way to an angle or whole turns beside it, whichever is the shortest. */
+/* The shortest distance to the angle, with whole turns added or removed. */
 static double shortest_way(double angle, double here)
 {
 	return fabs(remainder(angle - here, 360));
 }
 
-/* B-63534EN, "Angle of rotation axis": the carrying axis decides, or the table before a head; C is carried. */
+/* B-63534EN, "Angle of rotation axis": the carrying axis decides, or the table before the head; C is carried. */
 static int preferred(enum kind kind, double pairs[2][2], const double here[2])
 {
 	int first = kind == AC_TABLE || kind == BC_TABLE ? 0 : 1;
@@ -302,7 +305,7 @@ START_TEST(both_solutions)
 			int wanted = other ? 1 - choice : choice, line;
 			struct run run;
 
-			/* The limits shut out the one that is preferred. */
+			/* The limits exclude the preferred solution. */
 			if (other) {
 				axis->limit_min = wanted ? -PI : 0;
 				axis->limit_max = wanted ? 0 : PI;
@@ -316,7 +319,7 @@ START_TEST(both_solutions)
 				    line);
 			ck_assert_double_le(fabs(remainder(run.ends[line][3] - pairs[wanted][0], 360)), 1e-7);
 			ck_assert_double_le(fabs(remainder(run.ends[line][4] - pairs[wanted][1], 360)), 1e-7);
-			/* The linear axes stand still. */
+			/* The linear axes do not move. */
 			expect_near((struct v){run.ends[line][0], run.ends[line][1], run.ends[line][2]},
 				    (struct v){10, 20, 30}, 1e-9, &run, line);
 			strbuf_release(&run.text);
@@ -331,10 +334,10 @@ struct plane {
 	struct v offset, origin;
 	double ijk[3];
 	enum kind kind;
-	double tilt, turn;	/* tcp_zero: coordinates are meant where the rotary axes stand so */
+	double tilt, turn;	/* tcp_zero: coordinates are meant for these positions of the rotary axes */
 };
 
-/* Where a point of the plane is in the workpiece: offset, origin, turned by Euler's angles; the spindle is there. */
+/* The point of the plane in the workpiece: offset, origin, rotated by Euler's angles; the spindle must be there. */
 static struct v on_plane(const struct plane *plane, struct v p)
 {
 	struct v at = add(add(plane->offset, plane->origin), euler(plane->ijk, p));
@@ -342,7 +345,7 @@ static struct v on_plane(const struct plane *plane, struct v p)
 	return tip(plane->kind, (double[]){at.x, at.y, at.z, plane->tilt, plane->turn}, 0);
 }
 
-/* Every point of an arc about (20, 0) from (40, 0), at Z5 of the plane. */
+/* Checks every point of an arc about (20, 0) from (40, 0), at Z5 of the plane. */
 static void watch_arc(const struct run *run, double u, const double q[5])
 {
 	const struct plane *plane = run->told;
@@ -397,7 +400,7 @@ START_TEST(work_in_the_plane)
 		second.z += 11;
 		expect_near(tip(kind, run.ends[up], LENGTH), on_plane(&plane, second), 1e-7, &run, up);
 		expect_near(tip(kind, run.ends[hole], LENGTH), on_plane(&plane, (struct v){3, 4, 2}), 1e-7, &run, hole);
-		/* Z alone moves, to where the machine counts it. */
+		/* Only Z moves, to its machine position. */
 		expect_near((struct v){run.ends[machine_z][0], run.ends[machine_z][1], run.ends[machine_z][2]},
 			    (struct v){run.ends[hole][0], run.ends[hole][1], 290}, 1e-7, &run, machine_z);
 		expect_near(tip(kind, run.ends[again], LENGTH), on_plane(&plane, (struct v){1, 2, 3}), 1e-7, &run,
@@ -414,7 +417,7 @@ struct way {
 	struct v from, to;	/* in the workpiece */
 };
 
-/* The tip goes straight in the workpiece, however the axes turn. */
+/* The tip moves on a straight line in the workpiece, however the axes turn. */
 static void watch_way(const struct run *run, double u, const double q[5])
 {
 	const struct way *way = run->told;
@@ -435,7 +438,7 @@ START_TEST(tool_centre_point)
 		enum kind kind = (enum kind)(n % KINDS);
 		struct machine machine = machine_of(kind);
 		bool haas = n % 2, at_offset = n % 4 > 1;
-		/* tcp_zero: coordinates are meant where the rotary axes stand at their offsets. */
+		/* tcp_zero: coordinates are meant for the rotary axes at their offsets. */
 		double tilt = at_offset ? number(&random, -30, 30) : 0, turn = at_offset ? number(&random, -90, 90) : 0;
 		struct way way;
 		struct run run;

@@ -10,7 +10,7 @@
 #include "truth.h"
 #include "machine_case.h"
 
-/* The distance of two bodies by a look at every two triangles, the way that no tree is asked for. */
+/* The distance of two bodies from all pairs of triangles, without a tree. */
 static double brute_force(struct scene *scene, const struct scene_pair *pair, const axis_values *q)
 {
 	struct body_pair bodies;
@@ -32,7 +32,7 @@ static double brute_force(struct scene *scene, const struct scene_pair *pair, co
 	return least;
 }
 
-/* A solid around (0, 0, z), a star of about `radius` mm: 64 triangles. */
+/* Writes a star-shaped solid around (0, 0, z), of about `radius` mm, with 64 triangles. */
 static void write_star(const char *name, double z, double radius, struct random *random)
 {
 	enum { RINGS = 5, AROUND = 8 };
@@ -44,7 +44,7 @@ static void write_star(const char *name, double z, double radius, struct random 
 			double r = i % RINGS ? radius * random_in(random, 0.6, 1.4) : radius;
 			double polar = PI * i / RINGS, turn = 2 * PI * k / AROUND;
 
-			/* Exactly one point for each pole. */
+			/* Each pole is exactly one point. */
 			points[i][k] = i % RINGS ? (vec3){r * sin(polar) * cos(turn), r * sin(polar) * sin(turn),
 							  z + r * cos(polar)}
 						 : (vec3){0, 0, i ? z - r : z + r};
@@ -110,7 +110,7 @@ static void check_pose(struct scene *scene, struct sweep *sweep, const axis_valu
 			continue;
 		distance = brute_force(scene, &scene->pairs[i], q);
 		seen[states[i]]++;
-		/* No star fits into another one. */
+		/* No star is inside another one. */
 		ck_assert_int_eq(states[i], distance <= 0.001 ? POSE_OVERLAP : POSE_CLEAR);
 		if (states[i] == POSE_CLEAR)
 			nearest = fmin(nearest, distance);

@@ -4,7 +4,7 @@
 #include "solids.h"
 #include "suite.h"
 
-/* A solid of few or of many triangles, or triangles anywhere; somewhere in space. */
+/* A solid of few or many triangles, or triangles without order, anywhere in space. */
 static struct bvh *random_tree(struct random *random)
 {
 	const double size = random_size(random, 1, 1e3);
@@ -30,7 +30,7 @@ static struct bvh *random_tree(struct random *random)
 	return bvh_new(&mesh);
 }
 
-/* The root, a branch or a leaf. */
+/* The root, a branch or a leaf of the tree. */
 static struct leaf random_part(struct random *random, const struct bvh *bvh)
 {
 	const uint32_t at = (uint32_t)random_below(random, (int)bvh->node_count);
@@ -47,7 +47,7 @@ static struct leaf random_part(struct random *random, const struct bvh *bvh)
 	}
 }
 
-/* How far the circles about the axis reach along m on which the part's corners lie. */
+/* The largest distance along m that the corners of the part reach when they turn about the axis. */
 static double true_reach(const struct bvh *bvh, struct leaf part, const xform *place, vec3 location, vec3 axis, vec3 m)
 {
 	const struct bvh_node *node = part.count ? NULL : &bvh->nodes[part.first];
@@ -66,8 +66,8 @@ static double true_reach(const struct bvh *bvh, struct leaf part, const xform *p
 }
 
 /*
- * Too far by the length of a ring (its two ends and its width may come from different points), and by a box that was
- * not looked into: twice its half diagonal along and across.
+ * The bound may be too large by the length of a ring (its two ends and its width may come from different points), and,
+ * for a box that is not opened, by twice its half diagonal along the axis and across it.
  */
 START_TEST(the_rings_hold_the_part_however_it_is_turned)
 {

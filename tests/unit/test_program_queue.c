@@ -1,4 +1,7 @@
-/* The order in which programs are taken: each once, and the last thread ends soon after the others. */
+/*
+ * test_program_queue.c - the order in which threads take programs: each program once, and the last thread ends soon
+ * after the others.
+ */
 #include "cli/program_queue.h"
 
 #include "random.h"
@@ -42,10 +45,10 @@ static double largest_left(const double *sizes, const bool *taken, size_t count)
 	return largest;
 }
 
-/* What the threads did, if a program takes as long as it is large and each thread takes the next when it is free. */
+/* The work of the threads, if a program takes as long as it is large, and each free thread takes the next program. */
 struct run {
 	double end;	/* of the last thread */
-	bool last_was_largest;	/* its last program, of all that were left when it began */
+	bool last_was_largest;	/* its last program was the largest of those that were left */
 };
 
 static struct run run_of(const double *sizes, size_t count, int threads)
@@ -76,8 +79,8 @@ static struct run run_of(const double *sizes, size_t count, int threads)
 }
 
 /*
- * What is not taken because it is large has at most a thread's share of all that is left, so that it ends before all
- * would if they were shared out evenly.
+ * A program that is not taken as the largest has at most one thread's share of all that is left, so it ends no later
+ * than if all programs were shared out evenly.
  */
 START_TEST(only_a_large_one_ends_late)
 {

@@ -8,9 +8,9 @@
 #include "suite.h"
 
 /*
- * Two boxes face each other, X moves one of them straight away from the other: their distance is what X says. A
- * quick way may pass a step only where they stay farther apart than c + W + e, the most at which the sweep reports
- * anything (check/certified/proof.h). Here the distances lie just within that and just beyond it.
+ * Two boxes face each other, and X moves one of them straight away from the other, so X gives their distance. A quick
+ * method may pass a step only if they stay farther apart than c + W + e, the greatest distance at which the sweep can
+ * report anything (check/certified/proof.h). Here the distances are just below and just above that.
  */
 static const double E = 0.1;	/* mm: the tolerance */
 
@@ -43,7 +43,7 @@ static void faces_init(struct faces *f, double clearance, double off, double gap
 	}
 }
 
-/* What a distance query at X proves, in all truth. */
+/* Adds the distance at X to the proof, as a true distance query would. */
 static void tell_distance(struct faces *f, double x, double distance)
 {
 	const axis_values q = {{x}};
@@ -76,7 +76,7 @@ static bool by_box(struct faces *f, struct sweep *sweep, double gap)
 			      false);
 }
 
-/* The budget that holds is not the last one. */
+/* The budget that is large enough is not the last one. */
 static bool by_earlier_budget(struct faces *f, struct sweep *sweep, double gap)
 {
 	(void)sweep;
@@ -156,11 +156,11 @@ static void look_at(quick_way *way, const char *name)
 	for (int i = 0; i < 4; i++) {
 		double c = clearances[i / 2], w = offs[i % 2], most = c + w + E;
 
-		/* Moving apart, so that the nearest place is the known one. */
+		/* The boxes move apart, so that they are nearest where the distance is known. */
 		ck_assert_msg(!passes(way, c, w, most - 0.9 * E, 1e-4), "%s: %g mm, at c + W + e/10", name, c);
 		ck_assert_msg(!passes(way, c, w, most - 0.01 * E, 1e-4), "%s: %g mm, just within e", name, c);
 		ck_assert_msg(passes(way, c, w, most + 0.2 * E, 1e-4), "%s: %g mm, beyond e", name, c);
-		/* Coming nearer, by both steps to just within. */
+		/* The boxes come nearer, in both steps, to just below the limit. */
 		ck_assert_msg(!passes(way, c, w, most + 0.2 * E, -0.3 * E), "%s: %g mm, comes within e", name, c);
 		ck_assert_msg(passes(way, c, w, most + 0.9 * E, -0.3 * E), "%s: %g mm, stays beyond e", name, c);
 	}
@@ -179,7 +179,7 @@ START_TEST(no_quick_way_passes_what_the_sweep_may_report)
 }
 END_TEST
 
-/* The sweep itself: it must report within c + W, and must not beyond c + W + e. */
+/* The sweep itself must report a distance up to c + W, and must not report one beyond c + W + e. */
 START_TEST(the_sweep_reports_within_the_tolerance)
 {
 	const double gaps[] = {-0.02, 1.01 * E};

@@ -13,7 +13,7 @@ static double area_of(vec3 a, vec3 b, double x, double y)
 	return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 
-/* Is the point in the triangle? -1: it is on a side, or so near to one that rounding decides. */
+/* Is the point in the triangle? -1: it is on a side, or so near to a side that rounding decides. */
 static int is_inside(const vec3 p[3], double x, double y)
 {
 	double side[3];
@@ -26,7 +26,7 @@ static int is_inside(const vec3 p[3], double x, double y)
 	return (side[0] > 0) == (side[1] > 0) && (side[1] > 0) == (side[2] > 0);
 }
 
-/* The depth there of the plane through the corners: by the areas of the three triangles around the point. */
+/* The depth of the triangle's plane at the point, from the areas of the three triangles around the point. */
 static double depth_at(const vec3 p[3], double x, double y)
 {
 	double sum = 0, area = 0;
@@ -40,7 +40,7 @@ static double depth_at(const vec3 p[3], double x, double y)
 	return sum / area;
 }
 
-/* Inside of the raster and around it. */
+/* A random point in the raster or around it. */
 static vec3 random_corner(struct random *random)
 {
 	return vec3_add((vec3){WIDTH / 2, HEIGHT / 2, 0}, random_point(random, 2 * WIDTH));
@@ -74,7 +74,7 @@ START_TEST(pixels_are_those_whose_centres_are_inside)
 }
 END_TEST
 
-/* Triangles about a point fill the square around it, wherever the point is. */
+/* Triangles around a point fill the square around it, for every position of the point. */
 START_TEST(neighbours_leave_no_gap)
 {
 	const vec3 corners[4] = {{3, 3, 0}, {40, 3, 1}, {40, 30, 2}, {3, 30, 3}};
@@ -96,7 +96,7 @@ START_TEST(neighbours_leave_no_gap)
 }
 END_TEST
 
-/* Whatever comes first, the nearer of two is seen, also within one row of a few pixels and of many. */
+/* The nearer of two triangles is visible in either order of drawing, also if it covers only a few pixels of a row. */
 START_TEST(the_nearer_is_seen)
 {
 	for (int order = 0; order < 2; order++) {

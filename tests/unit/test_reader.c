@@ -1,4 +1,4 @@
-/* The lines of a pipe are those of a file with the same bytes, however these come. */
+/* test_reader.c - the lines of a pipe are those of a file with the same bytes, in whatever packets the bytes arrive. */
 #include "gcode/text/reader.h"
 
 #include <string.h>
@@ -40,7 +40,7 @@ static void read_lines(struct reader *reader, struct lines *lines)
 	} while (!ends(status));
 }
 
-/* Bytes that the reader looks at are frequent. */
+/* Random bytes, in which those with a meaning for the reader are frequent. */
 static size_t make_bytes(struct random *random, char *bytes)
 {
 	static const char *const pieces[] = {"\n", "\r\n", "\r", "\r\r\n", "\n\r\r", "\0", "\x11", "\x1a", "G1", " X1",
@@ -69,7 +69,7 @@ static FILE *file_of(const char *bytes, size_t count)
 	return file;
 }
 
-/* Each read gets one packet. */
+/* A socket from which each read gets one packet. */
 static FILE *packets_of(struct random *random, const char *bytes, size_t count)
 {
 	const int longest = 1 + random_below(random, 12);
@@ -95,7 +95,7 @@ START_TEST(packets_are_as_a_file)
 		const size_t count = make_bytes(&random, bytes);
 		FILE *file = file_of(bytes, count), *pipe = packets_of(&random, bytes, count);
 		struct reader of_file, of_pipe;
-		/* Whoever has read the stream before has filled its buffer. */
+		/* If the stream was read before, its buffer has bytes. */
 		bool begun = count > 1 && random_below(&random, 2);
 
 		if (begun)
@@ -119,7 +119,7 @@ START_TEST(packets_are_as_a_file)
 }
 END_TEST
 
-/* What a writer says each time that the reader has to wait. */
+/* A writer that sends the next text each time that the reader has to wait. */
 struct writer {
 	const char *const *says;
 	int end;	/* of the socket */
@@ -159,7 +159,7 @@ START_TEST(a_line_is_handed_out_when_it_is_there)
 		ck_assert_str_eq(text, expected);
 		ck_assert_int_eq(writer.asked, asked[i]);
 	}
-	/* The rest of a line is none. */
+	/* The rest of an unfinished line is not returned. */
 	ck_assert_int_eq(reader_next(&reader, &text), READER_STOPPED);
 	ck_assert_int_eq(reader_next(&reader, &text), READER_STOPPED);
 	reader_release(&reader);

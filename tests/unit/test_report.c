@@ -43,7 +43,7 @@ START_TEST(test_quantities)
 }
 END_TEST
 
-/* Is this UTF-8? By decoding each sequence and encoding it again. */
+/* Is this UTF-8? Each sequence is decoded, and encoded again. */
 static bool is_utf8(const unsigned char *s)
 {
 	while (*s) {
@@ -75,7 +75,7 @@ static struct machine two_axes(void)
 	return machine;
 }
 
-/* Whatever bytes a name has, the line parses, and what was UTF-8 comes back as it was. */
+/* For a name with any bytes the line can be parsed, and a name in UTF-8 comes back unchanged. */
 START_TEST(test_names)
 {
 	struct machine machine = two_axes();
@@ -147,7 +147,7 @@ START_TEST(test_finding)
 	point = json_object_get(object, "point");
 	ck_assert_uint_eq(json_array_size(point), 3);
 	ck_assert_double_eq_tol(json_number_value(json_array_get(point, 2)), 98765.4321012, 1e-6);
-	/* X before C, whatever the order in the file. */
+	/* X before C, in whatever order the file has them. */
 	ck_assert_ptr_nonnull(strstr(out.text, "\"axes\":{\"X\":"));
 	ck_assert_ptr_null(strstr(out.text, "-0.0,"));
 	json_decref(object);

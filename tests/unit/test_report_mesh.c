@@ -1,4 +1,4 @@
-/* test_report_mesh.c - the meshes and the text of a report, read back as src/report says. */
+/* test_report_mesh.c - the meshes and the text of a report, read back according to the descriptions in src/report. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -18,7 +18,7 @@
 
 static const unsigned char reserved[8] = {0, 13, 14, 15, 26, 27, 60, 127};
 
-/* Reads the text back; the result: how many bytes there are. */
+/* Reads the text back. The result is the number of bytes. */
 static size_t read_text(const struct strbuf *text, unsigned char *bytes)
 {
 	size_t bits = 0;
@@ -51,11 +51,11 @@ START_TEST(bytes_come_back_from_text)
 	const size_t count = (size_t)_i;
 	struct strbuf text = {0};
 
-	/* Many of the reserved groups, at every place. */
+	/* Many of the reserved groups, at all places. */
 	for (size_t i = 0; i < count; i++)
 		bytes[i] = _i % 3 == 0 ? 0 : _i % 3 == 1 ? 255 : (unsigned char)random_bits(&random);
 	seven_bit_add(&text, bytes, count);
-	/* Seven bytes in eight characters; a reserved group at the end may need one more. */
+	/* Seven bytes are eight characters; a reserved group at the end may need one more. */
 	ck_assert_uint_ge(text.length, (8 * count + 6) / 7);
 	ck_assert_uint_le(text.length, (8 * count + 6) / 7 + 1);
 	ck_assert_uint_eq(read_text(&text, back), count);
@@ -75,7 +75,7 @@ struct numbers {
 	struct model length[40], top[40][3];
 };
 
-/* A mesh while it is read, as report_data.h says. Edges are looked up in a square. */
+/* The state of reading a mesh, as report_data.h describes it. Edges are looked up in a square table. */
 struct reader {
 	const unsigned char *bytes;
 	size_t count, at;
@@ -322,7 +322,10 @@ static struct mesh wavy(size_t n)
 	return mesh;
 }
 
-/* How far the nearest turn of any packed triangle is from this one, at its worst corner. */
+/*
+ * The distance of this triangle from the nearest packed triangle, at the worst corner; the first corner may be any of
+ * the three.
+ */
 static double nearest(const vec3 *corners, size_t triangles, const vec3 p[3])
 {
 	double best = INFINITY;
@@ -364,7 +367,10 @@ START_TEST(every_triangle_of_a_mesh_is_packed_with_its_sense)
 }
 END_TEST
 
-/* A point of a sphere of 100 mm about the origin, up to `uneven` beside its place, of the distance to the next one. */
+/*
+ * A point of a sphere of 100 mm about the origin. `uneven` shifts it, at most by this share of the distance to the next
+ * point.
+ */
 static vec3 on_sphere(size_t rings, size_t ring, size_t place, double uneven)
 {
 	const size_t k = ring % rings ? place % (2 * rings) : 0;
@@ -392,7 +398,7 @@ static struct mesh sphere(size_t rings, double uneven)
 	return mesh;
 }
 
-/* As a page writes it: seven bits of the packed mesh in a byte (seven_bit.h). */
+/* In a page each byte has seven bits of the packed mesh (seven_bit.h). */
 static double bytes_for_a_triangle(const struct mesh *mesh)
 {
 	const xform place = xform_identity();
@@ -407,7 +413,7 @@ static double bytes_for_a_triangle(const struct mesh *mesh)
 	return result;
 }
 
-/* Reports are held to 2 bytes a triangle at most, also of a body of 50,000 triangles, none of them like another. */
+/* A mesh in a report needs at most 2 bytes per triangle, even a body of 50,000 triangles that are all different. */
 START_TEST(a_sphere_needs_at_most_two_bytes_for_a_triangle)
 {
 	static const struct {
@@ -431,7 +437,10 @@ START_TEST(a_mesh_needs_at_most_a_byte_and_a_quarter_for_a_triangle)
 }
 END_TEST
 
-/* Triangles between few points: edges with one, two or many triangles, triangles that stand twice, either way round. */
+/*
+ * Triangles between few points: edges with one, two or many triangles, and triangles that occur twice, in either
+ * direction.
+ */
 START_TEST(a_heap_of_triangles_comes_back)
 {
 	enum { MOST = 200 };

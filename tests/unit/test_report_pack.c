@@ -1,4 +1,4 @@
-/* test_report_pack.c - what the data of a report is packed with: tables, base64, the choice of pieces. */
+/* test_report_pack.c - how the data of a report are packed: tables, base64, the choice of pieces. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -69,7 +69,9 @@ START_TEST(a_table_comes_back)
 }
 END_TEST
 
-/* A table, by hand from the text in report_data.h: 3 5 9 8 has the second differences 2 2 -5, as codes 4 4 9. */
+/*
+ * A table, packed by hand according to report_data.h: 3 5 9 8 has the second differences 2 2 -5, whose codes are 4 4 9.
+ */
 START_TEST(a_table_is_packed_as_described)
 {
 	static const int64_t values[] = {3, 5, 9, 8};

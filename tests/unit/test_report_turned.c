@@ -1,4 +1,4 @@
-/* test_report_turned.c - tools in a report are told by their outline, and nothing else is taken for one. */
+/* test_report_turned.c - tools in a report are recognised as bodies of revolution, and no other body is. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,7 +20,7 @@ static void make_tool(struct arena *arena, enum tool_tip tip, struct mesh *mesh)
 	tool_solid_mesh(&solid, arena, mesh);
 }
 
-/* How far the nearest vertex of the rings, or centre of a cap, is from the point. */
+/* The distance of the point from the nearest vertex of a ring, or centre of a cap. */
 static double from_rings(const struct turned *turned, const vec3 *circle, const float p[3])
 {
 	const double x = (double)p[0], y = (double)p[1], z = (double)p[2];
@@ -58,7 +58,7 @@ START_TEST(tools_are_told_by_their_outline)
 		ck_assert_double_le(from_rings(&turned, circle, mesh.triangles[i / 3].v[i % 3]), TURNED_ERROR);
 	free(circle);
 	turned_release(&turned);
-	/* What lacks a triangle, or has a corner elsewhere, is no turned body. */
+	/* A body that lacks a triangle, or has a corner at another place, is no body of revolution. */
 	mesh.count--;
 	ck_assert(!turned_init(&turned, &mesh));
 	mesh.count++;

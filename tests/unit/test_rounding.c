@@ -1,6 +1,7 @@
 /*
- * The allowances for rounding that proofs carry, against long double: each is kept, and each is used to a share that
- * its comment can explain: such bounds add up the worst of every operation, which never come together.
+ * test_rounding.c - the allowances for rounding in proofs, against long double. No error exceeds its allowance, and the
+ * largest error is the share of it that its comment explains: such bounds add up the worst cases of all operations,
+ * which never occur together.
  */
 #include <stdio.h>
 
@@ -12,7 +13,7 @@
 
 /* --------------------------------------------------------- POSE_ROUNDING */
 
-/* Where the corner of b's mesh is in a's mesh coordinates. */
+/* The position of the corner of b's mesh in a's mesh coordinates. */
 static real3 true_image(const struct duo *duo, const axis_values *q, vec3 corner)
 {
 	const xform *a = &duo->pair.place_a, *b = &duo->pair.place_b;
@@ -59,14 +60,16 @@ START_TEST(poses_are_off_by_no_more_than_allowed)
 		duo_release(&duo);
 	}
 	printf("poses: largest rounding / bound %.4f\n", most);
-	/* 256 units of the sum of all lengths are allowed; errors are of each length alone, and cancel. */
+	/* Allowed are 256 units of the sum of all lengths; each error is of a single length, and errors cancel. */
 	ck_assert_double_gt(most, 1e-3);
 }
 END_TEST
 
 /* ---------------------------------------------------------- BOX_ROUNDING */
 
-/* The distance of two boxes by the three axes of a's frame; both relative to the origins of their trees. */
+/*
+ * The distance of two boxes along the three axes of a's frame; both boxes are relative to the origins of their trees.
+ */
 static real gap_in_a(const struct bvh *bodies[2], const xform *pose, const struct box *a, const struct box *b)
 {
 	const real3 columns[3] = {real3_of(pose->rotation.x), real3_of(pose->rotation.y), real3_of(pose->rotation.z)};
@@ -122,7 +125,10 @@ START_TEST(box_tests_are_off_by_no_more_than_allowed)
 				node.half[k][l] = node.half[k][0];
 			}
 		}
-		/* Enough at once: then it is the first view alone that says so. */
+		/*
+		 * With 0 as the required distance the first view is enough, so the result is that of the first view
+		 * alone.
+		 */
 		boxes_apart(&motion, 0, &node, &other, 0, apart, loose);
 		gap = (double)gap_in_a(const_bodies, &pose, &own, &other);
 		if (gap > 2 * allowed) {
@@ -136,7 +142,7 @@ START_TEST(box_tests_are_off_by_no_more_than_allowed)
 	}
 	printf("boxes: largest rounding / bound %.4f\n", most);
 	require(apart_cases > cases / 8, "%ld apart", apart_cases);
-	/* The comment's 32 roundings are half of it. */
+	/* The 32 roundings of the comment at BOX_ROUNDING are half of the allowance. */
 	ck_assert_double_gt(most, 0.1);
 }
 END_TEST

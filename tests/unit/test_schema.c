@@ -1,6 +1,6 @@
 /*
- * test_schema.c - the schemas describe what the readers read: both accept the good files, and of thousands of damaged
- * ones the readers refuse whatever the schema refuses.
+ * test_schema.c - the schemas describe what the readers read: schema and reader accept the valid files, and of
+ * thousands of damaged files the readers refuse all that the schema refuses.
  */
 #include <libxml/parser.h>
 #include <libxml/relaxng.h>
@@ -41,7 +41,7 @@ static const char waivers_text[] =
 	"<waiver program='p.nc' kind='limit' axis='X' reason='r' block='G0' axes='X1 Y2 A3 C4' expires='2030-01-31'/>\n"
 	"</waivers>";
 
-/* What a control is asked, by the attributes of one element: a schema must not try every selection of these. */
+/* The properties of the control are attributes of one element: a schema must not try every selection of them. */
 static const char questions_text[] =
 	"<machine version='1'>\n"
 	"<controller dialect='haas' length_after_reference='cancels' g53_with_g91='incremental' power_on_units='inch'\n"
@@ -53,7 +53,7 @@ static const char questions_text[] =
 	"<base><axis name='X' type='linear' direction='1 0 0' rate_max='6000'/></base>\n"
 	"</machine>";
 
-/* The machine's other file is the trunnion of machine_case.h, with a setup inside. */
+/* The second machine file is the trunnion of machine_case.h, with a setup inside. */
 static struct strbuf machine_text;
 
 enum kind { MACHINE_FILE, QUESTIONS_FILE, SETUP_FILE, JOBS_FILE, WAIVERS_FILE, KINDS };
@@ -127,14 +127,14 @@ static void silence(void *context, const char *format, ...)
 	(void)format;
 }
 
-/* Tests leave the folder of the project; relative paths are no use there. */
+/* Tests run in another folder, so relative paths would not lead to the schemas. */
 static void load_schemas(void)
 {
 	static const char *const names[KINDS] = {"machine.rng", "machine.rng", "setup.rng", "jobs.rng",
 						 "waivers.rng"};
 	char path[4200], here[4096];
 
-	/* Outside of a test libcheck cannot be asked. */
+	/* Outside of a test, assertions of libcheck are not possible. */
 	if (!getcwd(here, sizeof(here)))
 		abort();
 	xmlSetGenericErrorFunc(NULL, silence);
@@ -169,7 +169,7 @@ static void start(void)
 	machine = load_good("m.xml");
 	strbuf_add(&machine_text, trunnion, (size_t)(questions - trunnion));
 	strbuf_add(&machine_text, rest, (size_t)(end - rest));
-	/* Without the machine's spindle of a tool, so that a setup inside is good, too. */
+	/* Without some answers of the control, and with a setup inside. */
 	strbuf_addf(&machine_text, "<setup units='inch'><work_offset name='G55' X='1'/></setup></machine>\n");
 }
 
@@ -240,7 +240,7 @@ static xmlAttr *find_attribute(xmlNode *node, int n)
 static const char *const values[] = {"", "x", "-1", "0", "1.5", "7", "1 2 3", "1 2", "nan", "1e999", "mm", "limit", "X"};
 enum { VALUES = COUNT(values) };
 
-/* Every attribute taken away, renamed, and given every one of the values. */
+/* Each attribute is removed, renamed, and given each of the values. */
 START_TEST(attributes)
 {
 	enum kind kind = (enum kind)_i;
@@ -278,7 +278,7 @@ START_TEST(attributes)
 }
 END_TEST
 
-/* Every element taken away, doubled, renamed, filled with text, with an attribute or a child too much, and moved. */
+/* Each element is removed, doubled, renamed, moved, and given a text, an attribute or a child that it must not have. */
 START_TEST(elements)
 {
 	enum kind kind = (enum kind)_i;
@@ -324,7 +324,7 @@ START_TEST(elements)
 }
 END_TEST
 
-/* What stands in <controller>, in any order, each of these by both alike. */
+/* The elements of <controller> in any order: schema and reader agree on each of these cases. */
 static const struct {
 	const char *within;
 	bool good;

@@ -37,7 +37,7 @@ static double least_on_chords(const tri *a, const tri *b0, const tri *b1)
 	return least;
 }
 
-/* A random unit vector, or the direction between the closest points turned a little. */
+/* A random unit vector, or the direction between the closest points, slightly turned. */
 static vec3 some_axis(struct random *random, const tri *a, const tri *b)
 {
 	vec3 x, y, n = random_unit(random);
@@ -74,7 +74,7 @@ static struct chord_case random_chords(uint64_t test, long number)
 	c.n0 = some_axis(&random, &c.a, &c.b0);
 	c.n1 = some_axis(&random, &c.a, &c.b1);
 	c.least = least_on_chords(&c.a, &c.b0, &c.b1);
-	/* As near to the truth as can be proved, or more. */
+	/* As much as can be proved, or a little more. */
 	c.apart =
 	    c.least * (random_below(&random, 3) ? random_in(&random, 0, 1.02) : 1 - random_size(&random, 1e-9, 1));
 	return c;
@@ -107,7 +107,7 @@ START_TEST(what_is_witnessed_is_apart)
 }
 END_TEST
 
-/* Without the middle Bernstein coefficient the ends alone would prove what is not so. */
+/* Without the middle Bernstein coefficient, the ends alone would prove false statements. */
 START_TEST(ends_alone_do_not_witness)
 {
 	long wrong = 0, cases = random_cases(30000);
@@ -122,7 +122,7 @@ START_TEST(ends_alone_do_not_witness)
 }
 END_TEST
 
-/* An arm from the x axis to a tip at `radius`, turned about x by `angle` from upright. */
+/* An arm from the x axis to a tip at `radius`, turned about x from upright by `angle`. */
 static tri on_circle(double radius, double angle)
 {
 	const vec3 corners[3] = {{-1, 0, 0}, {1, 0, 0}, {0, 0, radius}};
@@ -134,7 +134,7 @@ static tri on_circle(double radius, double angle)
 	return t;
 }
 
-/* The tip passes a ceiling at the top of its circle, by which it is lower at both ends. */
+/* The tip passes a ceiling at the top of its circle; at both ends of the motion it is below the ceiling. */
 START_TEST(rotary_dip)
 {
 	for (long n = 0; n < random_cases(2000); n++) {

@@ -42,7 +42,7 @@ static void write_job(void)
 	write_text("hit.nc", "G21\nG53 G0 X10\nG53 G0 X-25\n");
 }
 
-/* All files are in the folder itself. */
+/* All files of a job are directly in the folder. */
 static void remove_job(void)
 {
 	static const char *const names[] = {"cube.stl", "m.xml", "clear.nc", "hit.nc", "p.nc", "out"};
@@ -51,7 +51,7 @@ static void remove_job(void)
 		unlink(names[i]);
 }
 
-/* What the checker prints goes to the file `out`. */
+/* Runs the session; its output goes to the file `out`. */
 static enum run_status told(enum run_status (*ask)(struct session *, int, char **), struct session *session,
 			    const char *const *words)
 {
@@ -102,7 +102,7 @@ START_TEST(programs_are_read_anew_and_the_machine_is_not)
 	ck_assert_int_eq(CHECK(session, "m.xml", "clear.nc"), RUN_FOUND);
 	write_text("m.xml", "gone");
 	ck_assert_int_eq(CHECK(session, "m.xml", "clear.nc"), RUN_FOUND);
-	/* Another clearance means other bodies to prepare. */
+	/* With another clearance the bodies must be prepared again. */
 	ck_assert_int_eq(CHECK(session, "--clearance=1", "m.xml", "clear.nc"), RUN_INCOMPLETE);
 	session_free(session);
 	remove_job();
@@ -136,7 +136,7 @@ START_TEST(a_control_is_that_of_its_check)
 }
 END_TEST
 
-/* The digest names what was checked: the mesh that was loaded, not what has its name now. */
+/* The digest is that of the mesh that was loaded and checked, not of the file that has its name now. */
 START_TEST(digests_are_those_of_what_was_loaded)
 {
 	struct session *session = session_new();
@@ -150,7 +150,7 @@ START_TEST(digests_are_those_of_what_was_loaded)
 	ck_assert(digest_file(later, "cube.stl", NULL));
 	ck_assert_int_eq(CHECK(session, "-f", "ndjson", "m.xml", "clear.nc"), RUN_CLEAR);
 	ck_assert(out_has(loaded) && !out_has(later));
-	/* That of a program is new each time. */
+	/* The digest of a program is computed for each check. */
 	write_text("clear.nc", "G21\nG53 G0 X11\n");
 	ck_assert(digest_file(later, "clear.nc", NULL));
 	ck_assert_int_eq(CHECK(session, "-f", "ndjson", "m.xml", "clear.nc"), RUN_CLEAR);
@@ -188,7 +188,7 @@ START_TEST(poses)
 	ck_assert(out_has("\"distance\":7.5"));
 	ck_assert_int_eq(POSE(session, "X=-25", "T=0"), RUN_FOUND);
 	ck_assert(out_has("[\"post\",\"head\"]") || out_has("[\"head\",\"post\"]"));
-	/* Axes that are not named stand at home. */
+	/* Axes that are not named are at home. */
 	ck_assert_int_eq(POSE(session, "Y=15"), RUN_CLEAR);
 	ck_assert(out_has("\"X\":0"));
 	for (int i = 0; i < 6; i++) {

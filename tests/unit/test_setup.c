@@ -1,4 +1,4 @@
-/* test_setup.c - good setup files. */
+/* test_setup.c - valid setup files. */
 #include <math.h>
 
 #include "base/units.h"
@@ -38,7 +38,7 @@ START_TEST(reads_offsets_and_lengths)
 	ck_assert_double_eq_tol(s->offsets[0].value.v[SLOT_C], -PI / 2, 1e-15);
 	ck_assert_str_eq(s->offsets[1].name, "G59.3");
 	ck_assert_double_eq(s->offsets[1].value.v[SLOT_X], 0);
-	/* An <offset> wins over the tool of its number; tool 3 brings its length. */
+	/* An <offset> has precedence over the tool with its number; tool 3 has its own length. */
 	ck_assert_uint_eq(s->length_count, 3);
 	ck_assert_int_eq(s->lengths[0].number, 12);
 	ck_assert_double_eq(s->lengths[0].length, 131);
@@ -90,7 +90,7 @@ START_TEST(reads_bodies)
 	}
 	ck_assert_str_eq(b[0].mesh_path, "blade.stl");
 	ck_assert_double_eq(b[0].scale, 1000);
-	/* The workholding turns x into y. */
+	/* The workholding is rotated: x becomes y. */
 	assert_vec3(xform_apply(&b[0].placement, (vec3){1, 0, 0}), 5, 1, 100);
 	assert_vec3(xform_apply(&b[1].placement, (vec3){1, 0, 0}), 4, 0, 40);
 	ck_assert_str_eq(b[1].mesh_path, "/v/vise.stl");
@@ -102,7 +102,7 @@ START_TEST(reads_bodies)
 }
 END_TEST
 
-/* Of the triangles that the scene makes of it. */
+/* The bounds of the triangles that the scene makes of the piece. */
 static void piece_bounds(const struct tool_solid *profile, vec3 *least, vec3 *greatest)
 {
 	struct arena arena = {0};
@@ -113,7 +113,7 @@ static void piece_bounds(const struct tool_solid *profile, vec3 *least, vec3 *gr
 	arena_release(&arena);
 }
 
-/* Where the tessellated pieces begin and end along -Z, and that -Z becomes the spindle's direction. */
+/* The ends of the tessellated pieces along -Z, and that -Z becomes the direction of the spindle. */
 START_TEST(stacks_and_places_tools)
 {
 	struct setup *s = load_good(job);
@@ -135,7 +135,7 @@ START_TEST(stacks_and_places_tools)
 }
 END_TEST
 
-/* Below a mesh, sections stand on the tip; above it they hang from the gauge line. */
+/* Sections below a mesh end at the tip; those above it begin at the gauge line. */
 START_TEST(stacks_around_meshes)
 {
 	struct setup *s = load_good(SETUP(
@@ -203,7 +203,7 @@ START_TEST(inches)
 	ck_assert_double_eq(s->bodies[0].scale, 25.4);
 	assert_vec3(s->bodies[0].placement.translation, 5, 25.4, 40);
 	ck_assert_double_eq_tol(s->lengths[0].length, 50.8, 1e-12);
-	/* D21 is no H; D22 is one, too. */
+	/* D21 is no length; D22 is one, too. */
 	ck_assert_uint_eq(s->length_count, 3);
 	ck_assert_uint_eq(s->radius_count, 2);
 	ck_assert_int_eq(s->radii[0].number, 21);
@@ -239,7 +239,9 @@ START_TEST(empty_setup_and_bare_tool)
 }
 END_TEST
 
-/* What is above the flutes is a neck, with a shank's role; the cutter keeps its tip and its profile. */
+/*
+ * The part of the cutter above the flutes is a neck with the role of a shank; the cutter keeps its tip and its profile.
+ */
 START_TEST(cuts_off_what_is_above_the_flutes)
 {
 	struct setup *s = load_good("<setup version='1'>\n<tool number='5' length='60' kind='probe'>"

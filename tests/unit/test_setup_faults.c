@@ -1,4 +1,4 @@
-/* test_setup_faults.c - faulty setup files and what is said to them. */
+/* test_setup_faults.c - faulty setup files and their messages. */
 #include <string.h>
 
 #include "setup_case.h"

@@ -1,4 +1,7 @@
-/* Each round of a shared loop is carried out once, by the owner's threads or by the helper, before the loop returns. */
+/*
+ * test_shared_loop.c - each round of a shared loop is carried out once, by the owner's threads or by the helper, before
+ * the loop returns.
+ */
 #include "check/shared_loop.h"
 
 #include <stdatomic.h>
@@ -10,7 +13,8 @@ enum { ROUNDS_MOST = 200, THREADS_MOST = 3 };
 
 struct rounds {
 	atomic_int done[ROUNDS_MOST], inside[THREADS_MOST + 1];
-	atomic_int strange;	/* a number that no thread has, or that two threads have at a time */
+	/* rounds with a thread number that is too large, or that another thread uses at the same time */
+	atomic_int strange;
 	int threads;
 };
 
@@ -27,7 +31,7 @@ static void carry_out(void *context, int number, size_t i)
 
 struct helper {
 	struct shared_loop *loop;
-	bool ended;	/* behind the lock */
+	bool ended;	/* guarded by the lock */
 	long helped;
 };
 
@@ -99,7 +103,7 @@ static void take_the_rest(void *context, int number, size_t i)
 {
 	struct helper *helper = context;
 
-	/* In the owner's first round the helper does all others. */
+	/* In the owner's first round the helper does all other rounds. */
 	if (number == 0 && i == 0) {
 		pthread_mutex_lock(&helper->loop->lock);
 		while (shared_loop_help(helper->loop))

@@ -5,7 +5,7 @@
 
 enum { SIZE = 40, BRIGHT = PAINT_A * PAINT_LEVELS + 5, DARK = PAINT_A * PAINT_LEVELS };
 
-/* A square whose depth rises by `slope` a pixel to the right and is 10 at its left edge. */
+/* A square whose depth is 10 at its left edge and grows by `slope` per pixel to the right. */
 static void draw_square(struct raster *raster, double slope)
 {
 	const vec3 low = {10, 10, 10}, right = {30, 10, 10 + 20 * slope}, far = {30, 30, 10 + 20 * slope},
@@ -39,7 +39,7 @@ START_TEST(a_square_has_a_dark_rim)
 }
 END_TEST
 
-/* A surface that falls back steeply has no edge within; where it lies on a wall there is none either. */
+/* A steep surface has no edges inside, and none where it lies on a wall. */
 START_TEST(a_slope_has_no_edge)
 {
 	const vec3 wall[2][3] = {{{0, 0, 9.5}, {SIZE, 0, 9.5}, {SIZE, SIZE, 9.5}},

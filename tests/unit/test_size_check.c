@@ -1,11 +1,11 @@
-/* test_size_check.c - sizes of bodies and links just on either side of what is doubted. */
+/* test_size_check.c - sizes of bodies and links that are just small enough for a doubt, or just too large. */
 #include "scene/size_check.h"
 
 #include "machine/kinematics_check.h"
 #include "model_case.h"
 #include "suite.h"
 
-/* A bed, a slide of X, and a cube on Z of this side. Returns the number of the cube. */
+/* A bed, a slide of X, and a cube on Z with this side. The value is the number of the cube. */
 static int start(struct model *model, double side)
 {
 	model_init(model);
@@ -30,7 +30,10 @@ static void expect(struct model *model, int body, double size)
 	doubts_release(&doubts);
 }
 
-/* All that is drawn on a link may be a fortieth of the longest travel; one body beside others a thousandth. */
+/*
+ * The bodies of a link together may be as small as a fortieth of the longest travel, one body beside others as small as
+ * a thousandth.
+ */
 START_TEST(both_sides)
 {
 	static const double shares[] = {0.0009, 0.0011, 0.024, 0.026};
@@ -50,7 +53,7 @@ START_TEST(both_sides)
 }
 END_TEST
 
-/* Where all bodies are too small for the travels, they are doubted together, and not one by one. */
+/* If all bodies are too small for the travels, there is one doubt about all of them, and none about each. */
 START_TEST(all_too_small)
 {
 	struct doubts doubts = {0};

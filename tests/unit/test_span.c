@@ -1,4 +1,4 @@
-/* Halving and walking: pieces meet, cover the path in order, and come out flat. */
+/* test_span.c - halving and walking: the pieces meet, cover the path in order, and are flat. */
 
 #include "motion/span.h"
 #include "motion_rig.h"
@@ -61,7 +61,7 @@ START_TEST(halves_of_an_arc)
 	ck_assert_double_eq_tol(first.q1.v[SLOT_X], 0, 1e-12);
 	ck_assert_double_eq_tol(first.q1.v[SLOT_Y], 100, 1e-12);
 	ck_assert_mem_eq(&first.q1, &second.q0, sizeof(first.q1));
-	/* Halving into a piece of the same struct is allowed. */
+	/* The piece may be the struct that is halved. */
 	quarter = first;
 	span_halve(&quarter, &quarter, &second);
 	ck_assert_double_eq_tol(quarter.chord_error.v[SLOT_Y], first.chord_error.v[SLOT_Y] / 4, 1e-9);
@@ -70,7 +70,7 @@ START_TEST(halves_of_an_arc)
 }
 END_TEST
 
-/* Walks over the path, checks the joints; returns how many pieces there are. */
+/* Walks over the path and checks that the pieces meet. The value is their number. */
 static long walk(const struct path *path, double linear)
 {
 	struct span whole, piece, last;
@@ -83,7 +83,7 @@ static long walk(const struct path *path, double linear)
 	last.u1 = 0;
 	last.q1 = whole.q0;
 	while (span_walk_next(&pieces, &piece)) {
-		/* check writes down every assertion: one a piece would take most of the time. */
+		/* libcheck records every assertion: one for each piece would take most of the time. */
 		if (piece.u0 < last.u1 || piece.u0 > last.u1 || !(piece.u1 > piece.u0) ||
 		    memcmp(&piece.q0, &last.q1, sizeof(last.q1)) != 0)
 			ck_abort_msg("the piece at %.17g does not join the one that ends at %.17g", piece.u0, last.u1);
@@ -105,10 +105,13 @@ START_TEST(walk_makes_no_more_pieces_than_it_must)
 	struct path missed = circle(10, 0.25);
 
 	ck_assert_int_eq(walk(&straight, 1e-6), 1);
-	/* sweep sqrt(r / 8 flatness) pieces are needed; halving makes a power of two of it. */
+	/* sweep sqrt(r / 8 flatness) pieces are needed; by halving it is the next power of two. */
 	ck_assert_int_eq(walk(&one, 0.001), 1024);
 	ck_assert_int_eq(walk(&many, 0.001), 524288);
-	/* An end that is not on the arc cannot be flattened away: a few short pieces, then it is let be. */
+	/*
+	 * If the end is not on the arc, no halving makes the last piece flat: after a few short pieces the walk stops
+	 * halving.
+	 */
 	missed.end = (axis_values){{0, 10.5, 0}};
 	ck_assert_int_lt(walk(&missed, 0.001), 500);
 }
@@ -136,7 +139,7 @@ START_TEST(walk_of_guided_paths)
 			path.end.v[machine.axes[k].slot] = rig_random(&random, -size, size);
 		}
 		pieces += walk(&path, 0.01);
-		/* Without a turn the tip's line is a line of the axes. */
+		/* If no rotary axis turns, the line of the tip is a line of the axes. */
 		path.end = path.start;
 		path.end.v[SLOT_X] += 1;
 		ck_assert_int_eq(walk(&path, 1e-6), 1);
@@ -145,7 +148,7 @@ START_TEST(walk_of_guided_paths)
 }
 END_TEST
 
-/* No flatness at all: the walk stops at the rounding. */
+/* With a flatness of 0 the walk stops at the rounding. */
 START_TEST(walk_ends_without_flatness)
 {
 	struct path path = circle(1e-6, 0.01);

@@ -1,4 +1,7 @@
-/* Threads that others give up: none is lost, and a check that takes one on its way says the same as without it. */
+/*
+ * test_spare_threads.c - threads that others no longer need: none is lost, and a check that takes one has the same
+ * result as without it.
+ */
 #include "base/spare_threads.h"
 
 #include <stdio.h>
@@ -54,14 +57,14 @@ END_TEST
 
 enum { BLOCKS = 9000, ASKED_MOST = 10 };
 
-/* All that is heard of a check, and what the watcher of its events hears. */
+/* All messages and findings of a check, and the number of its events. */
 struct heard {
 	struct strbuf text;
 	struct spare_threads spare;
-	int until;	/* so many calls of progress, then there are spare threads */
-	int more;	/* so many */
-	bool ends;	/* the check is interrupted as soon as they are taken */
-	int least;	/* spare threads since then */
+	int until;	/* from this call of progress on there are spare threads */
+	int more;	/* the number of these threads */
+	bool ends;	/* the check is interrupted as soon as the threads are taken */
+	int least;	/* the least number of spare threads since then */
 	int events;
 };
 
@@ -104,7 +107,9 @@ static bool on_event(void *context, const struct motion_event *event)
 	return true;
 }
 
-/* A head above a table that turns: it comes down to its corners, one block after the other, and into one of them. */
+/*
+ * A head above a table that turns: it moves down toward the corners of the table, block by block, and into one of them.
+ */
 static void place_bodies(struct model *model)
 {
 	model_init(model);
@@ -131,7 +136,7 @@ static FILE *program_with(int hit, int fault)
 	return out;
 }
 
-/* `more` threads are to spare after `until` calls of progress. Returns all that was heard, to be released. */
+/* `more` threads are spare after `until` calls of progress. The value is all output, which the caller releases. */
 static struct strbuf check(struct model *model, FILE *in, bool all, bool watched, int until, int more)
 {
 	struct heard heard = {.until = until, .more = more};
@@ -149,7 +154,7 @@ static struct strbuf check(struct model *model, FILE *in, bool all, bool watched
 		    "result %d, %ld blocks, %ld findings, %ld budgets, %ld planes, %ld queries, %d events\n",
 		    (int)result, stats.blocks_checked, stats.findings, stats.budgets, stats.planes, stats.queries,
 		    heard.events);
-	/* What was taken is there again. */
+	/* The taken threads are spare again. */
 	while (heard.until < 0 && more > 0) {
 		ck_assert(spare_threads_take(&heard.spare));
 		more--;
@@ -194,7 +199,7 @@ START_TEST(findings_and_faults_stay_the_same)
 }
 END_TEST
 
-/* It may be the taking of a spare thread that settles the batch after which the check stops: others are still begun. */
+/* Taking a spare thread may settle the batch after which the check stops, while other batches have begun. */
 START_TEST(an_interrupted_check_gives_its_threads_back)
 {
 	struct model model;
@@ -203,7 +208,7 @@ START_TEST(an_interrupted_check_gives_its_threads_back)
 	place_bodies(&model);
 	for (int until = 0; until < ASKED_MOST; until++) {
 		struct heard heard = {.until = until, .more = 1, .ends = true};
-		/* Samples take so long that the reading is ahead of them. */
+		/* Sampling takes so long that the reader is ahead of the check. */
 		const struct check_options options = {.method = CHECK_CONVENTIONAL, .step = 2e-3, .tolerance = 0.001,
 						      .threads = 3, .spare = &heard.spare};
 		const struct check_sink sink = {&heard, on_finding, on_progress, NULL};
@@ -224,7 +229,7 @@ START_TEST(an_interrupted_check_gives_its_threads_back)
 }
 END_TEST
 
-/* The least number of spare threads, of one, while the check runs. */
+/* The least number of spare threads during the check, of one at the start. */
 static int least_spare(struct model *model, FILE *in, struct path_record *record)
 {
 	struct heard heard = {.more = 1, .least = 1};
@@ -240,7 +245,7 @@ static int least_spare(struct model *model, FILE *in, struct path_record *record
 	return heard.least;
 }
 
-/* A check that records its path has nothing for a second thread to do; the check of another program may have. */
+/* A check that records its path cannot use a second thread, so it leaves it for the check of another program. */
 START_TEST(a_thread_of_no_use_is_left)
 {
 	struct path_record record;

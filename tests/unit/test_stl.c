@@ -1,4 +1,4 @@
-/* STL files as other programs write them, whole and broken; decimals against strtof. */
+/* test_stl.c - STL files as other programs write them, complete and broken; decimals against strtof. */
 #include "geom/stl.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ static void keep_message(void *context, const struct diag_entry *entry)
 	diag_format(context, entry);
 }
 
-/* Reads the file; what is said goes to `said`, without the folder. */
+/* Reads the file. The messages go to `said`, without the name of the folder. */
 static bool read_named(struct mesh *mesh, const char *name, struct strbuf *said)
 {
 	struct strbuf raw = {0};
@@ -67,7 +67,7 @@ static bool read_bytes(struct mesh *mesh, const void *bytes, size_t count, struc
 	return read_named(mesh, "t.stl", said);
 }
 
-/* A binary file of `count` triangles of random bits (finite) behind a header that announces `announced`. */
+/* A binary file of `count` triangles of random bits (finite), with a header that announces `announced` triangles. */
 static unsigned char *binary_stl(size_t count, uint32_t announced, const char *title, size_t *size)
 {
 	unsigned char *bytes = calloc(1, 84 + 50 * count);
@@ -80,7 +80,7 @@ static unsigned char *binary_stl(size_t count, uint32_t announced, const char *t
 	for (size_t i = 0; i < count; i++) {
 		for (int k = 0; k < 50; k++)
 			bytes[84 + 50 * i + (size_t)k] = (unsigned char)(random_bits(&state) >> 20);
-		/* A cleared bit in each exponent keeps the corners finite; normals may be anything. */
+		/* A cleared bit in each exponent keeps the corners finite; the normals are arbitrary. */
 		for (int k = 3; k < 12; k++)
 			bytes[84 + 50 * i + 4 * (size_t)k + 3] &= 0xbf;
 	}
@@ -148,7 +148,7 @@ START_TEST(binary_that_lies)
 }
 END_TEST
 
-/* As a copy leaves it that was broken off after it had taken the room. */
+/* A copy that was broken off after its file had got the full size. */
 START_TEST(binary_of_zeros)
 {
 	size_t size;
@@ -271,7 +271,7 @@ END_TEST
 
 START_TEST(ascii_crosses_the_buffer)
 {
-	/* A few megabytes with words at every offset from the ends of the reader's buffer. */
+	/* A few megabytes, with words at all offsets from the ends of the reader's buffer. */
 	struct strbuf text = {0}, said = {0};
 	struct mesh mesh;
 	uint64_t state = 3;
@@ -295,7 +295,7 @@ START_TEST(ascii_crosses_the_buffer)
 	for (size_t i = 0; i < 9 * count; i++)
 		ck_assert_float_eq(mesh.triangles[i / 9].v[i % 9 / 3][i % 3],
 				   (float)((double)(int32_t)random_bits(&state) * 1e-5));
-	/* Nine digits say less than a float's place at this size: rounding, but no more than half of it. */
+	/* Nine digits are less exact than a float of this size: there is rounding, but no more than half a unit. */
 	ck_assert_double_gt(mesh.rounding, 0);
 	ck_assert_double_le(mesh.rounding, 1.8 * 22000 * (double)FLT_EPSILON / 2);
 	mesh_release(&mesh);
@@ -318,7 +318,7 @@ START_TEST(ascii_word_without_end)
 }
 END_TEST
 
-/* ---- files that are none ---- */
+/* ---- files that are no STL ---- */
 
 START_TEST(not_a_regular_file)
 {
@@ -343,7 +343,7 @@ START_TEST(not_a_regular_file)
 }
 END_TEST
 
-/* Whatever is done to a file, reading ends: with finite triangles or with one error. */
+/* For every damaged file, reading ends: with finite triangles or with one error. */
 START_TEST(mutilated_files)
 {
 	static const char ascii[] = "solid a\n" GOOD FACET("1e5 -2.25 3e-4", "0.5 .5 5.", "7 8 9") "endsolid a\n";
@@ -414,7 +414,7 @@ START_TEST(decimals_are_the_nearest)
 			d = (double)(int32_t)bits / (double)(1 + (random_bits(&state) >> 40) % 100000);
 		else
 			d = (double)f;
-		/* Half-way between two floats, where two roundings may go wrong, and a little beside. */
+		/* Half-way between two floats, where rounding twice may go wrong, and a little beside. */
 		if (turn % 3 == 1)
 			d += ((double)nextafterf(f, INFINITY) - d) / 2 * (turn % 2 ? 1 : 1 + 1e-15);
 		if (!isfinite(d))

@@ -1,6 +1,6 @@
 /*
- * test_stock_cells.c - what cutters remove, against the definition: points inside the solid of revolution, asked one by
- * one at many instants.
+ * test_stock_cells.c - the material that cutters remove, against the definition: single points inside the solid of
+ * revolution, at many instants.
  */
 #include <math.h>
 
@@ -26,7 +26,7 @@ static const struct tool_solid solids[] = {
 
 enum { SOLIDS = COUNT(solids) };
 
-/* The radius at a height, by the definition of the sections; negative: above or below. */
+/* The radius at a height, by the definition of the sections; negative above and below the solid. */
 static double radius_at(const struct tool_solid *solid, double z)
 {
 	const double bottom = solid->count == 1 ? -20 : -16;
@@ -61,7 +61,7 @@ START_TEST(distance_is_that_to_the_outline)
 		const double here = radius_at(solid, z), distance = revolved_distance(&revolved, r, z);
 		double nearest = INFINITY;
 
-		/* A disc of points at each of many heights stands for the solid. */
+		/* The solid is represented by a disc of points at each of many heights. */
 		for (int i = 0; i <= 4000; i++) {
 			const double at = bottom * i / 4000, most = radius_at(solid, at);
 			const double beside = here >= 0 && r <= here ? fabs(most - r) : fmax(r - most, 0);
@@ -72,7 +72,7 @@ START_TEST(distance_is_that_to_the_outline)
 		}
 		if (here >= 0 && r <= here) {
 			nearest = fmin(nearest, fmin(-z, z - bottom));
-			/* The step of the last solid is level. */
+			/* The step of the last solid is horizontal. */
 			if (solid->count == 3 && z < -8)
 				nearest = fmin(nearest, hypot(fmax(2 - r, 0), z + 8));
 			for (int i = 0; i <= 4000; i++) {
@@ -103,7 +103,7 @@ static bool is_inside(const struct tool_solid *solid, const struct cutter_place 
 	return sqrt(fmax(vec3_norm2(off) - z * z, 0)) <= radius_at(solid, z) + 1e-9;
 }
 
-/* At the time that is told each corner and each of many inner points is inside; and a cube well inside is removed. */
+/* At the reported time each corner and many inner points of the cube are inside; and a cube deep inside is removed. */
 START_TEST(removes_what_is_inside_at_one_time)
 {
 	const struct tool_solid *solid = &solids[_i];
@@ -139,7 +139,7 @@ START_TEST(removes_what_is_inside_at_one_time)
 }
 END_TEST
 
-/* A cube across the seam of two pieces, on the cutter's axis, is inside the cutter. */
+/* A cube across the seam of two pieces, on the axis of the cutter, is inside the cutter. */
 START_TEST(removes_across_seams)
 {
 	const struct cutter_way way = {{{-30, 0, 20}, {0, 0, 1}}, {{30, 0, 20}, {0, 0, 1}}};
@@ -154,7 +154,7 @@ START_TEST(removes_across_seams)
 }
 END_TEST
 
-/* Some random ways, one after the other in time; all directions are different. */
+/* Logs some random paths, one after the other in time, all in different directions. */
 static void log_ways(struct random *random, struct cut_log *log, struct cutter_way *ways, int count)
 {
 	for (int i = 0; i < count; i++) {
@@ -163,7 +163,7 @@ static void log_ways(struct random *random, struct cut_log *log, struct cutter_w
 	}
 }
 
-/* mm: the distance of the point to the cutter on its way up to the share `end`, sampled. */
+/* mm: the distance of the point from the cutter on its path up to the share `end`, by samples. */
 static double least_distance(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double end)
 {
 	double least = INFINITY;
@@ -179,7 +179,7 @@ static double least_distance(const struct cutter *cutter, const struct cutter_wa
 	return least;
 }
 
-/* What no cutter has reached is sure: held against the distance at many instants. */
+/* Material that no cutter has reached is certain: compared with the distance at many instants. */
 START_TEST(reaches_what_a_cutter_has_touched)
 {
 	enum { WAYS = 40 };
@@ -213,7 +213,7 @@ START_TEST(reaches_what_a_cutter_has_touched)
 }
 END_TEST
 
-/* A region removes nothing, and reaches everything in its box from its time on. */
+/* A region removes nothing, and from its time on everything in its box is uncertain. */
 START_TEST(regions_are_doubt_alone)
 {
 	const struct cut_region region = {.from = 1, .to = 2, .low = {0, 0, 0}, .high = {10, 10, 10}};
@@ -234,7 +234,10 @@ START_TEST(regions_are_doubt_alone)
 }
 END_TEST
 
-/* A slot of a flat cutter has a known shape: no cell of it is there, and every cell beside it is. Also if few are kept. */
+/*
+ * The slot of a flat cutter has a known shape: none of its cells is there, and all cells beside it are, also if only a
+ * few are kept.
+ */
 START_TEST(slot_is_exact_to_a_cell)
 {
 	struct mesh mesh = {0};
@@ -269,7 +272,10 @@ START_TEST(slot_is_exact_to_a_cell)
 	for (int n = 0; n < 3000; n++) {
 		const vec3 off = random_point(&random, 1), p = {22 * off.x, 16 * off.y, 5 + 6 * off.z};
 		const struct placed_obstacle placed = {&obstacle, {mat3_identity(), vec3_scale(-1, p)}};
-		/* Distance from the stock: the blank without the slot, which ends round at x = 5 and has its floor at z = 5. */
+		/*
+		 * The distance from the stock: the blank without the slot, which has a round end at x = 5 and its floor
+		 * at z = 5.
+		 */
 		const double past = p.x > 5 ? sqrt((p.x - 5) * (p.x - 5) + p.y * p.y) : fabs(p.y);
 		const double out = fmax(fmax(fabs(p.x) - 20, fabs(p.y) - 15), fmax(-p.z, p.z - 10));
 		const double clear = fmin(5 - past, p.z - 5);
@@ -280,7 +286,7 @@ START_TEST(slot_is_exact_to_a_cell)
 			ck_assert_double_le(distance, 0);
 		if (out > margin || clear > margin)
 			ck_assert_double_gt(distance, 0);
-		/* Before the cut all of the blank is there. */
+		/* Before the cut the whole blank is there. */
 		if (out < -0.02)
 			ck_assert_double_le(stock_cells_distance(&cells, &placed, -1, &query), 0);
 	}
@@ -295,7 +301,7 @@ START_TEST(slot_is_exact_to_a_cell)
 }
 END_TEST
 
-/* What a piece passes on a straight way, point by point at many places of the way. */
+/* The passage of a piece on a straight path, for single points at many places of the path. */
 START_TEST(passage_holds_all_places_of_the_way)
 {
 	const struct tool_solid *solid = &solids[_i];
@@ -315,7 +321,7 @@ START_TEST(passage_holds_all_places_of_the_way)
 
 		to.translation = vec3_mad(from.translation, length, n % 2 ? from.rotation.z : from.rotation.x);
 		if (!passage_init(&passage, &obstacle, &from, &to, 1e-9)) {
-			/* Only the step that is wider below cannot be followed along its axis. */
+			/* Only the solid that is wider below its step cannot be followed along its axis. */
 			ck_assert(n % 2 && solid->count == 3);
 			continue;
 		}

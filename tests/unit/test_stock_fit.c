@@ -1,4 +1,7 @@
-/* test_stock_fit.c - parts that stand out of their blank, in closed forms, however both stand in space. */
+/*
+ * test_stock_fit.c - parts that are not inside their blank, against closed forms, for every position and rotation of
+ * both.
+ */
 #include "scene/stock_fit.h"
 
 #include "model_case.h"
@@ -16,7 +19,7 @@ static int part(struct model *model, vec3 least, vec3 most)
 	return model_box(model, ROLE_PART, LINK_C, least, most);
 }
 
-/* mm: how far the one part that is doubted stands out; 0: none is. */
+/* mm: how far the one doubted part is outside; 0: no part is doubted. */
 static double out_of(struct model *model, int body)
 {
 	struct doubts doubts = {0};
@@ -35,7 +38,7 @@ static double out_of(struct model *model, int body)
 	return value;
 }
 
-/* A part whose top is `above` mm above the blank's, and whose end is `beside` mm beside it. */
+/* Expects this for a part whose top is `above` mm above that of the blank, and whose end is `beside` mm beside it. */
 static void expect(double above, double beside, double distance)
 {
 	struct random random = random_case(1, (long)(100 * above + beside));
@@ -74,7 +77,7 @@ START_TEST(what_is_known_of_the_blank)
 	start(&model);
 	body = part(&model, (vec3){-30, -30, 5}, (vec3){30, 30, 43});
 	ck_assert_double_eq_tol(out_of(&model, body), 3, 1e-3);
-	/* The true blank may be so much larger. */
+	/* The true blank may be larger by this amount. */
 	model.bodies[0].uncertainty = 1.5;
 	ck_assert_double_eq_tol(out_of(&model, body), 1.5, 1e-3);
 	model.bodies[0].uncertainty = 2.1;
@@ -89,7 +92,7 @@ START_TEST(what_is_known_of_the_blank)
 }
 END_TEST
 
-/* The longest side of a part that is doubted as too small for its blank; 0: none is. */
+/* The longest side of the part that is doubted as too small for its blank; 0: no part is doubted. */
 static double too_small(struct model *model)
 {
 	struct doubts doubts = {0};
@@ -104,7 +107,7 @@ static double too_small(struct model *model)
 	return value;
 }
 
-/* Of the blank's 100 x 80 x 40 mm an eighth is 12.5 x 10 x 5 mm, in any order. */
+/* An eighth of the blank's 100 x 80 x 40 mm is 12.5 x 10 x 5 mm, in any order. */
 START_TEST(an_eighth_of_the_blank)
 {
 	struct model model;
@@ -128,7 +131,7 @@ START_TEST(an_eighth_of_the_blank)
 }
 END_TEST
 
-/* A part that is nowhere in the blank may have one of its own, if another part is in it. */
+/* If another part is in the blank, a part that is nowhere near it may have a blank of its own. */
 START_TEST(several_parts)
 {
 	struct model model;
@@ -141,7 +144,7 @@ START_TEST(several_parts)
 	ck_assert(!(out_of(&model, beside) > 0));
 	model.bodies[inside].role = ROLE_FIXTURE;
 	ck_assert_double_eq_tol(out_of(&model, beside), 70, 1e-3);
-	/* Without a blank there is nothing to say. */
+	/* Without a blank there is no doubt. */
 	model.bodies[0].role = ROLE_FIXTURE;
 	ck_assert(!(out_of(&model, beside) > 0));
 	model_release(&model);

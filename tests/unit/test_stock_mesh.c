@@ -1,4 +1,4 @@
-/* test_stock_mesh.c - the mesh of what remains is closed, holds all that is left, and little more. */
+/* test_stock_mesh.c - the mesh of the remaining stock is closed, contains all that remains, and little more. */
 #include <math.h>
 
 #include "geom/inside.h"
@@ -20,7 +20,7 @@ struct slotted {
 	struct bvh *bvh;
 };
 
-/* The box with the first `cuts` pieces of the slot, made by this tool. */
+/* The box with the first `cuts` pieces of the slot, cut by this tool. */
 static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, int cuts)
 {
 	const xform up = {mat3_identity(), {0, 0, 5}};
@@ -33,7 +33,7 @@ static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, 
 	topology_init(&s->topology, &s->bvh->mesh);
 	cutter_init(&s->cutter, tool);
 	cut_log_init(&s->log, &s->cutter);
-	/* In three cuts, so that cubes at their seams are removed part by part. */
+	/* The slot has pieces, so that cubes at their seams are removed in parts. */
 	for (int i = 0; i < cuts; i++)
 		cut_log_add(&s->log, &(struct cut){.from = i, .to = i + 1,
 						   .way = {{{-40 + 15 * i, 0, 25}, {0, 0, 1}},
@@ -59,7 +59,7 @@ static void slotted_release(struct slotted *s)
 	bvh_free(s->bvh);
 }
 
-/* mm: how far inside what remains (positive) or outside of it a point is, to within the corner of the slot. */
+/* mm: the depth of a point inside the remaining stock (negative: outside), except near the corners of the slot. */
 static double depth_of(vec3 p, bool cut)
 {
 	const double past = p.x > 5 ? sqrt((p.x - 5) * (p.x - 5) + p.y * p.y) : fabs(p.y);
@@ -68,7 +68,7 @@ static double depth_of(vec3 p, bool cut)
 	return cut ? fmin(box, fmax(past - 5, 5 - p.z)) : box;
 }
 
-/* Before the cuts, and after them. */
+/* Before the cuts and after them. */
 START_TEST(mesh_encloses_what_remains)
 {
 	const bool cut = _i;
@@ -108,7 +108,7 @@ START_TEST(mesh_encloses_what_remains)
 }
 END_TEST
 
-/* Too little effort is no answer. */
+/* With too little effort there is no mesh. */
 START_TEST(mesh_that_costs_too_much_is_none)
 {
 	struct slotted s;
@@ -122,8 +122,8 @@ START_TEST(mesh_that_costs_too_much_is_none)
 END_TEST
 
 /*
- * Narrow slots that leave a wall in each cube: the mesh is whole, but deep below its surface is much that was cut. A
- * mesh of larger cubes is made where fine ones cost too much.
+ * Narrow slots leave a wall in each cube: the mesh is whole, although deep below its surface much is cut. If fine cubes
+ * cost too much, the mesh is made of larger ones.
  */
 START_TEST(cut_places_deep_in_the_mesh_are_told)
 {

@@ -6,7 +6,9 @@
 
 static const struct position_errors exact = {.any = false};
 
-/* Offers the next few steps at once; how many the strategy took, all of them truly clear. */
+/*
+ * Offers the next few steps at once. The value is the number that the strategy took; all of them must be truly clear.
+ */
 static int skip_some(struct program *p, struct strategy *strategy, int first, long number)
 {
 	int count = 1 + random_below(&p->random, 6);
@@ -29,7 +31,10 @@ static int skip_some(struct program *p, struct strategy *strategy, int first, lo
 	return count;
 }
 
-/* Offers all steps from the given one on to be swept together; how many were, all of them truly clear. */
+/*
+ * Offers all steps from the given one on to be swept together. The value is the number of those swept; all of them must
+ * be truly clear.
+ */
 static int leap_over(struct program *p, struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps,
 		     int first, long number)
 {
@@ -42,7 +47,9 @@ static int leap_over(struct program *p, struct strategy *strategy, struct sweep 
 	return count;
 }
 
-/* Follows the program as far as its first contact; every answer is judged. *leaped counts the steps of leaps. */
+/*
+ * Runs the program up to its first contact, and checks every answer. *leaped counts the steps that were swept together.
+ */
 static bool follow(struct program *p, struct sweep *sweep, bool measure, long number, long *leaped)
 {
 	struct path paths[STEPS];
@@ -55,7 +62,7 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 		steps[i] = (struct batch_step){.motion = step_on(&paths[i])};
 	}
 	strategy_init(&strategy, &p->duo.pair, p->clearance, p->tolerance, measure);
-	/* As if many sweeps had gone before: planes are searched from the first step on. */
+	/* As if many sweeps had preceded: planes are searched from the first step on. */
 	strategy.planes.credit = number % 2 ? 1e6 : 0;
 	for (int i = 0; i < STEPS; i++) {
 		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
@@ -110,7 +117,7 @@ START_TEST(first_contact_of_many_steps)
 }
 END_TEST
 
-/* Bodies that move together, or apart from each other not at all, cost one query. */
+/* Bodies that move together, or that do not move relative to each other, cost one query. */
 START_TEST(standing_still_costs_nothing)
 {
 	struct sweep sweep = {0};
@@ -147,10 +154,13 @@ static axis_values random_off(struct random *random, const axis_values *amount)
 	return off;
 }
 
-/* Where the control may leave the path, and where a rapid goes anywhere: what is clear is so all over. */
+/* Where the control may leave the path, and where a rapid takes any path, a clear step is clear everywhere. */
 START_TEST(clear_wherever_the_control_may_go)
 {
-	/* Some rapids of unknown way take ten times as long as all others together; what is not decided proves nothing. */
+	/*
+	 * Some rapids whose path is not known take ten times as long as all others together; an undecided one proves
+	 * nothing.
+	 */
 	struct sweep sweep = {.effort = 20000};
 	long clear = 0, boxes = 0, cases = random_cases(150);
 
@@ -188,7 +198,10 @@ START_TEST(clear_wherever_the_control_may_go)
 					at.v[j] +=
 					    (q1->v[j] - q0->v[j]) * (kind == PATH_BOX ? random_in(&p.random, 0, 1) : s);
 				pose = duo_pose(&p.duo, &at, &at, 0, &off);
-				/* Only whether it is less than the clearance counts, so nothing farther is measured. */
+				/*
+				 * Only whether the distance is less than the clearance matters, so no larger distance
+				 * is measured.
+				 */
 				d = brute_distance(p.duo.a, p.duo.b, &pose, p.clearance + 1e-3);
 				require(d > 0 && d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);
 			}
@@ -201,7 +214,7 @@ START_TEST(clear_wherever_the_control_may_go)
 }
 END_TEST
 
-/* A cube moved along X and Y and turned about X, and a wall 10 mm from it on one side in x. */
+/* A cube that moves along X and Y and turns about X, and a wall 10 mm from it on one side in x. */
 static void stand_by_wall(struct duo *duo, double side)
 {
 	const struct chain chain = {.count = 3, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
@@ -237,13 +250,13 @@ START_TEST(what_happened_before)
 
 	stand_by_wall(&duo, 1);
 	strategy_init(&strategy, &duo.pair, 0, 1e-3, false);
-	/* Gone from there unwatched, back through the wall to where there is room. */
+	/* The axes leave this place without a proof, through the wall, to a place with more room. */
 	ck_assert_int_eq(go(&strategy, &sweep, 0, 0, 0.1, 0, PATH_STRAIGHT, 0), QUERY_CLEAR);
 	strategy_forget_position(&strategy);
 	ck_assert_int_eq(go(&strategy, &sweep, 40, 0, 0.2, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
 	strategy_forget_position(&strategy);
 	ck_assert_int_eq(go(&strategy, &sweep, 0.2, 0, 0.1, 0, PATH_STRAIGHT, 0), QUERY_CLEAR);
-	/* Into the wall, and standing there: still in contact, whether that was a finding or not. */
+	/* Into the wall, and then no motion: still in contact, whether it was a finding or not. */
 	ck_assert_int_eq(go(&strategy, &sweep, 0.1, 0, 11, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
 	ck_assert_int_eq(go(&strategy, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
 	strategy_forget_position(&strategy);
@@ -268,7 +281,7 @@ START_TEST(as_far_as_the_control_may_go)
 		stand_by_wall(&duo, side);
 		strategy_init(&strategy, &duo.pair, 0, 1e-3, k & 4);
 		strategy.planes.credit = 1e6;
-		/* Along the wall at 0.02 mm. */
+		/* Along the wall at a distance of 0.02 mm. */
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), QUERY_CLEAR);
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), QUERY_CLEAR);
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 99, side * 9.5, 150, kind, 0.03), QUERY_CONTACT);
@@ -281,7 +294,7 @@ START_TEST(as_far_as_the_control_may_go)
 }
 END_TEST
 
-/* The cube turns beside the wall while it goes from x0 to x1. */
+/* The cube turns beside the wall while it moves from x0 to x1. */
 static enum query_answer turn(struct strategy *strategy, struct sweep *sweep, double x0, double x1, enum path_kind kind)
 {
 	const axis_values from = {.v[SLOT_X] = x0}, to = {.v = {[SLOT_X] = x1, [SLOT_A] = 1.5}};
@@ -292,7 +305,7 @@ static enum query_answer turn(struct strategy *strategy, struct sweep *sweep, do
 	return strategy_advance_step(strategy, sweep, &step, &contact);
 }
 
-/* Planes are asked before a step is given up, even where nothing was swept before that would have allowed a search. */
+/* Planes are tried before a step is given up, even if no sweep before has earned a search. */
 START_TEST(planes_before_giving_up)
 {
 	for (int k = 0; k < 4; k++) {
@@ -304,7 +317,7 @@ START_TEST(planes_before_giving_up)
 		stand_by_wall(&duo, 1);
 		strategy_init(&strategy, &duo.pair, 0, 1e-3, k & 2);
 		ck_assert_int_eq(turn(&strategy, &sweep, 9.5, 9.98, kind), QUERY_CLEAR);
-		/* Within the tolerance, and through the wall: they prove nothing. */
+		/* Within the tolerance, and through the wall, planes prove nothing. */
 		ck_assert_int_eq(turn(&strategy, &sweep, 9.98, 9.9995, kind), QUERY_UNDECIDED);
 		ck_assert_int_eq(turn(&strategy, &sweep, 9.98, 11, kind), QUERY_UNDECIDED);
 		sweep_release(&sweep);
@@ -315,7 +328,7 @@ START_TEST(planes_before_giving_up)
 END_TEST
 
 /*
- * A square rod with a half diagonal of 5 sqrt(2) mm, 7.0715 mm from a wall, is turned by three joints about its axis.
+ * A square rod with a half diagonal of 5 sqrt(2) mm, 7.0715 mm from a wall, is turned about its axis by three joints.
  * It never touches the wall, but a proof needs millions of parts of the box.
  */
 static void stand_rod_by_wall(struct duo *duo)
@@ -333,7 +346,7 @@ static void stand_rod_by_wall(struct duo *duo)
 	duo_init(duo, &chain, &wall, &rod, &identity, &identity);
 }
 
-/* Every undecided rapid of unknown way halves the effort for the next one (struct open_boxes). */
+/* Every undecided rapid whose path is not known halves the effort for the next one (struct open_boxes). */
 START_TEST(half_the_effort)
 {
 	const long most = 50000000, spent_besides = 20000;

@@ -1,4 +1,7 @@
-/* Random small bodies that move, against brute force; and a million triangles that interleave without touching. */
+/*
+ * test_stress_moving.c - small random bodies that move, against brute force; and a million triangles that interleave
+ * without contact.
+ */
 #include <sys/resource.h>
 
 #include "stress_case.h"
@@ -58,7 +61,7 @@ START_TEST(moving_pairs_agree_with_brute_force)
 }
 END_TEST
 
-/* Reversed in time the verdict is the same, but for what is between the clearance and e beyond it. */
+/* With time reversed the verdict is the same, except for distances between the clearance and e beyond it. */
 START_TEST(time_reversed)
 {
 	struct sweep sweep = {0};
@@ -80,7 +83,7 @@ START_TEST(time_reversed)
 		} else if (first == SWEEP_CONTACT) {
 			double last = 1 - two.s;
 
-			/* The first contact on the way back is the last on the way there. */
+			/* The first contact on the way back is the last contact on the way there. */
 			require(one.s <= last ||
 				    oracle_motion(&duo, &c.chord.q0, &c.chord.q1, last, one.s) <= 2 * c.tolerance,
 				"case %ld: first at %.12g, last at %.12g", n, one.s, last);
@@ -91,7 +94,7 @@ START_TEST(time_reversed)
 }
 END_TEST
 
-/* `count` strips a body, 12 triangles each; those of b halfway between those of a. */
+/* `count` strips per body, of 12 triangles each; those of b are halfway between those of a. */
 static void comb(struct mesh *mesh, int count, double shift)
 {
 	for (int i = 0; i < count; i++) {
@@ -111,7 +114,7 @@ static void comb(struct mesh *mesh, int count, double shift)
 
 START_TEST(interleaved_combs)
 {
-	/* Twelve triangles a tooth, two bodies: the long form has a million. */
+	/* Each tooth has twelve triangles in each of the two bodies: the long form has a million. */
 	int teeth = random_cases(1) > 1 ? 41667 : 4000;
 	struct stress_case c = stress_case(1e-3);
 	struct sweep sweep = {0};
@@ -129,7 +132,10 @@ START_TEST(interleaved_combs)
 	ck_assert_int_eq(sweep_chord(&sweep, &duo.pair, &c.chord, 0.2, 1e-3, &contact), SWEEP_APART);
 	ck_assert_int_eq(sweep_chord(&sweep, &duo.pair, &c.chord, 0.26, 1e-3, &contact), SWEEP_CONTACT);
 	ck_assert_int_eq(getrusage(RUSAGE_SELF, &usage), 0);
-	/* kB: the meshes double while they grow here; then 150 bytes a triangle and 50 MB for everything else. */
+	/*
+	 * kB: the meshes double their memory while they grow here; the check needs 150 bytes per triangle, and 50 MB
+	 * for everything else.
+	 */
 	require(usage.ru_maxrss < 51200 + (long)teeth * 24 * (150 + 72) / 1024, "%ld kB", usage.ru_maxrss);
 	sweep_release(&sweep);
 	duo_release(&duo);

@@ -1,4 +1,7 @@
-/* Encounters with a known first contact: swept as meshes and run as programs, each in every disguise. */
+/*
+ * test_stress_table.c - encounters with a known first contact, swept as meshes and run as programs, each in every
+ * disguise.
+ */
 #include <stdlib.h>
 
 #include "stress_encounters.h"
@@ -50,7 +53,7 @@ START_TEST(disguised)
 }
 END_TEST
 
-/* Backwards: what never meets still does not, and brute force judges the rest. */
+/* With time reversed, bodies that never meet still do not meet; brute force judges the other cases. */
 START_TEST(backwards)
 {
 	struct stress_case c = rows[_i].make();

@@ -1,4 +1,7 @@
-/* The awkward positions of two triangles, by closed form and in every disguise; then random ones on an exact grid. */
+/*
+ * test_stress_tri.c - the awkward positions of two triangles, by closed form and in every disguise; then random ones on
+ * an exact grid.
+ */
 #include "geom/tri.h"
 
 #include <stdlib.h>
@@ -17,7 +20,7 @@ static void judge(const struct position *position, const tri *a, const tri *b, d
 		ck_abort_msg("%s: %.17g, not %.17g", position->name, found, distance);
 	if (fabs(vec3_norm(vec3_sub(on_b, on_a)) - found) > TRI_DISTANCE_ERROR * size)
 		ck_abort_msg("%s: the points are not that far apart", position->name);
-	/* What is farther apart than rounding can say must be called so; what meets, never. */
+	/* A distance that exceeds rounding must be reported, and a contact must never be called apart. */
 	if (distance <= 0 && !tri_meet(a, b))
 		ck_abort_msg("%s: called apart", position->name);
 	if (distance > 64 * DBL_EPSILON * size && tri_meet(a, b))
@@ -38,7 +41,7 @@ START_TEST(every_position_in_every_disguise)
 }
 END_TEST
 
-/* Moved by 2^20: where the corners stay the same numbers, so does the distance. */
+/* Moved by 2^20: if the corners are still exact, so is the distance. */
 START_TEST(every_position_far_away)
 {
 	static const vec3 far = {0x1p20, -0x1p20, 0x1p20};
@@ -73,7 +76,10 @@ static tri real_tri(const itri *t)
 	return r;
 }
 
-/* No miss and no false alarm: the grid is fine enough for exact truth, and coarse enough for exact answers. */
+/*
+ * No contact is missed and none is invented: the grid is fine enough for exact truth, and coarse enough for exact
+ * answers.
+ */
 START_TEST(random_pairs_on_an_exact_grid)
 {
 	static const int sizes[] = {2, 8, 100, 13000};

@@ -5,7 +5,7 @@
 #include "solids.h"
 #include "suite.h"
 
-/* Triangles anywhere, of every size; counts about the sizes at which the vector loop begins and ends. */
+/* Triangles of all sizes, anywhere; their number is around those at which the vector loop begins and ends. */
 static struct mesh random_triangles(struct random *random)
 {
 	struct mesh mesh = {0};
@@ -21,7 +21,7 @@ static struct mesh random_triangles(struct random *random)
 	return mesh;
 }
 
-/* The definition. */
+/* By the definition. */
 static long double true_support(const struct mesh *mesh, vec3 n, double *farthest)
 {
 	long double greatest = -INFINITY;

@@ -4,7 +4,7 @@
 #include "suite.h"
 #include "scene/coherence.h"
 
-/* Two random solids near each other at some instant of a random move. */
+/* Two random solids that are near each other at some instant of a random move. */
 struct encounter {
 	struct random random;
 	struct duo duo;
@@ -63,7 +63,7 @@ START_TEST(chords_agree_with_brute_force)
 }
 END_TEST
 
-/* As b sees a: the same joints in reverse. */
+/* The chain as seen from b: the same joints in reverse order. */
 static struct chain reversed(const struct chain *chain)
 {
 	struct chain out = {.count = chain->count};
@@ -139,7 +139,7 @@ START_TEST(boxes_of_positions)
 		positions_between(&e, &low, &high);
 		sweep.exhausted = false;
 		answer = sweep_box(&sweep, &e.duo.pair, &box, e.clearance, e.tolerance, &contact);
-		/* However many joints there are, halving them in turn decides the box in the end. */
+		/* For any number of joints, halving them in turn decides the box in the end. */
 		require(answer != SWEEP_UNDECIDED || sweep.exhausted, "case %ld: undecided before the limit", n);
 		touched += answer == SWEEP_CONTACT;
 		apart += answer == SWEEP_APART;

@@ -61,7 +61,7 @@ static enum sweep_answer sweep_once(struct duo *duo, const struct chord *chord, 
 	struct contact second;
 
 	answer = sweep_chord(&sweep, &duo->pair, chord, clearance, tolerance, contact);
-	/* Once more with storage that has been used, and with what was remembered. */
+	/* Again, with storage that was used before, and with the remembered axes and pairs. */
 	duo->pair.coherence = &coherence;
 	again = sweep_chord(&sweep, &duo->pair, chord, clearance, tolerance, &second);
 	require(again == answer, "a coherence changes the answer from %d to %d", (int)answer, (int)again);
@@ -111,7 +111,10 @@ START_TEST(thin_wall)
 }
 END_TEST
 
-/* A bar on a turning table passes a post, both ends of the turn free: met when its corner reaches the post. */
+/*
+ * A bar on a turning table and a post, apart at both ends of the turn: they meet when the bar's corner reaches the
+ * post.
+ */
 START_TEST(middle_of_a_turn)
 {
 	struct chain chain = chain_of(&about_z, NULL);
@@ -129,7 +132,7 @@ START_TEST(middle_of_a_turn)
 		oracle_judge(&duo, &chord.q0, &chord.q1, k ? 3 : 0, 1e-3, answer, &contact, "turn", k);
 	}
 	duo_release(&duo);
-	/* Farther out the corner, at sqrt(100.5^2 + 0.5^2) from the axis, just passes. */
+	/* A little farther out the corner, at sqrt(100.5^2 + 0.5^2) from the axis, just passes. */
 	post = box_at((vec3){1, 1, 10}, (vec3){0, 101.5 + 0.003, 0});
 	bar = box_at((vec3){100.5, 0.5, 0.5}, (vec3){0, 0, 0});
 	duo_init(&duo, &chain, &post, &bar, &here, &here);
@@ -138,7 +141,7 @@ START_TEST(middle_of_a_turn)
 }
 END_TEST
 
-/* Along a plate at 10 um: clear up to that clearance less e, contact at once beyond it. */
+/* Along a plate at 10 um: clear with a smaller clearance, an immediate contact with a larger one. */
 START_TEST(slide)
 {
 	struct chain chain = chain_of(&along_x, &along_z);
@@ -153,7 +156,7 @@ START_TEST(slide)
 	expect_apart(&duo, &chord, 0.008, 1e-3);
 	expect_apart(&duo, &chord, 0.01 - 1e-6, 1e-3);
 	expect_contact(&duo, &chord, 0.0101, 1e-3, 0, 1e-6);
-	/* Descending on the way: at the middle the gap is 0.005. */
+	/* The body comes down on the way: in the middle the gap is 0.005. */
 	chord.q1.v[SLOT_Z] = 0;
 	expect_contact(&duo, &chord, 0.005, 1e-5, 0.5, 1e-5 / 0.01);
 	chord.q0.v[SLOT_Z] = chord.q1.v[SLOT_Z] = -0.002;
@@ -187,8 +190,8 @@ START_TEST(starts_and_ends)
 END_TEST
 
 /*
- * 30,000 degrees of a disc with 32 corners within a square frame, 0.2 mm from it: more intervals than are kept at a
- * time. Then the same while it drifts towards the frame, whose wall it meets at the very end.
+ * A disc with 32 corners turns by 30,000 degrees inside a square frame, 0.2 mm from it: more intervals than are kept at
+ * a time. Then the same while it drifts toward the frame, and meets its wall at the very end.
  */
 START_TEST(many_turns)
 {
@@ -217,14 +220,17 @@ START_TEST(many_turns)
 	turns.q1.v[SLOT_X] = 0.202;
 	answer = sweep_chord(&sweep, &duo.pair, &turns, 0, 1e-3, &contact);
 	require(answer == SWEEP_CONTACT && contact.s > 0.96 && contact.s < 1, "%d at %.9g", (int)answer, contact.s);
-	/* The wall is straight: at 0.2 / 0.202 of the way the disc's circle meets it, its next corner soon after. */
+	/*
+	 * The wall is straight: at 0.2 / 0.202 of the move the circle of the disc meets it, and its next corner soon
+	 * after.
+	 */
 	require(contact.s > (0.2 - 1e-3) / 0.202 && contact.s < 0.2 / 0.202 + 1e-3, "%.9g", contact.s);
 	sweep_release(&sweep);
 	duo_release(&duo);
 }
 END_TEST
 
-/* The same encounter near and far from the origin of machine and drawings. */
+/* The same encounter near the origin of machine and drawings and far from it. */
 START_TEST(far_from_the_origin)
 {
 	const vec3 shift = {0x1p20, -0x1p20, 0x1p19};
@@ -238,7 +244,7 @@ START_TEST(far_from_the_origin)
 		enum sweep_answer answers[2];
 		struct duo duos[2];
 		xform places[2] = {here, here};
-		/* Multiples of 1/8 keep their value in a float at 2^20. */
+		/* Multiples of 1/8 are exact in a float up to 2^20. */
 		vec3 half = {1 + random_below(&random, 100) / 8.0, 1 + random_below(&random, 100) / 8.0, 2};
 		vec3 at = {random_below(&random, 400) / 8.0 - 25, random_below(&random, 400) / 8.0 - 25, 0.5};
 
@@ -268,7 +274,7 @@ START_TEST(far_from_the_origin)
 }
 END_TEST
 
-/* Rounding that exceeds the tolerance is an answer, soon, and no guess. */
+/* If rounding exceeds the tolerance, the answer is "undecided", after a short time and without a guess. */
 START_TEST(hopeless_tolerance)
 {
 	struct chain chain = chain_of(&along_x, NULL);

@@ -1,4 +1,6 @@
-/* test_table_point.c - where G254 finds the work zero: against closed forms and forward kinematics, and machines without. */
+/*
+ * test_table_point.c - the work zero of G254, against closed forms and forward kinematics, and machines that have none.
+ */
 
 #include "machine/chain.h"
 #include "motion/table_point.h"
@@ -24,9 +26,8 @@ static void assert_place(const axis_values *place, double x, double y, double z)
 }
 
 /*
- * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset": about the
- * centres of rotation. The trunnion's are 400 below the gauge point; its table
- * turns by C about -Z, and with that by A about -X.
+ * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset": about the centres of rotation. Those of the trunnion
+ * are 400 below the gauge point; its table turns by C about -Z, and A turns both about -X.
  */
 START_TEST(trunnion_closed_form)
 {
@@ -46,7 +47,10 @@ START_TEST(trunnion_closed_form)
 }
 END_TEST
 
-/* B about +Y through X = 5, Z = 80 carries C about +Z through X = 30, Y = 40; X is the table's, so it moves against. */
+/*
+ * B about +Y through X = 5, Z = 80 carries C about +Z through X = 30, Y = 40; X moves the table, so its direction is
+ * reversed.
+ */
 START_TEST(tilting_table_closed_form)
 {
 	struct machine machine = rig_machine();
@@ -78,7 +82,7 @@ static vec3 gauge_on_table(const struct machine *machine, const axis_values *q)
 	return xform_apply(&table, xform_apply(&head, machine->spindle.location));
 }
 
-/* Of every family whose head stands still: the gauge point touches the table where it did at rotary zero. */
+/* For every family with a fixed head: the gauge point is at the same point of the table as at rotary zero. */
 START_TEST(forward_kinematics)
 {
 	static const enum rig_family families[] = {RIG_AC_TABLE, RIG_BC_TABLE, RIG_NUTATING_TABLE, RIG_C_TABLE};
@@ -99,7 +103,7 @@ START_TEST(forward_kinematics)
 }
 END_TEST
 
-/* Three axes: nothing turns, and nothing is taken anywhere. */
+/* Three axes: nothing turns, so the zero stays. */
 START_TEST(nothing_turns)
 {
 	struct machine machine = rig_three_axes();

@@ -1,4 +1,7 @@
-/* TCP against hand computation, and the machine's own forward kinematics: the tip keeps its place in the workpiece. */
+/*
+ * test_tcp.c - TCP against values computed by hand, and against the machine's forward kinematics: the tip keeps its
+ * place in the workpiece.
+ */
 
 #include "motion/path.h"
 #include "motion/tcp.h"
@@ -16,7 +19,7 @@ static void assert_linear(axis_values q, double x, double y, double z)
 	ck_assert_double_eq_tol(q.v[SLOT_Z], z, 1e-9);
 }
 
-/* No rotary axis: a vertical spindle goes up by the tool's length, as with G43. */
+/* Without a rotary axis a vertical spindle rises by the length of the tool, as with G43. */
 START_TEST(length_lifts_a_vertical_spindle)
 {
 	struct machine machine = rig_three_axes();
@@ -30,10 +33,9 @@ START_TEST(length_lifts_a_vertical_spindle)
 END_TEST
 
 /*
- * The trunnion turns about (0, *, 120) along -X. At zero the gauge point is at
- * (0, 0, 520) + (x, y, z); p = (5, 30, -340) is the workpiece point (5, 30, 180),
- * 60 above the axis of A. A = 90 degrees turns +Z about -X into +Y and +Y into -Z:
- * it then is at (5, 60, 90), and C = 180 beforehand takes it to (-5, 60, 150).
+ * The trunnion turns about -X through (0, *, 120). At zero the gauge point is at (0, 0, 520) + (x, y, z); p = (5, 30,
+ * -340) is the workpiece point (5, 30, 180), 60 above the axis of A. A = 90 degrees turns +Z about -X to +Y, and +Y to
+ * -Z: the point is then at (5, 60, 90), and with C = 180 before that at (-5, 60, 150).
  */
 START_TEST(trunnion_by_hand)
 {
@@ -49,9 +51,9 @@ START_TEST(trunnion_by_hand)
 END_TEST
 
 /*
- * A head that tilts about Y at z = 700, gauge 180 below, tool 100: at B = 90 degrees
- * (+Z into +X, so -Z into -X) the tip is 280 to the left of the pivot, at its height.
- * For the tip to stay, X moves by +280 and Z by 280 down less the length's lift.
+ * A head that tilts about Y at z = 700, with its gauge point 180 below and a tool of 100: at B = 90 degrees (+Z turns
+ * to +X, so -Z to -X) the tip is 280 to the left of the pivot, at its height. To keep the tip in place, X moves by
+ * +280, and Z down by 280 minus the length of the tool.
  */
 START_TEST(head_by_hand)
 {
@@ -66,7 +68,7 @@ START_TEST(head_by_hand)
 }
 END_TEST
 
-/* Rotary zero at C = 90 degrees: there positions mean what they say. */
+/* Rotary zero at C = 90 degrees: there positions are literal. */
 START_TEST(rotary_zero_is_where_positions_are_literal)
 {
 	struct machine machine = rig_trunnion();
@@ -80,7 +82,7 @@ END_TEST
 
 /* ---------------------------------------------------- forward kinematics */
 
-/* The tip in the workpiece's zero-pose coordinates, by the machine's poses. */
+/* The tip in the zero-pose coordinates of the workpiece, by the poses of the machine. */
 static vec3 tip_in_workpiece(const struct machine *machine, const axis_values *q, double length)
 {
 	xform table = machine_pose(machine, machine->workholding.link, q);
@@ -90,7 +92,7 @@ static vec3 tip_in_workpiece(const struct machine *machine, const axis_values *q
 	return xform_apply(&inverse, xform_apply(&head, tip));
 }
 
-/* What a controller position means: the same with the rotary axes at rotary zero and no tool. */
+/* The point that a controller position means: the tip with the rotary axes at rotary zero and no tool. */
 static vec3 meant(const struct machine *machine, const struct kinematics_tcp *state, axis_values p)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
@@ -183,7 +185,7 @@ START_TEST(machines_without_tcp)
 }
 END_TEST
 
-/* What carries both table and head moves neither against the other, even a rotary axis below them. */
+/* An axis that carries both table and head moves neither relative to the other, even a rotary axis below them. */
 START_TEST(common_carrier_does_not_count)
 {
 	struct machine machine = rig_machine();
@@ -204,8 +206,8 @@ START_TEST(common_carrier_does_not_count)
 END_TEST
 
 /*
- * While the rotary axes stand still, a step along the turned X, Y or Z of the workpiece is one that the head's rotation
- * makes of X, Y or Z of the machine, and the tool points along the turned Z, where the spindle is vertical.
+ * While the rotary axes stand still, a step along the rotated X, Y or Z of the workpiece is the head's rotation of a
+ * step along X, Y or Z of the machine, and the tool points along the rotated Z if the spindle is vertical.
  */
 START_TEST(turn_of_coordinates)
 {

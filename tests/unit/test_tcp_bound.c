@@ -1,4 +1,7 @@
-/* The bounds on TCP moves' chords, second derivatives and rounding, against dense samples in long double. */
+/*
+ * test_tcp_bound.c - the bounds of TCP moves for chord error, second derivative and rounding, against dense samples in
+ * long double.
+ */
 
 #include "motion/path.h"
 #include "motion/tcp.h"
@@ -44,7 +47,7 @@ static real determinant(real a[3], real b[3], real c[3])
 	       a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/* X Y Z of the machine for the controller position p: tcp.h's formula, Cramer's rule. */
+/* X Y Z of the machine for the controller position p, by the formula in tcp.h and Cramer's rule. */
 static void real_to_machine(const struct tcp *tcp, const real p[SLOT_COUNT], real out[3])
 {
 	real zero[SLOT_COUNT], columns[3][3], at[3], tip[3], others[3] = {0, 0, 0}, whole;
@@ -64,7 +67,7 @@ static void real_to_machine(const struct tcp *tcp, const real p[SLOT_COUNT], rea
 	real_chain(&tcp->head, zero, at);
 	for (int i = 0; i < 3; i++)
 		at[i] += others[i] + p[0] * columns[0][i] + p[1] * columns[1][i] + p[2] * columns[2][i];
-	/* T(theta0)^-1: the outermost turn goes back first. */
+	/* T(theta0)^-1: the outermost turn is reversed first. */
 	for (size_t k = 0; k < tcp->table.count; k++)
 		real_turn(&tcp->table.joints[k], -zero[tcp->table.joints[k].slot], at);
 	real_chain(&tcp->table, p, at);
@@ -118,7 +121,7 @@ static double worst_ratio(const struct path *path, double u0, double u1, int sam
 	return worst;
 }
 
-/* The largest second difference within [u0, u1], which is a mean of the second derivative, over its bound. */
+/* The largest ratio of a second difference within [u0, u1], which is a mean of the second derivative, to its bound. */
 static double worst_bend(const struct path *path, double u0, double u1, int samples)
 {
 	axis_values bound = path_second_derivative(path, u0, u1);
@@ -140,7 +143,7 @@ static double worst_bend(const struct path *path, double u0, double u1, int samp
 	return worst;
 }
 
-/* A move of some size: now and then of the tip or of the rotary axes alone, or along an arc. */
+/* A move of random size: sometimes of the tip alone, of the rotary axes alone, or along an arc. */
 static struct path random_move(const struct machine *machine, const struct tcp *tcp, uint64_t *random)
 {
 	struct path path = {.kind = PATH_TCP, .tcp = tcp, .start = rig_position(machine, random)};
@@ -190,8 +193,8 @@ START_TEST(chord_bound_holds_and_is_tight)
 END_TEST
 
 /*
- * The chord averages; a bound that is low somewhere in the interval shows in the
- * second derivative itself: tips that pass close by an axis, or swing far, in the middle.
+ * The chord averages. A bound that is too small somewhere in the interval is visible in the second derivative itself:
+ * for tips that pass near an axis, or swing far, in the middle.
  */
 START_TEST(second_derivative_bound_holds)
 {
@@ -213,7 +216,7 @@ START_TEST(second_derivative_bound_holds)
 }
 END_TEST
 
-/* An axis along which no rotary axis moves anything has no deviation: Z over a C table. */
+/* An axis along which no rotary axis moves the tip has no chord error: Z over a C table. */
 START_TEST(an_axis_along_the_turn_is_exact)
 {
 	uint64_t random = 5;

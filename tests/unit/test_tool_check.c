@@ -1,4 +1,4 @@
-/* test_tool_check.c - doubts about tools, each rule on both sides of its threshold. */
+/* test_tool_check.c - doubts about tools, with values on both sides of each threshold. */
 #include "scene/tool_check.h"
 
 #include "model_case.h"
@@ -37,7 +37,7 @@ START_TEST(holder)
 	ck_assert_double_eq_tol(doubt->value, 35.9, 1e-12);
 	ck_assert_double_eq_tol(doubt->limit, 60, 1e-12);
 	ck_assert_uint_eq(doubt->item, 0);
-	/* A cutter may be thicker below; a probe need not be like a holder of a cutter. */
+	/* A cutter may be thicker below; a probe need not look like the holder of a cutter. */
 	model.bodies[0].role = ROLE_CUTTER;
 	ck_assert_ptr_null(check(&model, &doubts, DOUBT_HOLDER_TURNED));
 	model.bodies[0].role = ROLE_HOLDER;
@@ -63,7 +63,7 @@ static int drawn_piece(struct model *model, enum body_role role, int tool, doubl
 	return model_mesh(model, model_piece(model, role, tool, NULL), &mesh);
 }
 
-/* A drawn tool ends at its tip: within 1 mm, or a hundredth of its length. */
+/* A drawn tool ends at its tip, to within 1 mm or a hundredth of its length. */
 START_TEST(ends)
 {
 	static const struct {
@@ -74,7 +74,7 @@ START_TEST(ends)
 		{80, 80, ROLE_CUTTER, false}, {80, 80.9, ROLE_CUTTER, false}, {80, 81.1, ROLE_CUTTER, true},
 		{80, 79.1, ROLE_CUTTER, false}, {80, 78.9, ROLE_CUTTER, true}, {300, 302.9, ROLE_CUTTER, false},
 		{300, 303.1, ROLE_CUTTER, true}, {300, 296.9, ROLE_CUTTER, true}, {300, 297.1, ROLE_CUTTER, false},
-		/* Without a cutter it may end before the tip, but a tenth of it is drawn. */
+		/* Without a cutter it may end before the tip, but a tenth of its length must be drawn. */
 		{300, 150, ROLE_HOLDER, false}, {300, 30.5, ROLE_HOLDER, false}, {300, 29.5, ROLE_HOLDER, true},
 		{300, 303.1, ROLE_HOLDER, true},
 	};
@@ -99,7 +99,7 @@ START_TEST(ends)
 }
 END_TEST
 
-/* Of pieces that are drawn and such that are made of sections, the lowest end counts. */
+/* Of drawn pieces and pieces made of sections, the lowest end counts. */
 START_TEST(pieces_of_both_kinds)
 {
 	const struct tool_section section = {50, 8, 8};
@@ -136,7 +136,7 @@ START_TEST(aside)
 			model_tool(&model, 3, 90);
 			drawn_piece(&model, cutter ? ROLE_CUTTER : ROLE_HOLDER, 3, asides[i], 90);
 			doubt = check(&model, &doubts, DOUBT_TOOL_ASIDE);
-			/* A cutter may be one that turns about another line than its middle, such as a boring bar. */
+			/* A cutter may turn about another line than its middle, like a boring bar. */
 			require((doubt != NULL) == (!cutter && fabs(asides[i]) > 5), "%g mm aside", asides[i]);
 			if (doubt) {
 				ck_assert_int_eq(doubt->body, 0);
@@ -162,7 +162,7 @@ START_TEST(radius)
 	model.radii[0] = (struct radius_offset){5, 5};
 	model.radii[1] = (struct radius_offset){6, 50};
 	model.setup.radius_count = 2;
-	/* Of a tool whose diameter is not known nothing is said. */
+	/* If the diameter of a tool is not known, there is no doubt. */
 	ck_assert_ptr_null(check(&model, &doubts, DOUBT_RADIUS_OFFSET));
 	model.radii[0].radius = 7.4;
 	ck_assert_ptr_null(check(&model, &doubts, DOUBT_RADIUS_OFFSET));
@@ -179,7 +179,7 @@ START_TEST(radius)
 }
 END_TEST
 
-/* Where the machine stands does not matter to its tools. */
+/* The position of the machine does not matter for its tools. */
 START_TEST(moved)
 {
 	struct random random = random_case(1, 0);
@@ -200,7 +200,7 @@ START_TEST(moved)
 }
 END_TEST
 
-/* A name that tells twice the diameter, and not the diameter itself. */
+/* A name that gives twice the diameter, and not the diameter itself. */
 START_TEST(name)
 {
 	static const struct {

@@ -9,7 +9,7 @@
 
 #define SECTIONS_MAX 5
 
-/* The radius of a solid at height h; below 0 where there is none. Above the top the tool goes on for ever. */
+/* The radius of a solid at height h; negative if there is none. Above its top the tool continues without end. */
 static double radius_at(const struct tool_solid *solid, double h)
 {
 	double top = solid->top, bottom;
@@ -36,12 +36,15 @@ static double radius_at(const struct tool_solid *solid, double h)
 	return -1;
 }
 
-/* What the heights from low to high leave at h. Along one section it is convex, so that its least is found by thirds. */
+/*
+ * The least radius at h that the heights from low to high allow. Along one section it is convex, so the minimum is
+ * found by ternary search.
+ */
 static double least_between(const struct tool_solid *solid, double depth, double h, double low, double high)
 {
 	double least = INFINITY;
 
-	/* Just inside: at a joint both radii count. */
+	/* Just inside, because at a joint both radii count. */
 	low += 1e-12 * (fabs(low) + 1);
 	high -= 1e-12 * (fabs(high) + 1);
 	for (int i = 0; i < 200 && low < high; i++) {
@@ -59,7 +62,7 @@ static double least_between(const struct tool_solid *solid, double depth, double
 	return least;
 }
 
-/* The radius of the erosion at h. Round tips are concave as well, so they are asked in short pieces. */
+/* The radius of the erosion at h. Round tips are concave, too, so they are searched in short pieces. */
 static double eroded(const struct tool_solid *solid, double depth, double h)
 {
 	double least = INFINITY, top = solid->top, bottom;
@@ -77,7 +80,7 @@ static double eroded(const struct tool_solid *solid, double depth, double h)
 	return h - depth < top ? -1 : least;
 }
 
-/* The core encloses the erosion, and exceeds it by at most `slack` mm of radius. */
+/* The core contains the erosion, and exceeds its radius by at most `slack` mm. */
 static void judge(const struct tool_solid *solid, double depth, double slack)
 {
 	struct arena arena = {0};
@@ -113,7 +116,7 @@ START_TEST(tips_are_exact)
 		judge(&solids[i], 0.1, 0.012);
 		judge(&solids[i], 0.02, 0.012);
 	}
-	/* Where cylinder and cone meet, the core has the cylinder's offset a little too far down. */
+	/* Where cylinder and cone meet, the core continues the cylinder's offset a little too far down. */
 	for (double angle = 20; angle < 179; angle += 39)
 		judge(&(struct tool_solid){&long_one, 1, 0, TIP_CONE, radians(angle), 0}, 0.1, 0.2 / cos(radians(angle / 2)));
 }
@@ -147,7 +150,7 @@ START_TEST(no_depth_keeps_the_solid)
 }
 END_TEST
 
-/* Thin and flat solids: something is always left, and it is inside. */
+/* Thin and flat solids: the core is never empty, and it is inside. */
 START_TEST(a_core_is_never_empty)
 {
 	static const struct tool_section thin = {5, 0.05, 0.05}, disc = {0.05, 80, 80}, plate = {0.02, 50, 0};
@@ -166,7 +169,7 @@ START_TEST(a_core_is_never_empty)
 }
 END_TEST
 
-/* Steps, grooves, tapers and undercuts of any kind: never less than the erosion. */
+/* Random steps, grooves, tapers and undercuts: the core is never smaller than the erosion. */
 START_TEST(random_profiles_are_enclosed)
 {
 	struct random random = random_case(71, _i);

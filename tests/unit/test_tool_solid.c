@@ -1,4 +1,4 @@
-/* test_tool_solid.c - tessellated tools against the solids of revolution that they stand for. */
+/* test_tool_solid.c - tessellated tools against the solids of revolution that they approximate. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -31,14 +31,14 @@ static const struct tool_case cases[] = {
 	{{{25, 50, 50}}, 1, -100, TIP_BULL, 0, 6},
 	{{{25, 50, 50}}, 1, -100, TIP_BULL, 0, 25},
 	{{{25, 16, 16}}, 1, -100, TIP_BULL, 0, 0.01},
-	/* a point that lasts; a disc with a sharp rim; grooves of every kind */
+	/* a point with a long taper; a disc with a sharp rim; grooves of every kind */
 	{{{100, 10, 0}}, 1, -50, TIP_FLAT, 0, 0},
 	{{{0.5, 10, 80}, {0.5, 80, 10}}, 2, -50, TIP_FLAT, 0, 0},
 	{{{5, 40, 20}, {5, 20, 40}}, 2, 0, TIP_FLAT, 0, 0},
 	{{{5, 40, 40}, {0.01, 20, 20}, {5, 40, 40}}, 3, 0, TIP_FLAT, 0, 0},
 	{{{5, 40, 20}, {5, 30, 35}, {5, 10, 30}, {15, 28, 28}}, 4, 0, TIP_BALL, 0, 0},
 	{{{0.01, 40, 0}, {0.01, 0.001, 40}, {0.01, 39.999, 60}}, 3, 0, TIP_FLAT, 0, 0},
-	/* the extremes that the reader lets through */
+	/* the extremes that the reader accepts */
 	{{{0.01, 0.001, 0.001}}, 1, 0, TIP_FLAT, 0, 0},
 	{{{5000, 5000, 5000}}, 1, 0, TIP_BULL, 0, 20},
 	{{{2500, 5000, 0}, {2500, 0.001, 5000}}, 2, 0, TIP_FLAT, 0, 0},
@@ -112,7 +112,7 @@ static double to_segment(double r, double z, double r0, double z0, double r1, do
 	return hypot(r - r0 - t * dr, z - z0 - t * dz);
 }
 
-/* Distance from the solid; -1 strictly inside. */
+/* The distance from the solid; -1 strictly inside. */
 static double distance_to(const struct truth *truth, double r, double z)
 {
 	double least = INFINITY;
@@ -162,7 +162,7 @@ static int compare_edges(const void *a, const void *b)
 	return memcmp(a, b, sizeof(struct edge));
 }
 
-/* Each directed edge has its one opposite; no triangle has equal corners. */
+/* Each directed edge has exactly one opposite edge; no triangle has two equal corners. */
 static void assert_closed(const struct mesh *mesh)
 {
 	size_t count = 3 * mesh->count, degenerate = 0, twice = 0;
@@ -172,7 +172,7 @@ static void assert_closed(const struct mesh *mesh)
 		const float *from = mesh->triangles[i / 3].v[i % 3], *to = mesh->triangles[i / 3].v[(i + 1) % 3];
 
 		for (int k = 0; k < 3; k++) {
-			/* -0 and 0 are one coordinate. */
+			/* -0 and 0 are the same coordinate. */
 			edges[i].from[k] = back[i].to[k] = from[k] + 0.0f;
 			edges[i].to[k] = back[i].from[k] = to[k] + 0.0f;
 		}
@@ -189,7 +189,7 @@ static void assert_closed(const struct mesh *mesh)
 	free(back);
 }
 
-/* Every triangle, sampled on a grid of its corners' weights: outside the solid, and near. */
+/* Every triangle, at sample points given by weights of its corners, is outside the solid and near it. */
 static void assert_near(const struct mesh *mesh, const struct truth *truth, int grid)
 {
 	double nearest = INFINITY, farthest = 0;
@@ -243,7 +243,7 @@ static bool encloses(const struct mesh *mesh, vec3 p, vec3 ray)
 	return count % 2 == 1;
 }
 
-/* A random point on the outline of a random piece: side, top or end. */
+/* A random point on the outline of a random piece: its side, top or end. */
 static void random_point(const struct truth *truth, uint64_t *state, double *r, double *z)
 {
 	const struct shape *s = &truth->shapes[next_random(state) % truth->count];
@@ -287,7 +287,7 @@ static double mesh_volume(const struct mesh *mesh)
 	return sum / 6;
 }
 
-/* What tool_solid_contains says is inside is so deep in the solid. */
+/* A point that tool_solid_contains calls inside by the margin is that deep inside the true solid. */
 static void assert_contains(const struct tool_solid *solid, const struct truth *truth, size_t samples, uint64_t *state)
 {
 	const double margin = 0.05;
@@ -305,7 +305,7 @@ static void assert_contains(const struct tool_solid *solid, const struct truth *
 	}
 }
 
-/* The coarse mesh is closed, encloses the solid, and its rings are less than a tenth larger. */
+/* The coarse mesh is closed and contains the solid, and its rings are less than a tenth larger. */
 static void assert_coarse(const struct tool_solid *solid, const struct truth *truth, size_t samples, uint64_t *state)
 {
 	struct arena arena = {0};
@@ -404,7 +404,7 @@ static double frustum_volume(double d0, double d1, double h)
 	return PI * h / 12 * (d0 * d0 + d0 * d1 + d1 * d1);
 }
 
-/* Between the closed form and that with a skin of the permitted thickness. */
+/* The volume is between the closed form and the closed form plus a skin of the permitted thickness. */
 static void assert_volume(const struct tool_case *c, double volume, double surface)
 {
 	struct tool_solid solid = solid_of(c);
@@ -429,7 +429,10 @@ START_TEST(volumes)
 	assert_volume(&cases[2], PI * 25 * 35 + 2.0 / 3 * PI * 125, PI * 25 + PI * 10 * 35 + 2 * PI * 25);
 	assert_volume(&cases[4], PI * 36 * 60 - 2.0 / 3 * PI * 36 * 6 / tan(radians(59)),
 		      PI * 36 + PI * 12 * 60 + PI * 36 / sin(radians(59)));
-	/* Below the shoulder: cylinder, quarter of a torus about it (Pappus), half a ball's worth of the rest. */
+	/*
+	 * A cylinder of the full radius; below it an inner cylinder, a quarter of a torus around that (Pappus), and the
+	 * rest, as much as half a ball.
+	 */
 	assert_volume(&cases[7],
 		      PI * r * r * (25 - k) + PI * (r - k) * (r - k) * k + PI * PI * k * k * (r - k) / 2 +
 			      2.0 / 3 * PI * k * k * k,
@@ -437,7 +440,7 @@ START_TEST(volumes)
 }
 END_TEST
 
-/* Facets are not wasted: the deviation that is allowed is used. */
+/* No facets are wasted: the permitted deviation is used. */
 START_TEST(is_not_finer_than_needed)
 {
 	struct tool_solid flat = solid_of(&cases[0]), ball = solid_of(&cases[2]);

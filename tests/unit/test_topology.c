@@ -1,4 +1,7 @@
-/* Components, edges and winding numbers against known solids, comparison of all pairs, and crossed rays. */
+/*
+ * test_topology.c - components, edges and winding numbers against known solids, comparison of all pairs, and crossed
+ * rays.
+ */
 #include "geom/inside.h"
 
 #include <math.h>
@@ -35,7 +38,7 @@ static void add_triangle(struct mesh *mesh, vec3 a, vec3 b, vec3 c)
 	}
 }
 
-/* Seen from outside, counter-clockwise; size < 0 turns the cube inside out. */
+/* Counter-clockwise as seen from outside; size < 0 turns the cube inside out. */
 static void add_cube(struct mesh *mesh, vec3 least, double size)
 {
 	static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -90,7 +93,7 @@ START_TEST(cubes)
 	ck_assert_int_eq(mesh_winding_number(&mesh, (vec3){0, 0.1, 0.2}), 0);
 	ck_assert_int_eq(mesh_winding_number(&mesh, (vec3){0, 0.1, 0.7}), 1);
 
-	/* A second solid that overlaps the first: both count. */
+	/* A second solid overlaps the first one: both count. */
 	add_cube(&mesh, (vec3){0.75, -4, -4}, 8);
 	expect(&mesh, 3, 0, 0, 0);
 	ck_assert_int_eq(mesh_winding_number(&mesh, (vec3){0.9, 0.1, 0.2}), 2);
@@ -112,20 +115,20 @@ START_TEST(cubes_that_share)
 {
 	struct mesh mesh = {0};
 
-	/* A whole edge: four triangles meet there, two each way, and that is closed. */
+	/* A common edge: four triangles meet there, two in each direction, so the mesh is closed. */
 	add_cube(&mesh, (vec3){0, 0, 0}, 1);
 	add_cube(&mesh, (vec3){1, 1, 0}, 1);
 	expect(&mesh, 1, 0, 0, 0);
 	mesh.count = 12;
-	/* One corner only. */
+	/* Only one common corner. */
 	add_cube(&mesh, (vec3){1, 1, 1}, 1);
 	expect(&mesh, 1, 0, 0, 0);
 	mesh.count = 12;
-	/* Every triangle twice: closed, and inside twice. */
+	/* Every triangle twice: closed, and the inside counts twice. */
 	add_cube(&mesh, (vec3){0, 0, 0}, 1);
 	expect(&mesh, 1, 0, 0, 0);
 	ck_assert_int_eq(mesh_winding_number(&mesh, (vec3){0.5, 0.4, 0.3}), 2);
-	/* One triangle twice: its second copy has no partners. */
+	/* One triangle twice: the sides of its second copy have no partners. */
 	mesh.count = 13;
 	expect(&mesh, 1, 3, 3, 0);
 	mesh_release(&mesh);
@@ -154,12 +157,12 @@ START_TEST(broken_cubes)
 	struct mesh mesh = {0};
 
 	add_cube(&mesh, (vec3){0, 0, 0}, 1);
-	/* The open box: two triangles fewer, four sides without partner. */
+	/* The open box: two triangles less, four sides without a partner. */
 	mesh.count = 10;
 	expect(&mesh, 1, 4, 0, 0);
 	mesh.count = 11;
 	expect(&mesh, 1, 3, 0, 0);
-	/* A flipped triangle runs with each of its three neighbours: six sides without partner. */
+	/* A flipped triangle runs in the direction of each of its three neighbours: six sides without a partner. */
 	mesh.count = 12;
 	flip(&mesh.triangles[5]);
 	expect(&mesh, 1, 6, 6, 0);
@@ -168,7 +171,7 @@ START_TEST(broken_cubes)
 	add_triangle(&mesh, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 0, 0});
 	add_triangle(&mesh, (vec3){1, 1, 1}, (vec3){1, 1, 1}, (vec3){1, 1, 1});
 	expect(&mesh, 1, 0, 0, 2);
-	/* They can join components, and be one. */
+	/* They can join components, and can be a component. */
 	add_triangle(&mesh, (vec3){5, 5, 5}, (vec3){5, 5, 5}, (vec3){5, 5, 5});
 	expect(&mesh, 2, 0, 0, 3);
 	add_triangle(&mesh, (vec3){5, 5, 5}, (vec3){1, 1, 1}, (vec3){5, 5, 5});
@@ -197,7 +200,7 @@ START_TEST(moebius_strip)
 		add_triangle(&mesh, p[i][0], p[i + 1][0], p[i + 1][1]);
 		add_triangle(&mesh, p[i][0], p[i + 1][1], p[i][1]);
 	}
-	/* The one boundary, and the seam, which both sides run through alike. */
+	/* The one boundary, and the seam, where both sides have the same direction. */
 	expect(&mesh, 1, 2 * STEPS + 2, 2, 0);
 	mesh_release(&mesh);
 }
@@ -217,7 +220,7 @@ static bool is_degenerate(const struct mesh *mesh, size_t t)
 	       same_corner(mesh, 3 * t + 2, 3 * t);
 }
 
-/* How many more sides run from corner i's vertex to the next than back; `along` is how many run that way. */
+/* The number of sides from corner i's vertex to the next one minus those back; `along` is the number of the former. */
 static int surplus(const struct mesh *mesh, size_t i, int *along)
 {
 	size_t next = i - i % 3 + (i + 1) % 3;
@@ -248,7 +251,7 @@ static void mark_component(const struct mesh *mesh, size_t t, bool *seen)
 	}
 }
 
-/* Soups on a small grid, where everything that can coincide does, by comparing all pairs. */
+/* Random triangles on a small grid, so that everything can coincide, against the comparison of all pairs. */
 START_TEST(random_soups)
 {
 	uint64_t state = 42;
@@ -279,7 +282,7 @@ START_TEST(random_soups)
 				mark_component(&mesh, t, seen);
 			}
 		}
-		/* A directed edge with surplus s is seen from `along` sides: each of them stands for s / along. */
+		/* A directed edge with the surplus s is counted from `along` sides: each of them counts s / along. */
 		for (size_t i = 0; i < 3 * mesh.count; i++) {
 			int along, s = is_degenerate(&mesh, i / 3) ? 0 : surplus(&mesh, i, &along);
 
@@ -294,7 +297,9 @@ START_TEST(random_soups)
 }
 END_TEST
 
-/* What the quick question says of cubes, of cubes without one triangle or with one turned round, and of both sides. */
+/*
+ * The quick test for cubes, for cubes without a triangle or with a reversed one, and for cubes drawn from both sides.
+ */
 START_TEST(balanced_edges)
 {
 	struct mesh mesh = {0}, both = {0};
@@ -328,7 +333,7 @@ START_TEST(balanced_edges)
 }
 END_TEST
 
-/* Far more vertices than 32-bit hashes keep apart: none may be welded to another. */
+/* Many more vertices than 32-bit hashes can distinguish: no two may be merged. */
 START_TEST(many_vertices)
 {
 	struct mesh mesh = {.triangles = mem_alloc(300000 * sizeof(mesh_triangle)), .count = 300000};
@@ -348,7 +353,7 @@ START_TEST(many_vertices)
 }
 END_TEST
 
-/* A torus with its tube wound about the axis; radii 3 and 1. */
+/* A torus whose tube is twisted about the axis; radii 3 and 1. */
 static void add_torus(struct mesh *mesh, int n)
 {
 	for (int i = 0; i < n * n; i++) {
@@ -406,7 +411,7 @@ START_TEST(winding_matches_rays)
 }
 END_TEST
 
-/* Close to a face, edge and corner, and for a mesh that is small beside its distance. */
+/* Near a face, an edge and a corner, and for a mesh that is small compared with its distance. */
 START_TEST(winding_near_and_far)
 {
 	struct mesh mesh = {0};

@@ -6,7 +6,7 @@
 
 enum { SAMPLES = 12 };
 
-/* The least n.p over the mesh's corners at the pose. */
+/* The least n.p over the corners of the mesh at the pose. */
 static real least_along(const struct bvh *bvh, const xform *place, const struct turned *pose, real3 n)
 {
 	real least = INFINITY;
@@ -25,7 +25,7 @@ static real least_along(const struct bvh *bvh, const xform *place, const struct 
 	return least;
 }
 
-/* mm: the gap at q along the normal that travels with the link; n is the normal at `at`. */
+/* mm: the gap at q along the normal, which travels with the link; n is the normal at `at`. */
 static double true_gap(const struct scene_of_two *s, size_t link, vec3 n, const axis_values *q)
 {
 	const struct duo *duo = &s->duo;
@@ -42,7 +42,7 @@ static double true_gap(const struct scene_of_two *s, size_t link, vec3 n, const 
 			least_along(duo->a, &duo->pair.place_a, &still, real3_scale(-1, normal)));
 }
 
-/* A plane with a random normal and link, of bodies as they are or as their joints can turn them. */
+/* A plane with a random normal and link, for the bodies as they are or for all that their joints can make of them. */
 struct made {
 	struct travelling_plane plane;
 	vec3 n;
@@ -52,7 +52,7 @@ struct made {
 	bool rings[2];
 };
 
-/* Body A or B at the pose, as the plane has it. */
+/* Body A or B at the pose, in the form that the plane uses. */
 static struct convex shape_at(const struct made *made, const struct plane_pose *pose, int body)
 {
 	const size_t joint = body ? pose->bodies->chain->count - 1 : 0;
@@ -102,7 +102,7 @@ static void release_plane(struct made *made)
 	corner_runs_free(made->corners[1]);
 }
 
-/* A bound may be off by what long double itself is, and no more. */
+/* The bound may be wrong by the rounding of long double, and by no more. */
 START_TEST(the_gap_is_never_smaller_than_the_bound)
 {
 	double tightest = 0;
@@ -142,7 +142,7 @@ START_TEST(the_gap_is_never_smaller_than_the_bound)
 }
 END_TEST
 
-/* The gap that is left at q along the normal that has travelled there, a rounding of it taken off. */
+/* The gap at q along the normal that has travelled there, minus its rounding. */
 static double gap_left_at(const struct scene_of_two *s, const struct made *made, const axis_values *q)
 {
 	struct plane_pose pose;
@@ -156,7 +156,7 @@ static double gap_left_at(const struct scene_of_two *s, const struct made *made,
 	       pose.rounding;
 }
 
-/* Takes the motion away from where the plane was measured. */
+/* Moves the motion away from the position where the plane was measured. */
 static void carry_off(struct scene_of_two *s, struct plane_motion *motion)
 {
 	const double step = random_size(&s->random, 1e-3, 100);
@@ -170,7 +170,7 @@ static void carry_off(struct scene_of_two *s, struct plane_motion *motion)
 	}
 }
 
-/* Straight motions that begin near the place where the plane was measured, or far from it. */
+/* Straight motions that begin near the position where the plane was measured, or far from it. */
 START_TEST(the_gap_between_two_ends_is_never_smaller_than_the_bound)
 {
 	double tightest = 0;
@@ -213,7 +213,7 @@ START_TEST(the_gap_between_two_ends_is_never_smaller_than_the_bound)
 }
 END_TEST
 
-/* No position of a box has a larger path displacement than the bound for all of them. */
+/* No position in a box has a larger path displacement than the bound for the box. */
 START_TEST(the_path_displacement_is_bounded_over_a_box)
 {
 	double tightest = 0;
@@ -250,7 +250,7 @@ START_TEST(the_path_displacement_is_bounded_over_a_box)
 }
 END_TEST
 
-/* Up and down over a face costs nothing of the gap sideways, and neither does a turn about the normal. */
+/* A motion up and down over a face does not reduce the gap sideways, and neither does a turn about the normal. */
 START_TEST(motion_across_the_normal_is_free)
 {
 	const struct chain chain = {
@@ -303,7 +303,7 @@ START_TEST(motion_across_the_normal_is_free)
 }
 END_TEST
 
-/* A plane is measured again along the normal that its link has taken along. */
+/* A plane is measured again along the normal that its link has carried along. */
 START_TEST(normal_goes_with_its_link)
 {
 	const struct chain chain = {
@@ -311,7 +311,7 @@ START_TEST(normal_goes_with_its_link)
 		.joints = {{SLOT_C, true, {0, 0, 1}, {7, 0, 0}},
 			   {SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
 			   {SLOT_A, true, {1, 0, 0}, {0, 0, 0}}}};
-	/* C turns by 30 degrees, A by 90: of the links behind none, C, X and A. */
+	/* C turns by 30 degrees, A by 90: the normals for no link, and for the links of C, X and A. */
 	const vec3 expected[] = {{0, 1, 0}, {-0.5, sqrt(0.75), 0}, {-0.5, sqrt(0.75), 0}, {0, 0, 1}};
 	const struct leaf root = {0, 0};
 	xform places[2] = {xform_identity(), xform_identity()};

@@ -1,4 +1,4 @@
-/* Triangles against exact truth (exact_tri.h). */
+/* test_tri.c - triangles against exact truth (exact_tri.h). */
 #include "geom/tri.h"
 
 #include <stdio.h>
@@ -6,7 +6,7 @@
 #include "exact_tri.h"
 #include "suite.h"
 
-/* How far a computed point is from an integer triangle, in long double. */
+/* The distance of a computed point from an integer triangle, in long double. */
 static long double point_off(vec3 p, const itri *t)
 {
 	ivec n = icross(iedge(t, 0), iedge(t, 1));
@@ -82,7 +82,7 @@ START_TEST(meet_never_calls_touching_triangles_apart)
 			continue;
 		met++;
 		ck_assert_msg(tri_meet(&p, &q), "turn %d", turn);
-		/* Turned by a real angle, what is shared is still the same doubles. */
+		/* Turned by an arbitrary angle, shared corners are still the same doubles. */
 		for (int k = 0; k < 3; k++) {
 			p.p[k] = (vec3){0.6 * p.p[k].x - 0.8 * p.p[k].y, 0.8 * p.p[k].x + 0.6 * p.p[k].y, p.p[k].z};
 			q.p[k] = (vec3){0.6 * q.p[k].x - 0.8 * q.p[k].y, 0.8 * q.p[k].x + 0.6 * q.p[k].y, q.p[k].z};
@@ -122,7 +122,7 @@ START_TEST(distance_matches_exact_truth)
 		worst_pair = fmax(worst_pair, fabs(vec3_norm(vec3_sub(y, x)) - distance) / fmax(unit, DBL_MIN));
 	}
 	printf("tri: largest error of a distance / bound %.4f\n", worst);
-	/* The header's claim about the worst case, with room for other compilers; and that it is of this order. */
+	/* The worst case that the header states, with some room for other compilers; and that it is of this order. */
 	ck_assert_msg(worst <= 1 / 6.0 && worst > 1 / 30.0, "%g of the error allowed", worst);
 	ck_assert_double_le(worst_point, 1);
 	ck_assert_double_le(worst_pair, 1);
@@ -144,7 +144,7 @@ START_TEST(distance_scales_and_translates)
 		p = real_tri(&a, 1, 0);
 		q = real_tri(&b, 1, 0);
 		plain = tri_distance(&p, &q, &x, &y);
-		/* Powers of two and exact translations change nothing, to the last bit. */
+		/* Powers of two and exact translations change not a single bit. */
 		for (int k = 0; k < 3; k++) {
 			p = real_tri(&a, scales[k], 0);
 			q = real_tri(&b, scales[k], 0);

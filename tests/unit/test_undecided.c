@@ -1,6 +1,6 @@
 /*
- * Steps that take more effort than allowed: what a check says of a program does not depend on how many blocks are checked
- * together, nor on the number of threads.
+ * test_undecided.c - steps that need more effort than allowed: the verdict does not depend on the number of blocks that
+ * are checked together, nor on the number of threads.
  */
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "scene/pairs.h"
 #include "suite.h"
 
-/* Node pairs: enough for a plain step, not for many turns next to the table. */
+/* Node pairs: enough for an ordinary step, but not for many turns next to the table. */
 #define EFFORT 20000
 
 static void on_diag(void *context, const struct diag_entry *entry)
@@ -61,7 +61,7 @@ static void run(struct model *model, const char *text, const struct check_option
 	fclose(in);
 }
 
-/* Runs the program in several ways. `expected` must be part of what the plain run says, `never` must not. */
+/* Runs the program in several ways, which must give the same output. It must contain `expected` and not `never`. */
 static void require_one_verdict(const char *text, bool all, const char *expected, const char *never)
 {
 	struct strbuf plain = {0};
@@ -86,7 +86,7 @@ static void require_one_verdict(const char *text, bool all, const char *expected
 	strbuf_release(&plain);
 }
 
-/* A check ends with the step that takes too much effort: what other pairs meet later in the same batch is not listed. */
+/* A check ends with the step that needs too much effort: contacts of other pairs later in the batch are not listed. */
 START_TEST(ends_with_its_step)
 {
 	static const char text[] = "G21 G90 G94 F60000\nG1 X80 Z-50\nG1 X260\nG1 X80.01 Z-99.999\nG1 C360000\nG1 X260\nG1 X80\n"

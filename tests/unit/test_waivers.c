@@ -1,4 +1,4 @@
-/* test_waivers.c - which findings a waivers file accepts, and which not. */
+/* test_waivers.c - which findings a waivers file accepts, and which it does not. */
 #include "base/units.h"
 #include "machine/machine.h"
 #include "machine/waivers.h"
@@ -74,7 +74,7 @@ START_TEST(accepts_what_it_names_once)
 	load(WAIVERS(WAIVER("block='G1 X10' axes='X 10.0000 mm, C -90.0000 deg' expires='2026-12-31'")), "2026-12-31");
 	ck_assert_ptr_eq(find(&f), &waivers->items[0]);
 	ck_assert(!waiver_match_is_expired(&waiving, &waivers->items[0]));
-	/* The same again is another finding. */
+	/* The same finding again needs another waiver. */
 	ck_assert_ptr_null(find(&f));
 }
 END_TEST
@@ -106,7 +106,7 @@ START_TEST(accepts_nothing_else)
 }
 END_TEST
 
-/* Every axis within 0.01, in mm and degrees, or what the waiver says: no radians, no sum over the axes. */
+/* Every axis within 0.01 mm or degrees, or the value of the waiver: not in radians, and not as a sum over the axes. */
 START_TEST(stays_at_its_place)
 {
 	static const char text[] =
@@ -129,7 +129,7 @@ START_TEST(stays_at_its_place)
 }
 END_TEST
 
-/* The day after its last one it is found, so that it can be told, but only if no other fits. */
+/* After its last day a waiver is still found, for the warning, but only if no other one matches. */
 START_TEST(expires)
 {
 	struct finding f = finding_at(10, 0);

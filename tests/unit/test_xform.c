@@ -1,4 +1,4 @@
-/* Vectors and rigid motions against closed forms and round trips. */
+/* test_xform.c - vectors and rigid motions against closed forms and round trips. */
 #include "geom/xform.h"
 
 #include <stdint.h>
@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "suite.h"
 
-#define NEAR 1e-13	/* a handful of roundings of numbers up to 10 */
+#define NEAR 1e-13	/* some roundings of numbers up to 10 */
 
 static double random_within(uint64_t *state, double limit)
 {
@@ -75,7 +75,7 @@ START_TEST(quarter_turns)
 {
 	static const vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-	/* Right-handed: about each axis, the next one goes to the one after. */
+	/* Right-handed: about each axis, the next axis turns to the one after it. */
 	for (int k = 0; k < 3; k++) {
 		mat3 turn = mat3_turn(unit[k], PI / 2);
 
@@ -86,7 +86,7 @@ START_TEST(quarter_turns)
 }
 END_TEST
 
-/* The parts along and across the axis, and the third direction, turned in their plane. */
+/* The parts along and across the axis; the third direction turns in its plane. */
 START_TEST(turns_in_closed_form)
 {
 	uint64_t state = 1;

@@ -1,4 +1,4 @@
-/* test_xml_place.c - the column and the line that go with a fault of an XML file. */
+/* test_xml_place.c - the line and the column of faults in XML files. */
 #include "machine_case.h"
 
 struct place_case {
@@ -12,27 +12,27 @@ static void keep_whole_message(void *context, const struct diag_entry *entry)
 }
 
 static const struct place_case cases[] = {
-    /* at the attribute, in the line where it stands */
+    /* at the attribute, in its line */
     {BASE("<axis name='X' type='linear' direction='1 0 0'\n\trate_max='-1'/>"),
      "m.xml:3:2: error: rate_max=\"-1\" of axis X is not between 1e-6 and 1e9 mm a minute\n"
      "     rate_max='-1'/></base>\n"
      "     ^\n"},
-    /* a name that others contain, and values that look like attributes or end the tag */
+    /* a name that is part of others, and values that look like attributes or like the end of the tag */
     {BASE("<body\n name=\"a > name='x' />\" mesh = 'm' rename='1'/>"),
      "m.xml:3:36: error: unknown attribute 'rename' of <body>; did you mean 'name'?\n"
      "     name=\"a > name='x' />\" mesh = 'm' rename='1'/></base>\n"
      "                                       ^\n"},
-    /* at the element, behind others in its line, behind what only looks like elements */
+    /* at the element, after others in its line, after text that only looks like elements */
     {MACHINE("<base><!-- <axis> --><?x <axis> ?><![CDATA[ ]]></base><controler/>"),
      "m.xml:2:55: error: unknown element <controler> in <machine>; did you mean <controller>?\n"
      "    <base><!-- <axis> --><?x <axis> ?><![CDATA[ ]]></base><controler/>\n"
      "                                                          ^\n"},
-    /* what the meaning of two elements makes a fault */
+    /* a fault of the meaning of two elements */
     {BASE("<body name='b' mesh='m'/>  <body name='b' mesh='m'/>"),
      "m.xml:2:40: error: another body already has the name 'b' (m.xml:2)\n"
      "    <base><body name='b' mesh='m'/>  <body name='b' mesh='m'/></base>\n"
      "                                           ^\n"},
-    /* another encoding than that of the terminal, line ends of other systems, characters that a terminal obeys */
+    /* another encoding than that of the terminal, line ends of other systems, characters that control a terminal */
     {"<?xml version='1.0' encoding='ISO-8859-1'?>\r\n<machine version='1' name='\xe9' colour='red'><base/></machine>",
      "m.xml:2:31: error: unknown attribute 'colour' of <machine>\n"},
     {"<machine version='1'><base/>\r\n<pairs colour='red'/>\r\n</machine>",

@@ -1,4 +1,4 @@
-/* truth.h - kinematics and distances a second time, in long double and by other formulas, to compare with. */
+/* truth.h - kinematics and distances for comparison, computed again in long double and by other formulas. */
 #ifndef FIVECHECK_TESTS_TRUTH_H
 #define FIVECHECK_TESTS_TRUTH_H
 
@@ -57,7 +57,7 @@ static inline real real3_norm(real3 a)
 
 /* ------------------------------------------------------------- kinematics */
 
-/* The unit quaternion (w, v) turns a point, then `shift` is added. */
+/* The unit quaternion (w, v) rotates a point, then `shift` is added. */
 struct turned {
 	real w;
 	real3 v;
@@ -83,7 +83,7 @@ static inline real3 turned_back(const struct turned *t, real3 p)
 	return turned_direction(&inverse, real3_sub(p, t->shift));
 }
 
-/* a after b */
+/* first b, then a */
 static inline struct turned turned_mul(const struct turned *a, const struct turned *b)
 {
 	real3 v = real3_add(real3_add(real3_scale(a->w, b->v), real3_scale(b->w, a->v)), real3_cross(a->v, b->v));
@@ -151,7 +151,7 @@ static inline xform true_mesh_pose(const struct turned *pose, const xform *place
 
 /* ----------------------------------------------------------------- chains */
 
-/* `count` joints in any order and tilt, each on a slot of its own; `span` mm about the origin. */
+/* `count` joints in any order and direction, each with its own slot, within `span` mm of the origin. */
 static inline struct chain random_chain(struct random *random, int count, double span)
 {
 	struct chain chain = {.count = (size_t)count};
@@ -175,7 +175,7 @@ static inline struct chain random_chain(struct random *random, int count, double
 	return chain;
 }
 
-/* Positions and a move of at most about `way` mm or way/100 radians a joint. */
+/* Positions and a move of at most about `way` mm or way/100 radians per joint. */
 static inline void random_move(struct random *random, const struct chain *chain, double way, axis_values *q0,
 			       axis_values *q1)
 {
@@ -203,7 +203,10 @@ static inline real least(real a, real b)
 	return b < a ? b : a;
 }
 
-/* The square of the least of the four end-to-segment distances and, if it lies within both, of the common perpendicular. */
+/*
+ * The square of the least of the four distances from an end to a segment and, if its feet are in both, that of the
+ * common perpendicular.
+ */
 static inline real true_segments2(const real3 p[2], const real3 q[2])
 {
 	real3 d = real3_sub(p[1], p[0]), e = real3_sub(q[1], q[0]), n = real3_cross(d, e), r = real3_sub(q[0], p[0]);
@@ -249,7 +252,7 @@ static inline bool true_pierces(const real3 t[3], real3 n, real3 p, real h0, rea
 	return true_over_face(t, n, real3_add(p, real3_scale(h0 / (h0 - h1), real3_sub(q, p))));
 }
 
-/* Feature by feature: nine pairs of edges, six corners over faces, six edges through faces. */
+/* All features: nine pairs of edges, six corners over faces, six edges through faces. */
 static inline double true_distance(const tri *a, const tri *b)
 {
 	real3 t[2][3];

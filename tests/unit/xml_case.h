@@ -1,4 +1,4 @@
-/* xml_case.h - for tests of the readers: files in a folder of their own, and what is said about them. */
+/* xml_case.h - for tests of the readers: files in a folder of their own, and the messages about them. */
 #ifndef FIVECHECK_TESTS_XML_CASE_H
 #define FIVECHECK_TESTS_XML_CASE_H
 
@@ -11,7 +11,7 @@
 #include "base/strbuf.h"
 #include "suite.h"
 
-/* One faulty file: its content and all that must be said about it. */
+/* A faulty file: its content and all of its messages. */
 struct xml_case {
 	const char *content;
 	const char *messages;
@@ -24,7 +24,7 @@ struct messages {
 
 static char folder[64];
 
-/* Without columns and excerpts: test_xml_place looks at these. */
+/* Without columns and excerpts, which test_xml_place checks. */
 static inline void keep_message(void *context, const struct diag_entry *entry)
 {
 	struct diag_entry line = *entry;
