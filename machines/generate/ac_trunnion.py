@@ -13,7 +13,7 @@ PIVOT = 120  # height of the A axis
 
 
 def bed():
-    """A trough in one casting, floor, rear wall and two side walls, with the Y guideways on the walls."""
+    """The bed, one casting: a trough with floor, rear wall and two side walls; the Y guideways are on the walls."""
     gutters = [(rectangle(-560, 560, y, y + 110, 40), 60) for y in (-400, 320)]
     floor = prism(rectangle(-760, 760, -450, 800, 30), -440, -230, 8, gutters, 4)
     outline = rounded([(-450, -440), (800, -440), (800, 400), (-120, 400), (-300, 120), (-450, 60)],
@@ -32,7 +32,7 @@ def bed():
 
 
 def pedestal():
-    """The A bearing on the right: a pedestal with the bearing housing on top."""
+    """The right A bearing: a pedestal with the bearing housing on top."""
     outline = arc((0, PIVOT), 130, -12, 192, 24) + rounded([(-150, -130), (-190, -235), (190, -235), (150, -130)],
                                                            [30, 0, 0, 30], 3)
     body = prism_x(outline, 292, 392, 4, [(circle(77, 40, (0, PIVOT)), None)])
@@ -44,7 +44,7 @@ def pedestal():
 
 
 def bearing_right():
-    """The idle side with the rotary union for the clamping hydraulics."""
+    """The idle side of the cradle, with the rotary union for the clamping hydraulics."""
     lid = revolve([(118, 0), (120, 3), (120, 22), (112, 30), (60, 34), (60, 62), (54, 68), (24, 70), (24, 110),
                    (20, 114)])
     hoses = around(revolve([(9, 0), (9, 26), (14, 26), (14, 40), (8, 44)], 12).move(42, 0, 66), 4, 45)
@@ -52,7 +52,7 @@ def bearing_right():
 
 
 def bearing_left():
-    """The driven side: worm gear box and motor."""
+    """The driven side of the cradle: worm gear box and motor."""
     outline = rounded([(-150, -60), (150, -60), (150, 200), (60, 262), (-60, 262), (-150, 200)], 25, 3)
     gear = prism_x(outline, -470, -388, 6)
     worm = revolve([(58, -164), (62, -160), (62, 150), (58, 154)], 40).face('+y').move(-430, 0, -10)
@@ -63,7 +63,7 @@ def bearing_left():
 
 
 def arm():
-    """The right arm of the cradle with its journal."""
+    """The right arm of the cradle, with its journal."""
     outline = rounded([(-91, 95), (-150, -10), (-150, -62), (150, -62), (150, -10), (91, 95)],
                       [0, 40, 30, 30, 40, 0], 4) \
         + arc((0, PIVOT), 92, -8, 188, 24)
@@ -77,7 +77,7 @@ def arm():
 
 
 def cradle():
-    """The trunnion: two arms on journals, the floor between them, the C drive hanging from it."""
+    """The cradle: two arms on journals, the floor between them, and below it the C drive."""
     floor = prism(rectangle(-270, 270, -150, 150, 20), -62, -20, 5)
     lip = tube(121.5, 182, -25, 18, 2, 64) + screw_circle(154, 12, 5, 18)
     plate = prism_y(rectangle(-180, 180, -56, -26, 8), -154, -149, 1.5) \
@@ -90,7 +90,7 @@ def cradle():
 
 
 def table():
-    """The C table: 400 mm across, six T-slots and a central bore; its hub runs in the cradle's ring."""
+    """The C table: diameter 400 mm, six T-slots and a central bore; its hub turns in the ring of the cradle."""
     slots, depth = round_table_parallel(200, [-157.5, -94.5, -31.5, 31.5, 94.5, 157.5], SLOT_14, 16, 12)
     disc = tube(16, 200, -55, -depth, 1, 64)
     groove = ring([(196, -44), (201.5, -44), (203, -42.5), (203, -35.5), (201.5, -34), (196, -34)], 64)
@@ -99,7 +99,7 @@ def table():
 
 
 def bridge():
-    """The Y axis: a portal beam behind the spindle, its feet on the wall guideways."""
+    """The Y axis: a portal with its beam behind the spindle and its feet on the guideways of the walls."""
     front = rectangle(-640, 640, 540, 860, 30)
     recess = [(p, 35) for p in grid_pockets(-560, 560, 590, 810, 6, 1, 50, 18)]
     beam = prism_y(front, 215, 470, 8, recess, 3)
@@ -118,7 +118,7 @@ def bridge():
 
 
 def carriage():
-    """The X axis: the plate between the portal's guideways and the ram's."""
+    """The X axis: the plate between the guideways of the portal and those of the ram."""
     plate = prism_y(rectangle(-190, 190, 560, 1060, 25), 132, 166, 5)
     x_trucks = lay_x_front(trucks((-120, 120), 35, 200)).move(0, 215, 700)
     z_trucks = lay_z_back(trucks((-130, 0, 130), 25, 150)).move(0, 100, 830)

@@ -12,7 +12,8 @@ PIVOT = 720  # height of the B axis
 
 
 def bed():
-    """A T in plan: in front the Y guideways of the table, at the back, higher, the X guideways of the column."""
+    """The bed, T-shaped in plan: in front the Y guideways of the table; behind them, and higher, the X guideways of the
+    column."""
     front = prism_x(rounded([(-640, -600), (540, -600), (540, -300), (-600, -300), (-640, -340)], 12), -340, 340, 8)
     flank = prism_x(rectangle(-620, 500, -590, -330, 15), 320, 356, 4,
                     [(p, 20) for p in grid_pockets(-620, 500, -590, -330, 4, 1, 40, 28)], 3)
@@ -31,7 +32,7 @@ def bed():
 
 
 def column():
-    """The X axis: the column with the Z guideways on its front."""
+    """The X axis: the column, with the Z guideways on its front."""
     outline = rounded([(600, -70), (1010, -70), (1010, 60), (930, 500), (900, 1480), (600, 1480)],
                       [15, 15, 60, 300, 25, 20])
     windows = [rounded([(660, 20), (920, 20), (860, 420), (660, 420)], 40, 4)] \
@@ -50,7 +51,7 @@ def column():
 
 
 def slide():
-    """The Z axis: a deep slide with the B bearing in its front."""
+    """The Z axis: a deep slide, with the B bearing in its front."""
     outline = rounded([(-230, 590), (230, 590), (230, 1010), (-230, 1010)], 30)
     plate = prism_y(outline, 500, 540, 6)
     nose = prism_y(arc((0, PIVOT), 150, 180, 360, 32) + rounded([(150, 750), (150, 930), (-150, 930), (-150, 750)],
@@ -69,7 +70,7 @@ def slide():
 
 
 def head():
-    """The B axis: a disc on the bearing and the motor spindle across it."""
+    """The B axis: a disc on the bearing, and across it the motor spindle."""
     disc = revolve([(140, 102), (144, 106), (144, 140), (138, 146), (102, 146), (102, 160)], 48).face('+y')
     outline = arc((0, PIVOT), 122, -10, 190, 28) + rounded([(-118, 660), (-84, 600), (-84, 580), (84, 580), (84, 600),
                                                             (118, 660)], [0, 30, 12, 12, 30, 0])
@@ -85,7 +86,7 @@ def head():
 
 
 def saddle():
-    """The Y axis: the slide under the table with the C drive in it."""
+    """The Y axis: the slide below the table, with the C drive inside."""
     body = prism(rectangle(-290, 290, -265, 265, 30), -236, -150, 8)
     house = ring([(172, -152), (240, -152), (240, -124), (232, -116), (172, -116)], 48)
     lip = tube(172, 225, -130, -104, 2, 48) + screw_circle(198, 12, 8, -104)
@@ -97,7 +98,7 @@ def saddle():
 
 
 def table():
-    """The C table: 560 mm across, eight radial T-slots and a central bore."""
+    """The C table: diameter 560 mm, eight radial T-slots and a central bore."""
     slots, depth = round_table_radial(280, 8, SLOT_14, 45, 10)
     disc = tube(45, 280, -70, -depth, 1.5, 64)
     hub = ring([(45, -128), (167, -128), (170, -125), (170, -69), (45, -69)], 64)

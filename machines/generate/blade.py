@@ -16,7 +16,7 @@ STEPS = 48
 
 
 def section(t, z):
-    """A point of the airfoil, t in turns from the leading edge."""
+    """A point of the airfoil at t, in turns from the leading edge."""
     h = (z - FOOT) / (TIP - FOOT)
     c, s = math.cos(2 * math.pi * t), math.sin(2 * math.pi * t)
     x, y = (42 - 10 * h) * c, (8 - 3.5 * h) * s * (1 + 0.25 * c) + 9 * s * s
@@ -56,7 +56,7 @@ BODIES = [vise, blade]
 
 def spiral(program):
     program.comment('OPERATION 1: AIRFOIL, SPIRAL, 5 AXES')
-    # At home a tool would be put into the blade.
+    # At home, the tool change would put the tool into the blade.
     program.add('G53 X-400.')
     program.tool(1, 'ball 12', 12000)
     turns, last = 8, 0.0
@@ -84,9 +84,9 @@ def spiral(program):
 
 
 def holes(program, safe):
-    """Two holes in either flank of the root, the tool horizontal.
+    """Two holes in each flank of the root, with the tool horizontal.
 
-    The part is drawn without them: the drill leaves at feed.
+    The part is drawn without the holes, so the drill leaves them at feed.
     """
     program.comment('OPERATION 2: ROOT HOLES, B90')
     program.tool(2, 'drill 8', 3400)

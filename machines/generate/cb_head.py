@@ -12,7 +12,7 @@ PIVOT = 1050  # height of the B axis
 
 
 def bed():
-    """Two side beds with the Y guideways, the table's bed between them, and the ties."""
+    """Two side beds with the Y guideways, the bed of the table between them, and the ties."""
     outline = rounded([(-760, -380), (1500, -380), (1500, -130), (-760, -130)], 20)
     side = prism_x(outline, 880, 1060, 8, [(p, 35) for p in grid_pockets(-760, 1500, -380, -130, 7, 1, 45, 25)], 4)
     guide = lay_y_up(rail(2200, 55, 220)).move(970, 370, -130)
@@ -31,7 +31,7 @@ def bed():
 
 
 def table():
-    """The fixed table, nine T-slots along y."""
+    """The fixed table, with nine T-slots along y."""
     slab = long_table(1900, 1000, 122, [100 * i for i in range(-4, 5)], SLOT_18).turn('z', 90)
     eyes = union(revolve([(16, 0), (16, 12), (26, 12), (26, 40), (20, 46)], 16).face(d).move(x, y, -45)
                  for x in (-350, 350) for d, y in (('-y', -948), ('+y', 948)))
@@ -39,7 +39,7 @@ def table():
 
 
 def portal():
-    """The Y axis: two legs and the beam, the X guideways on its front."""
+    """The Y axis: two legs and the beam, with the X guideways on its front."""
     leg = rounded([(40, -46), (700, -46), (700, 160), (560, 420), (540, 1780), (215, 1780), (215, 420), (40, 160)],
                   [20, 20, 60, 200, 20, 20, 200, 60])
     openings = [rounded([(150, 120), (590, 120), (480, 390), (270, 390)], 40, 4)] \
@@ -63,7 +63,7 @@ def portal():
 
 
 def carriage():
-    """The X axis: the plate that carries the ram's guideways."""
+    """The X axis: the plate with the guideways of the ram."""
     plate = prism_y(rectangle(-220, 220, 1320, 1900, 30), 152, 190, 6)
     x_trucks = lay_x_front(trucks((-150, 150), 45, 320)).move(0, 240, 1560)
     z_trucks = lay_z_back(trucks((-150, 150), 35, 180)).move(0, 120, 1600)
@@ -78,7 +78,7 @@ def carriage():
 
 
 def ram():
-    """The Z axis: a square ram; the C drive is in its lower end."""
+    """The Z axis: a square ram, with the C drive in its lower end."""
     square = rectangle(-120, 120, -120, 120, 16)
     body = prism(square, 1330, 2520, 6)
     n = len(square)
@@ -94,7 +94,7 @@ def ram():
 
 
 def fork():
-    """The C axis: a flange under the ram and the two cheeks that hold the B axis."""
+    """The C axis: a flange below the ram, and the two cheeks that hold the B axis."""
     flange = revolve([(132, 1268), (136, 1272), (136, 1294), (130, 1299)], 48)
     crown = prism(rounded([(-118, -196), (118, -196), (118, 196), (-118, 196)], 60, 6), 1222, 1272, 6)
     outline = arc((0, PIVOT), 98, 180, 360, 24) + rounded([(98, PIVOT + 60), (112, 1225), (112, 1268), (-112, 1268),
@@ -109,7 +109,7 @@ def fork():
 
 
 def head():
-    """The B axis: the motor spindle swinging between the cheeks."""
+    """The B axis: the motor spindle, which swings between the cheeks."""
     nose = spindle_nose(62, 92, 36, 48).move(0, 0, 800)
     housing = revolve([(80, 886), (86, 892), (86, 930), (98, 950), (98, 1130), (92, 1142), (70, 1150), (66, 1164),
                        (30, 1168)], 48)

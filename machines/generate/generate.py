@@ -4,7 +4,7 @@ the meshes and the programs of their jobs; prints the triangle counts."""
 import os
 import sys
 
-sys.dont_write_bytecode = True  # nothing but what was asked for appears in the tree
+sys.dont_write_bytecode = True  # importing the modules must not write files into the tree
 
 import ac_trunnion
 import b_head_c_table

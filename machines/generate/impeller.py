@@ -1,6 +1,6 @@
-"""The job of the A/C trunnion machine: an impeller on an arbor, its shroud and its blades finished.
+"""The job of the A/C trunnion machine: an impeller on an arbor; its shroud and its blades are finished.
 
-Part coordinates: z along the impeller's axis, 0 at its back face. The arbor's plate lies on the table.
+Part coordinates: z along the impeller's axis, 0 at its back face. The plate of the arbor is on the table.
 """
 import math
 
@@ -12,13 +12,13 @@ NAME = 'ac-trunnion'
 BLADES = 9
 PLATE = 40  # the arbor's plate
 PIVOT_HEIGHT = 40  # of the A axis above the table
-HEIGHT = 55  # of the arbor: the part's zero above the table
+HEIGHT = 55  # of the arbor: the height of the part's zero above the table
 BORES = [(-140, 45), (-140, -45), (140, -45), (140, 45)]
 BORE_TOP = PLATE + 10 - HEIGHT
 
 
 def point(u, w, blade=0):
-    """The blade's camber surface: u from inlet to exit, w from hub to shroud."""
+    """The camber surface of a blade: u from inlet to exit, w from hub to shroud."""
     c, s = math.cos(u * math.pi / 2), math.sin(u * math.pi / 2)
     r = (22 + 58 * (1 - c)) * (1 - w) + (52 + 28 * (1 - c)) * w
     z = (6 + 56 * (1 - s)) * (1 - w) + (18 + 48 * (1 - s)) * w
@@ -31,7 +31,7 @@ def ruling(u, blade=0):
 
 
 def side(u, blade=0):
-    """The camber's normal at mid height."""
+    """The normal of the camber surface at mid height."""
     along = add(point(u + 0.001, 0.5, blade), -1, point(u - 0.001, 0.5, blade))
     return unit3(cross(ruling(u, blade), along))
 
@@ -61,7 +61,7 @@ BODIES = [arbor, impeller]
 
 
 def tilt(v, last):
-    """A and C that turn the workpiece direction v up to the spindle."""
+    """The A and C that turn the workpiece direction v upward, toward the spindle."""
     return {'A': -polar(v), 'C': near(azimuth(v) - 90, last)}
 
 
@@ -76,7 +76,7 @@ def measure_bore(program, x, y):
 
 
 def measuring(program, safe):
-    """The arbor's bores from above, then the impeller's rim with the table upright."""
+    """The arbor's bores from above; then the rim of the impeller with the table upright."""
     program.comment('OPERATION 1: MEASURE THE BORES OF THE ARBOR, A0')
     program.tool(3, 'probe 6', 50)
     program.rapid(A=0, C=0)
@@ -87,7 +87,7 @@ def measuring(program, safe):
             program.rapid(Z=110)
         measure_bore(program, x, y)
     program.comment('OPERATION 2: MEASURE THE RIM, A-90')
-    # The table's surface is 40 mm below the A axis: upright, it stands 40 mm behind it, and the rim 80 mm above it.
+    # The table's surface is 40 mm below the A axis. Upright, it is 40 mm behind the axis, and the rim 80 mm above it.
     top, y = PIVOT_HEIGHT - HEIGHT + 80, PIVOT_HEIGHT - HEIGHT - 3
     program.add('G49')
     program.retract()
@@ -106,7 +106,7 @@ def measuring(program, safe):
 
 
 def shroud(program):
-    """A spiral down the envelope of the blades, the ball's centre 5 mm off it."""
+    """A spiral down the envelope of the blades, with the centre of the ball 5 mm outside."""
     program.comment('OPERATION 3: SHROUD FINISHING, 5 AXES')
     program.tool(1, 'ball 10', 15000)
     turns, steps, last = 7, 30, -90.0
@@ -136,7 +136,7 @@ def shroud(program):
 
 
 def flanks(program):
-    """Each blade's pressure side in one pass, the tool along the rulings."""
+    """The pressure side of each blade in one pass, with the tool along the rulings."""
     program.comment('OPERATION 4: BLADE FLANKS, 5 AXES')
     program.tool(2, 'ball 6', 18000)
     last, steps = -90.0, 24

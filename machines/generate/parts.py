@@ -1,6 +1,6 @@
-"""Catalogue parts of machine tools: screws, guideways, motors, tables with T-slots, spindle noses.
+"""Standard parts of machine tools: screws, guideways, motors, tables with T-slots, spindle noses.
 
-Unless said otherwise a part stands on z = 0 at the origin and rises along +z; lay it elsewhere with Solid.face.
+Unless stated otherwise a part stands on z = 0 at the origin and rises along +z; Solid.face places it elsewhere.
 """
 import functools
 import math
@@ -29,12 +29,12 @@ def screw_circle(radius, n, d, z=0.0, phase=0.0):
 
 
 def bolts(points, d, direction):
-    """Screw heads at points in space, all facing one way."""
+    """Screw heads at points in space, all with the same direction."""
     return union(screw(d).face(direction).move(*p) for p in points)
 
 
 def cover(x0, x1, y0, y1, thick, nx, ny, d=6):
-    """A sheet cover with rounded corners, nx and ny screws along its sides."""
+    """A sheet cover with rounded corners, and nx and ny screws along its sides."""
     m = 2.2 * d
     xs = [x0 + m + (x1 - x0 - 2 * m) * i / (nx - 1) for i in range(nx)]
     ys = [y0 + m + (y1 - y0 - 2 * m) * i / (ny - 1) for i in range(ny)]
@@ -42,10 +42,11 @@ def cover(x0, x1, y0, y1, thick, nx, ny, d=6):
     return prism(rectangle(x0, x1, y0, y1, 10, 2), 0, thick, min(2, thick / 3)) + buttons_at(rim, d, thick)
 
 
-# Linear guides: the rail is `size` wide, 0.85 size high; a truck on it is 2.1 size wide, and 1.4 size above the seat.
+# Linear guides: the rail is `size` wide and 0.85 size high; the carriage is 2.1 size wide and ends 1.4 size above the
+# seat.
 
 def rail(length, size, pitch):
-    """Along x, centred, with countersunk holes."""
+    """A rail along x, centred, with countersunk holes."""
     half, w, top = length / 2, size / 2, 0.85 * size
     foot = prism_x([(-w, 0), (w, 0), (w, 0.25 * size), (0.7 * w, 0.42 * size), (0.7 * w, 0.55 * size),
                     (-0.7 * w, 0.55 * size), (-0.7 * w, 0.42 * size), (-w, 0.25 * size)], -half, half)
@@ -55,7 +56,7 @@ def rail(length, size, pitch):
 
 
 def truck(size):
-    """The carriage of a guide, centred, 1 mm clear of the rail."""
+    """The carriage of a guide, centred, with 1 mm of air around the rail."""
     w, groove, low, high = 1.05 * size, 0.5 * size + 1, 0.22 * size, 1.4 * size
     ceiling = 0.85 * size + 1
     section = [(groove, low), (0.8 * w, low), (w, 0.6 * size), (w, high), (-w, high), (-w, 0.6 * size),
@@ -66,30 +67,30 @@ def truck(size):
     return body + scraper.both('x') + nipple.move(1.65 * size, 0.8 * size, 1.1 * size)
 
 
-# Ways to lay a part that runs along x and rises along z.
+# Directions for a part that runs along x and rises along z.
 
 def lay_y_up(solid):
-    """Along y, facing up."""
+    """Along y, rising upward."""
     return solid.turn('z', 90)
 
 
 def lay_x_front(solid):
-    """Along x, facing the front."""
+    """Along x, rising to the front."""
     return solid.face('-y')
 
 
 def lay_z_back(solid):
-    """Along z, facing the back."""
+    """Along z, rising to the back."""
     return solid.turn('z', 90).face('+y')
 
 
 def lay_z_front(solid):
-    """Along z, facing the front."""
+    """Along z, rising to the front."""
     return solid.turn('z', 90).face('-y')
 
 
 def guide_pair(length, size, pitch, gap):
-    """Two rails along x, gap apart in y."""
+    """Two rails along x, `gap` apart in y."""
     return rail(length, size, pitch).move(0, gap / 2, 0).both('y')
 
 
@@ -98,7 +99,7 @@ def trucks(xs, size, gap):
 
 
 def ball_screw(length, d):
-    """Along x, centred on it: the shaft and two bearing blocks, 3 d high."""
+    """A ball screw along x, centred on it: the shaft and two bearing blocks, 3 d high."""
     shaft = revolve([(0.4 * d, 0), (0.4 * d, 2 * d), (0.5 * d, 2.1 * d), (0.5 * d, length - 2.1 * d),
                      (0.4 * d, length - 2 * d), (0.4 * d, length)], 20)
     block = prism(rectangle(-1.4 * d, 1.4 * d, -1.4 * d, 1.4 * d, 0.3 * d), 0, 1.6 * d, 0.1 * d) \
@@ -107,7 +108,7 @@ def ball_screw(length, d):
 
 
 def motor(size, length):
-    """A servo motor standing on its flange: size across the flange; length is its height."""
+    """A servo motor that stands on its flange. size: across the flange; length: its height."""
     half = size / 2
     square = rectangle(-half, half, -half, half, 0.12 * size, 2)
     body = rectangle(-0.46 * size, 0.46 * size, -0.46 * size, 0.46 * size, 0.16 * size, 2)
@@ -138,15 +139,16 @@ def finned_drum(radius, z0, z1, n, steps=36):
 
 
 def foot(height):
-    """A levelling foot below z = 0."""
+    """A levelling foot, below z = 0."""
     return revolve([(80, -height), (80, 20 - height), (35, 32 - height), (35, -16)], 12) \
         + prism(circle(54, 6), -24, 0, 2)
 
 
 def spindle_nose(radius, length, taper, n=48):
-    """Gauge line at z = 0, the housing above it (+z up to length): face, drive keys, taper bore, screws.
+    """A spindle nose with its gauge line at z = 0 and the housing above it (up to z = length): face, drive keys, taper
+    bore, screws.
 
-    radius is the nose's, taper the bore's diameter at the face.
+    radius is that of the nose, taper the diameter of the bore at the face.
     """
     r, b = radius, taper / 2
     profile = [(0.72 * r, 0), (0.74 * r, 2), (0.74 * r, 12), (0.97 * r, 14), (r, 17), (r, 0.3 * length),
@@ -160,14 +162,14 @@ def spindle_nose(radius, length, taper, n=48):
         + around(screw(6).face('-z').move(0.87 * r, 0, 14), 8)
 
 
-# Tables. The working surface is at z = 0, the table below it.
+# Tables. The working surface is at z = 0, the table is below it.
 
-SLOT_14 = (7.0, 12.0, 11.5, 10.0)  # T-slot DIN 650-14: half width, depth of the neck, half width below, its height
+SLOT_14 = (7.0, 12.0, 11.5, 10.0)  # T-slot DIN 650-14: half width and depth of the neck, half width and height below
 SLOT_18 = (9.0, 15.0, 15.0, 13.0)
 
 
 def strips(radius, lines, half, z0, z1, hole, bevel, n):
-    """What slots along x at the heights `lines`, 2 half wide, leave of a disc; the middle strip has a central hole."""
+    """A disc minus slots along x at the y values `lines`, 2 half wide; the middle strip has a central hole."""
     def angle(y):
         return math.degrees(math.asin(y / radius))
     solids = []
@@ -186,7 +188,7 @@ def strips(radius, lines, half, z0, z1, hole, bevel, n):
 
 
 def round_table_parallel(radius, lines, slot, hole, n=24):
-    """The slotted layers of a round table; below them the disc begins at the depth returned."""
+    """The slotted layers of a round table. The value also has the depth at which the solid disc begins."""
     half, neck, wide, high = slot
     top = strips(radius, lines, half, -neck, 0, hole, 0.8, n)
     below = strips(radius, lines, wide, -neck - high, -neck, hole, 0, n)
@@ -194,7 +196,7 @@ def round_table_parallel(radius, lines, slot, hole, n=24):
 
 
 def round_table_radial(radius, count, slot, hole, n=20):
-    """The same with slots like the spokes of a wheel."""
+    """The same, with slots like the spokes of a wheel."""
     half, neck, wide, high = slot
 
     def sectors(s, z0, z1, bevel):
@@ -208,7 +210,7 @@ def round_table_radial(radius, count, slot, hole, n=20):
 
 
 def long_table(length, width, thick, lines, slot):
-    """A rectangular table along x with its slots from end to end: one profile, extruded."""
+    """A rectangular table along x, with its slots from end to end: one extruded profile."""
     half, neck, wide, high = slot
     top = []
     for y in sorted(lines, reverse=True):

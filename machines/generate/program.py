@@ -1,4 +1,4 @@
-"""Writes NC programs the way a CAM post does: numbered blocks, modal words, comments before each operation."""
+"""Writes NC programs as a CAM postprocessor does: numbered blocks, modal words, a comment before each operation."""
 import math
 
 
@@ -22,11 +22,11 @@ class Program:
         self.lines.append('(%s)' % text)
 
     def forget(self):
-        """What was last programmed no longer tells where the axes are."""
+        """Forgets the modal words, because the axes have moved elsewhere."""
         self.modal = {}
 
     def move(self, code, feed=None, **words):
-        """A motion block with the words that change."""
+        """Adds a motion block with the words that change."""
         out = []
         if self.modal.get('G') != code:
             out.append('G%d' % code)
@@ -78,7 +78,7 @@ class Program:
 
 
 def near(angle, last):
-    """The angle, by whole turns as near to the last one as it goes."""
+    """The angle plus whole turns, as near to the last angle as possible."""
     return angle + 360 * math.floor((last - angle) / 360 + 0.5)
 
 

@@ -1,14 +1,14 @@
-"""Closed triangle meshes made from a few primitives, and the STL files they go to.
+"""Closed triangle meshes made from a few primitives, and the STL files for them.
 
-Lengths are mm, angles degrees. An outline is a list of (x, y), counter-clockwise. A solid is a bag of triangles;
-solids may be added, and the parts of a sum may touch or run into each other: each of them is closed by itself.
+Lengths are in mm, angles in degrees. An outline is a list of (x, y), counter-clockwise. A solid is a set of triangles.
+Solids can be added; the parts of a sum may touch or overlap, because each of them is closed by itself.
 """
 import math
 import os
 import struct
 
-# Coordinates end up on this grid (steps per mm): exact in the 24 bits of an STL float up to 16 m, and coarse enough
-# that the last bit of somebody else's sine does not change a file.
+# Coordinates are rounded to this grid (steps per mm): exact in the 24 bits of an STL float up to 16 m, and so coarse
+# that the last bit of another computer's sine does not change a file.
 GRID = 1024
 
 
@@ -33,7 +33,7 @@ def circle(radius, n=48, centre=(0, 0), phase=0.0):
 
 
 def arc(centre, radius, start, stop, n):
-    """n + 1 points of an arc, both ends included."""
+    """n + 1 points of an arc, including both ends."""
     return [(centre[0] + radius * cosine(start + (stop - start) * i / n),
              centre[1] + radius * sine(start + (stop - start) * i / n)) for i in range(n + 1)]
 
@@ -44,7 +44,7 @@ def rectangle(x0, x1, y0, y1, radius=0, n=2):
 
 
 def rounded(corners, radius, n=3):
-    """The polygon with its corners rounded; radius may be one number or one a corner (0 leaves it sharp)."""
+    """The polygon with rounded corners; radius is one number, or one number per corner (0 leaves the corner sharp)."""
     out = []
     for i, p in enumerate(corners):
         r = radius[i] if isinstance(radius, (list, tuple)) else radius
@@ -65,7 +65,7 @@ def rounded(corners, radius, n=3):
 
 
 def slot(x0, x1, y, radius, n=6):
-    """A long hole from (x0, y) to (x1, y)."""
+    """A slot with round ends from (x0, y) to (x1, y)."""
     return arc((x1, y), radius, -90, 90, n) + arc((x0, y), radius, 90, 270, n)
 
 
@@ -75,7 +75,7 @@ def unit(a, b):
 
 
 def offset(outline, distance):
-    """The outline moved outward (inward if negative), corners mitred."""
+    """The outline moved outward (inward if the distance is negative), with mitred corners."""
     out = []
     for i, p in enumerate(outline):
         a, b = unit(outline[i - 1], p), unit(p, outline[(i + 1) % len(outline)])
@@ -96,14 +96,14 @@ def turn_of(a, b, c):
 
 
 def crosses(a, b, c, d):
-    """Segments ab and cd may meet elsewhere than in a shared end (collinear ones count as meeting)."""
+    """Do the segments ab and cd meet elsewhere than in a common end? Collinear segments count as meeting."""
     if a in (c, d) or b in (c, d):
         return False
     return turn_of(a, b, c) * turn_of(a, b, d) <= 0 and turn_of(c, d, a) * turn_of(c, d, b) <= 0
 
 
 def in_cone(points, before, at, after, p):
-    """The diagonal from corner `at` to p starts out inside."""
+    """Does the diagonal from the corner `at` to p start inside?"""
     a, b, c = points[before], points[at], points[after]
     if turn_of(a, b, c) > 0:
         return turn_of(b, p, a) > 0 and turn_of(b, c, p) > 0
@@ -111,7 +111,7 @@ def in_cone(points, before, at, after, p):
 
 
 def bridge(points, ring, hole, rings):
-    """Splices a hole into the ring through two edges on top of each other."""
+    """Joins a hole to the ring by two edges in the same place."""
     start = max(range(len(hole)), key=lambda i: points[hole[i]])
     p = points[hole[start]]
     edges = [(points[r[i - 1]], points[r[i]]) for r in rings for i in range(len(r))]
@@ -185,7 +185,7 @@ class Solid:
         return self.map(lambda p: (p[0] + dx, p[1] + dy, p[2] + dz))
 
     def turn(self, axis, degrees):
-        """Right-handed about a coordinate axis."""
+        """Turns right-handed about a coordinate axis."""
         c, s = cosine(degrees), sine(degrees)
         i = 'xyz'.index(axis)
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -197,7 +197,7 @@ class Solid:
         return self.map(function)
 
     def face(self, direction):
-        """Lays local +z along a coordinate direction; local y becomes +z (outline = view with z up)."""
+        """Puts local +z along a coordinate direction; local y becomes +z (the outline is the view with z up)."""
         return self.map({'+z': lambda p: p, '-z': lambda p: (p[0], -p[1], -p[2]),
                          '+x': lambda p: (p[2], p[0], p[1]), '-x': lambda p: (-p[2], -p[0], p[1]),
                          '+y': lambda p: (-p[0], p[2], p[1]), '-y': lambda p: (p[0], -p[2], p[1])}[direction])
@@ -207,7 +207,7 @@ class Solid:
         return self.map(lambda p: tuple(-v if k == i else v for k, v in enumerate(p)), True)
 
     def both(self, axis):
-        """Itself and its mirror image."""
+        """The solid and its mirror image."""
         return self + self.mirror(axis)
 
 
@@ -216,7 +216,8 @@ def union(solids):
 
 
 def skin(lower, upper):
-    """The triangles between two rings of as many points, outward where `upper` is above for counter-clockwise rings."""
+    """The triangles between two rings with equal numbers of points. They face outward if `upper` is above, for
+    counter-clockwise rings."""
     out = []
     for i in range(len(lower)):
         a, b, c, d = lower[i - 1], lower[i], upper[i], upper[i - 1]
@@ -240,9 +241,9 @@ def cap(outline, z, up, holes=()):
 
 
 def stack(layers, holes=()):
-    """Outlines of equal counts at rising heights, joined and capped: [(outline, z), ...].
+    """Outlines with equal numbers of points at rising heights, joined and capped: [(outline, z), ...].
 
-    A hole is such a list going down from the top face; it goes through if it ends at the bottom face.
+    A hole is such a list that goes down from the top face; it goes through if it ends at the bottom face.
     """
     triangles = []
     for (a, za), (b, zb) in zip(layers, layers[1:]):
@@ -259,9 +260,9 @@ def stack(layers, holes=()):
 
 
 def prism(outline, z0, z1, bevel=0.0, sunk=(), rim=1.0):
-    """An outline extruded, its edges bevelled; `sunk` are openings in its top face.
+    """An extruded outline with bevelled edges; `sunk` are openings in its top face.
 
-    They are [(outline, depth)], a depth of None goes through; `rim` is the bevel of their edges.
+    They are [(outline, depth)]; a depth of None goes through. `rim` is the bevel of their edges.
     """
     holes = []
     for opening, depth in sunk:
@@ -289,12 +290,13 @@ def box(x0, x1, y0, y1, z0, z1, bevel=0.0, radius=0.0):
 
 
 def revolve(profile, n=48):
-    """A profile (r, z) turned about z: from the bottom up along the outside; ends that are off the axis are capped."""
+    """A profile (r, z) turned about z, from the bottom up along the outside. Ends that are not on the axis are capped.
+    """
     return stack([(circle(r, n), z) for r, z in profile])
 
 
 def ring(profile, n=48):
-    """A closed profile (r, z), counter-clockwise with r to the right, turned about z: a ring or tube."""
+    """A closed profile (r, z) turned about z, counter-clockwise with r to the right: a ring or a tube."""
     loops = [lift(circle(r, n), z) for r, z in profile]
     return Solid(t for i, loop in enumerate(loops) for t in skin(loops[i - 1], loop))
 
@@ -308,12 +310,13 @@ def tube(inner, outer, z0, z1, bevel=0.0, n=48):
 
 
 def around(solid, n, phase=0.0):
-    """n copies, evenly turned about z."""
+    """n copies, at equal angles about z."""
     return union(solid.turn('z', phase + 360 * i / n) for i in range(n))
 
 
 def loft(sections):
-    """3-D rings of equal counts joined in order, the ends closed by fans about their middles."""
+    """Rings in space with equal numbers of points, joined in order; the ends are closed by fans around their middles.
+    """
     triangles = []
     for a, b in zip(sections, sections[1:]):
         triangles += skin(a, b)
@@ -336,7 +339,7 @@ def volume6(t):
 
 
 def check(triangles, name):
-    """Closed, no triangle without area, and every connected component turned outward."""
+    """The triangles, verified: closed, none without area, and every connected component faces outward."""
     edges, parent = {}, {}
 
     def root(p):
@@ -362,7 +365,7 @@ def normal(t):
 
 
 def write_stl(folder, name, solid):
-    """Checks the solid and writes folder/name.stl, binary; returns the number of triangles."""
+    """Checks the solid and writes it to folder/name.stl, binary. The value is the number of triangles."""
     triangles = snapped(solid)
     check(triangles, name)
     out = [('fivecheck model: %s' % name).encode('ascii').ljust(80), struct.pack('<I', len(triangles))]

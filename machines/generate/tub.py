@@ -1,6 +1,6 @@
-"""The job of the C/B head machine: an open structural part whose wall leans outward, milled along its rulings.
+"""The job of the C/B head machine: an open structural part whose wall leans outward and is milled along its rulings.
 
-Part coordinates: the middle of the base's underside. The clamping plate lies on the table.
+Part coordinates: the origin is the middle of the base's underside. The clamping plate is on the table.
 """
 import math
 
@@ -9,7 +9,7 @@ from program import Program, add, near, unit3
 from solids import box, offset, prism, rectangle, revolve, stack, union
 
 NAME = 'cb-head'
-PLATE = 40  # of the clamping plate: the part's zero above the table
+PLATE = 40  # of the clamping plate: the height of the part's zero above the table
 BASE, FLOOR, TOP, WALL = 25, 33, 110, 7
 LEAN = 9.0  # of the wall, degrees
 DRAIN = 35.0  # of the drain holes
@@ -17,7 +17,7 @@ STEPS = 72
 
 
 def outline(n):
-    """The wall's outer side where it meets the base."""
+    """The outer side of the wall, where it meets the base."""
     out = []
     for i in range(n):
         c, s = math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)
@@ -26,7 +26,7 @@ def outline(n):
 
 
 def leaning(distance, z, n=STEPS):
-    """The outer side moved outward by the distance, at height z."""
+    """The outer side moved outward by the distance, at the height z."""
     return offset(outline(n), distance + (z - BASE) * math.tan(math.radians(LEAN)))
 
 
@@ -52,7 +52,7 @@ BODIES = [clamps, tub]
 
 
 def wall_pass(program, side, radius, z, turn, last):
-    """Once around the wall with the flank of the cutter, outside (side 1) or inside (-1), tip at z; returns C."""
+    """Once around the wall with the flank of the cutter, outside (side 1) or inside (-1), tip at z. Returns C."""
     path = offset(outline(STEPS), side * (radius + 0.2) - (WALL if side < 0 else 0)
                   + (z - BASE) * math.tan(math.radians(LEAN)))
     first = True
@@ -94,13 +94,13 @@ def walls(program):
 
 
 def inclined_hole(program, side, back):
-    """Through the wall, from the side that looks to +X (1) or -X (-1)."""
+    """A hole through the wall, from the side that faces +X (1) or -X (-1)."""
     axis = (side * math.sin(math.radians(DRAIN)), 0, math.cos(math.radians(DRAIN)))
     foot = (side * (152 + 16 * math.tan(math.radians(LEAN))), 0, BASE + 16)
     for distance in (back, 3):
         p = add(foot, distance, axis)
         program.rapid(X=p[0], Y=p[1], Z=p[2], B=DRAIN * side, C=0)
-    # The part is drawn without these holes: out of them at feed, with the spindle on.
+    # The part is drawn without these holes: the drill leaves them at feed, with the spindle on.
     for depth in (6, 12, 18):
         p = add(foot, -depth, axis)
         program.feed(180, X=p[0], Y=p[1], Z=p[2])

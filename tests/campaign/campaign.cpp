@@ -60,7 +60,7 @@ static std::string own_folder(const std::string &parent)
 	return fs::absolute(name);
 }
 
-/* The block that a run stops at is the first of all, for any number of threads, and its report is the same. */
+/* The first block with a finding is the same for any number of threads, and so is the report. */
 static void compare_runs(const Verdict &all, const Verdict &again, const Verdict &first, Comparison &comparison)
 {
 	bool same = first.findings.size() == (all.findings.empty() ? 0 : 1) &&
@@ -99,7 +99,7 @@ Verdict Case::ask(const Terms &terms, bool all, const char *threads) const
 	return ask_fivecheck(options.fivecheck, folder, machine, words);
 }
 
-/* Returns the least distance that was seen if the verdict is clear, otherwise 0. */
+/* The value is the least sampled distance if the verdict is clear, otherwise 0. */
 double Case::judge(const Terms &terms, bool all_runs)
 {
 	Verdict all = ask(terms, true, "1");
@@ -128,8 +128,9 @@ double Case::judge(const Terms &terms, bool all_runs)
 }
 
 /*
- * The same with clearances just beyond and just below the least distance: a finding, and hardly one. FCL's distance can
- * be too small by 7e-8 of itself (seed 1, case 294: every two triangles say so).
+ * The same with clearances just above and just below the least distance: with the first there is a finding, with the
+ * second hardly one. FCL's distance can be too small by 7e-8 of itself (seed 1, case 294, according to all pairs of
+ * triangles).
  */
 void Case::graze(const Terms &terms, double nearest)
 {
@@ -209,7 +210,7 @@ int main(int argc, char **argv)
 	std::printf("campaign: %ld clear; %ld not: %ld contacts that FCL sees, %ld between its looks, %ld limits\n",
 		    t.clear, t.found, t.contacts, t.between, t.limits);
 	std::printf("campaign: %ld programs with a disagreement\n", t.disagreeing);
-	/* What never meets, or always does, compares nothing. */
+	/* Cases that never meet, or always do, compare nothing. */
 	if (t.cases >= 100 && (t.clear < t.cases / 20 || t.found < t.cases / 20)) {
 		std::printf("campaign: too few of one kind to say anything\n");
 		return 1;

@@ -5,13 +5,13 @@
 
 #include "../bench/travel.h"
 
-/* Rounding of FCL's distances and of twelve digits in a report, mm. */
+/* mm: the rounding of FCL's distances, and of twelve digits in a report. */
 static const double ROUNDING = 1e-6;
 
-/* A position this near an end of travel is on it: fivecheck's rule, mm or degrees. */
+/* A position this near to an end of the travel is at the end, as for fivecheck; mm or degrees. */
 static const double ON_THE_LIMIT = 1e-6;
 
-/* Looks along a curved move for the axes' limits. */
+/* Samples along a curved move for the axis limits. */
 static const int LIMIT_LOOKS = 400;
 
 class Judge {
@@ -83,7 +83,7 @@ double Judge::slack(const Pair &pair) const
 
 /* -------------------------------------------------------------- axis limits */
 
-/* How far beyond its travel an axis is; negative: within. */
+/* How far an axis is outside its travel; negative: inside. */
 double Judge::excess(const Move &move, int axis, double s) const
 {
 	double value = position(machine_, move, s)[(size_t)axis];
@@ -108,7 +108,7 @@ void Judge::judge_limit(const Finding &finding, const Move &move)
 
 	if (std::fabs(here) > terms_.tolerance + ROUNDING && finding.fraction > 0)
 		object("limit at the wrong place", finding.text, here);
-	/* Between two looks at a curve little more can be hidden than what they miss of its crest. */
+	/* Between two samples of a curve, its crest can be higher than both by little more than this. */
 	if (most < 0.9 * ON_THE_LIMIT - (move.path == Path::ARC || move.path == Path::TIP ? 0.01 : 0))
 		object("FALSE ALARM, limit", finding.text, most);
 }

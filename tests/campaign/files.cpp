@@ -1,4 +1,4 @@
-/* A machine as the files that fivecheck reads. */
+/* files.cpp - writes a machine as the files that fivecheck reads. */
 #include <fstream>
 #include <stdexcept>
 

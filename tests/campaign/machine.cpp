@@ -5,11 +5,14 @@
 
 #include "../bench/mesh_apart.h"
 
-/* How deep a cutter may enter the part at rapid or standing, mm; and so much more to be sure that it must be found. */
+/*
+ * mm: how deep a cutter may enter the part at rapid or with a stopped spindle; and how much deeper it must be to be
+ * certainly found.
+ */
 static const double RAPID_ALLOWANCE = 0.1;
 static const double CORE_MARGIN = 0.02;
 
-/* Neighbours drawn nearer than 5 mm are excused: none are here, so that every pair counts. */
+/* Neighbours that are drawn nearer than 5 mm are excused. Here there are none, so that every pair counts. */
 static const double NEIGHBOURS_APART = 5.01;
 static const double OTHERS_APART = 0.05;
 
@@ -65,7 +68,7 @@ int axes_between(const scene &world, int a, int b)
 
 /* ------------------------------------------------------------------ axes */
 
-/* Along a coordinate axis three times out of four; returns its link. */
+/* Three times out of four along a coordinate axis. The value is the link. */
 static int add_axis(Random &random, Machine &machine, char letter, int parent, bool askew)
 {
 	axis &axis = machine.world.axes[machine.world.axis_count++];
@@ -96,7 +99,10 @@ static int add_axis(Random &random, Machine &machine, char letter, int parent, b
 	return machine.world.axis_count;
 }
 
-/* One of the three families: X Y Z in any order on either side, one to three rotary axes beyond them. */
+/*
+ * One of the three families: X Y Z in any order, each in the head or the table, and one to three rotary axes beyond
+ * them.
+ */
 static void five_axes(Random &random, Machine &machine)
 {
 	std::vector<char> linear = {'X', 'Y', 'Z'}, rotary = {'A', 'B', 'C'};
@@ -150,7 +156,7 @@ static pose turned_about(int k, double degrees)
 	return axis_motion(&axis, degrees);
 }
 
-/* Where the mesh's coordinates are at the zero pose. */
+/* The placement of the mesh at the zero pose. */
 static pose place_of(const Machine &machine, const Body &body)
 {
 	pose x = turned_about(0, body.turns.x), y = turned_about(1, body.turns.y), z = turned_about(2, body.turns.z);
@@ -177,7 +183,7 @@ static void bound(solid &solid)
 		solid.radius = std::fmax(solid.radius, norm(sub(solid.triangles[i / 3].p[i % 3], solid.middle)));
 }
 
-/* Valid while the body's `placed` is. */
+/* Valid as long as the body's `placed` is. */
 static solid solid_of(Body &body)
 {
 	solid solid = {};
@@ -234,7 +240,7 @@ static bool may_stand(Machine &machine, Body &body)
 	return true;
 }
 
-/* Left out where no room is found for it. */
+/* The body is left out if there is no room for it. */
 static void add_body(Random &random, Machine &machine, const std::string &name, Role role, int link, double size)
 {
 	Body body;
@@ -255,7 +261,7 @@ static void add_body(Random &random, Machine &machine, const std::string &name, 
 	}
 }
 
-/* A profile from the gauge point towards the tip, `from` mm on. */
+/* A profile from the gauge point toward the tip, which starts `from` mm below it. */
 static Body &add_tool_body(Machine &machine, const Tool &tool, Role role, const std::vector<Ring> &profile)
 {
 	const int sides = 96;
@@ -275,13 +281,13 @@ static Body &add_tool_body(Machine &machine, const Tool &tool, Role role, const 
 	for (triangle &t : body.placed)
 		for (vec &p : t.p)
 			p = add(machine.gauge, add(times(p.x, x), add(times(p.y, y), times(p.z, z))));
-	/* 0.01 mm outside the true solid, which is itself outside this one by the height of a facet's arc. */
+	/* fivecheck's solid is up to 0.01 mm outside the true one, which is outside this one by the height of an arc. */
 	body.slack = 0.0101 + widest * (1 - std::cos(3.14159265358979323846 / 64));
 	machine.bodies.push_back(body);
 	return machine.bodies.back();
 }
 
-/* A cutter whose surface lies `depth` deeper than the tool's; the upper end stays in place. */
+/* A cutter whose surface is `depth` below that of the tool; its upper end stays in place. */
 static std::vector<Ring> cutter_profile(const Tool &tool, double depth)
 {
 	double r = tool.diameter / 2 - depth, foot = tool.length - depth;

@@ -1,9 +1,9 @@
-/* What a move makes the axes do. */
+/* motion.cpp - the motion of the axes in a move. */
 #include <algorithm>
 
 #include "program.h"
 
-/* Shift of the head less that of the table, for 1 mm of X, Y and Z each: the columns. */
+/* The shift of the head minus that of the table, for 1 mm of X, Y and Z: the columns. */
 static void shifts(const Machine &machine, vec columns[3])
 {
 	for (int k = 0; k < 3; k++) {
@@ -16,7 +16,7 @@ static void shifts(const Machine &machine, vec columns[3])
 	}
 }
 
-/* The rotary axes of a chain alone: the linear ones are nearer the base and only add up. */
+/* Only the rotary axes of a chain: the linear axes are nearer to the base, and their motions are added. */
 static pose turned(const Machine &machine, int link, const Position &q)
 {
 	Position only = q;
@@ -106,7 +106,7 @@ static void on_arc(const Move &move, double s, Position &q)
 {
 	auto i = (size_t)move.first, j = (size_t)move.second;
 	double x = move.from[i] - move.centre[0], y = move.from[j] - move.centre[1];
-	/* Rounded words put start and end on circles that differ a little. */
+	/* With rounded words, start and end are on circles that differ a little. */
 	double start = std::hypot(x, y), end = std::hypot(move.to[i] - move.centre[0], move.to[j] - move.centre[1]);
 	double radius = (1 - s) * start + s * end, angle = std::atan2(y, x) + s * move.sweep;
 

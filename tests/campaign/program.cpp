@@ -5,7 +5,7 @@
 static const double PI = 3.14159265358979323846;
 static const double INCH = 25.4;
 
-/* Writes lines and keeps the state that they leave a control in. */
+/* Writes lines, and keeps the state of a control after them. */
 class Writer {
 public:
 	Writer(Random &random, const Machine &machine) : random_(random), machine_(machine), at_(machine.home())
@@ -46,7 +46,7 @@ void Writer::line(const std::string &text)
 	lines_++;
 }
 
-/* A word for a value in mm or degrees; *read is what a control makes of it. */
+/* A word for a value in mm or degrees; *read is the value that a control reads. */
 std::string Writer::word(char letter, double value, double *read)
 {
 	bool rotary = letter >= 'A' && letter <= 'C';
@@ -62,7 +62,7 @@ std::string Writer::feed()
 	return " F" + decimal(random_.in(100, 6000) / (inch_ ? INCH : 1), 2);
 }
 
-/* What is added to a word of G90. */
+/* The sum of all that is added to a word of G90. */
 double Writer::shift(int axis) const
 {
 	double shift = machine_.has_setup ? machine_.offsets[(size_t)offset_].shift[(size_t)axis] : 0;
@@ -70,7 +70,7 @@ double Writer::shift(int axis) const
 	return shift + (machine_.world.axes[axis].letter == 'Z' && !tip_ ? length_ : 0);
 }
 
-/* Seldom beyond the end of travel. */
+/* A position that is seldom outside the travel. */
 double Writer::target(int axis)
 {
 	const Travel &travel = machine_.travels[(size_t)axis];
@@ -82,7 +82,7 @@ double Writer::target(int axis)
 		value = at_[(size_t)axis] + random_.in(-5, 5);
 	else
 		value = random_.in(travel.low, travel.high);
-	/* Rounding of words must not lead out again. */
+	/* Rounding of the words must not move the end outside again. */
 	return std::min(std::max(value, travel.low + 0.001), travel.high - 0.001);
 }
 
@@ -114,7 +114,7 @@ bool Writer::stays_inside(const Move &move) const
 
 void Writer::straight()
 {
-	/* Fanuc and Haas go there rapidly, whatever G0 or G1 says, and may forget the tool's length. */
+	/* Fanuc and Haas move there at rapid, for both G0 and G1, and may cancel the tool length. */
 	bool of_machine = !relative_ && length_ <= 0 && random_.chance(0.06), rapid = of_machine || random_.chance(0.4);
 	std::string text = std::string(of_machine ? "G53 " : "") + (rapid ? "G0" : "G1");
 	Move move;
@@ -135,7 +135,7 @@ void Writer::straight()
 	line(text + (rapid ? "" : feed()));
 }
 
-/* From the start about the centre to the end, at least a little: where both are the same, a full circle. */
+/* The angle from the start about the centre to the end, at least a little: if both are the same, a full circle. */
 static double sweep_of(const Move &move, bool clockwise, bool full)
 {
 	auto i = (size_t)move.first, j = (size_t)move.second;
@@ -148,7 +148,7 @@ static double sweep_of(const Move &move, bool clockwise, bool full)
 	return sweep < 1e-9 ? sweep + 2 * PI : sweep;
 }
 
-/* In G17, G18 or G19, the other axes sometimes with it; one that leaves the travel is mostly given up. */
+/* An arc in G17, G18 or G19, sometimes with other axes; most arcs that leave the travel are given up. */
 void Writer::arc()
 {
 	static const char *const planes[] = {"XY", "ZX", "YZ"};
@@ -172,7 +172,7 @@ void Writer::arc()
 			wanted = at_[(size_t)i] + radius * (std::sin(end) - std::sin(start));
 		else
 			wanted = target(i);
-		/* A full circle has no words for its plane. */
+		/* A full circle has no words for the axes of its plane. */
 		if (i == move.first || i == move.second ? full : random_.chance(0.7))
 			continue;
 		text += word(machine_.world.axes[i].letter, wanted - origin, &read);
@@ -194,10 +194,10 @@ void Writer::arc()
 	line(text + feed());
 }
 
-/* All words, so that none of them depends on how TCP sees what was before. */
+/* All words are given, so that none depends on the meaning of earlier positions under TCP. */
 void Writer::tip()
 {
-	/* The way of a rapid that is not straight is not known under TCP. */
+	/* The path of a rapid that is not straight is not known under TCP. */
 	bool rapid = random_.chance(0.3) && machine_.rapid == "linear";
 	std::string text = rapid ? "G0" : "G1";
 	Position wanted = at_;

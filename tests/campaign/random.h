@@ -1,4 +1,4 @@
-/* random.h - a stream of random numbers that is the same everywhere for the same seed. */
+/* random.h - a stream of random numbers that is the same on all computers for the same seed. */
 #ifndef CAMPAIGN_RANDOM_H
 #define CAMPAIGN_RANDOM_H
 
@@ -11,18 +11,18 @@
 
 class Random {
 public:
-	/* Case `number` of a campaign has a stream of its own. */
+	/* Each case of a campaign has its own stream. */
 	Random(uint64_t seed, uint64_t number) : engine_(seed * 0x9e3779b97f4a7c15 + number)
 	{
 	}
 
-	/* The library's distributions differ from one implementation to another. */
+	/* The distributions of the standard library differ between implementations. */
 	double in(double low, double high)
 	{
 		return low + (high - low) * ((double)(engine_() >> 11) * 0x1p-53);
 	}
 
-	/* As many from each decade. */
+	/* Each decade is equally probable. */
 	double size(double low, double high)
 	{
 		return std::exp(in(std::log(low), std::log(high)));

@@ -12,7 +12,7 @@ static void add_quad(Surface &surface, vec a, vec b, vec c, vec d)
 	surface.push_back({{a, c, d}});
 }
 
-/* Each face in n x n squares. */
+/* Divides each face into n x n squares. */
 static Surface box(const double half[3], int n)
 {
 	Surface surface;
@@ -80,7 +80,7 @@ static Surface torus(double large, double small, int around, int across)
 	return surface;
 }
 
-/* An L of two arms. */
+/* An L with two arms. */
 static Surface angle(double a, double b, double arm_a, double arm_b, double half)
 {
 	const double outline[6][2] = {{0, 0}, {a, 0}, {a, arm_b}, {arm_a, arm_b}, {arm_a, b}, {0, b}};
@@ -109,7 +109,7 @@ static Surface ball(double radius, int rings, int sides)
 
 Surface random_shape(Random &random, double size)
 {
-	/* Drawn one by one: compilers differ in the order in which they see to arguments. */
+	/* The numbers are drawn one by one, because compilers evaluate arguments in different orders. */
 	double half[3], inner[3], share = random.in(0.5, 0.95), top = random.in(-0.8, 0.8);
 	double r = size * random.in(0.1, 1), h = size * random.in(0.1, 1), arms[4];
 	Surface surface, cavity;

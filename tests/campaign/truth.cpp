@@ -7,11 +7,11 @@
 
 #include "../bench/travel.h"
 
-/* mm of motion between two looks where the bodies are near each other, and how many of them there are at most. */
+/* mm of motion between two samples where the bodies are near each other, and the most samples of a move. */
 static const double FINEST = 0.01;
 static const int LOOKS_MAX = 2000;
 
-/* Curved paths: chords of them tell the motion, and not all of it. */
+/* Curved paths: their motion is measured along chords, so a part of it is missed. */
 static const int CHORDS = 8;
 static const double CURVED = 1.25;
 static const double LONGEST_CURVED = 1.0 / 32;
@@ -29,7 +29,7 @@ double Truth::balls_apart(const Pair &pair, const pose *poses) const
 	return norm(sub(apply(&poses[a.link], a.middle), apply(&poses[b.link], b.middle))) - a.radius - b.radius;
 }
 
-/* FCL's distance is not always right where surfaces cross, so it is asked for that separately. */
+/* FCL's distance is not always right where surfaces cross, so contact is asked separately. */
 double Truth::distance(const Pair &pair, const Position &q) const
 {
 	auto a = (size_t)pair.bodies.a, b = (size_t)pair.bodies.b;
@@ -83,7 +83,7 @@ bool Truth::present(const Pair &pair, int tool) const
 double Truth::travel(const Pair &pair, const Move &move, double from, double to) const
 {
 	bool curved = move.path == Path::ARC || move.path == Path::TIP;
-	/* A dogleg breaks: two halves are nearly as good as the pieces. */
+	/* A dogleg has corners: halving it is nearly as good as cutting it at them. */
 	int chords = curved ? CHORDS : move.path == Path::DOGLEG ? 2 : 1;
 	Position last = position(machine_, move, from);
 	double way = 0;

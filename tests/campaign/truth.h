@@ -1,4 +1,6 @@
-/* truth.h - what FCL says of a program: every pair of bodies, looked at in steps that are fine where it is near. */
+/*
+ * truth.h - the answer of FCL for a program: every pair of bodies, in steps that are small where the bodies are near.
+ */
 #ifndef CAMPAIGN_TRUTH_H
 #define CAMPAIGN_TRUTH_H
 
@@ -20,13 +22,13 @@ public:
 	/* Do they meet, come nearer than the clearance, or is one inside the other? */
 	bool violated(const Pair &pair, const Position &q, double clearance) const;
 
-	/* Is one inside the other, surfaces apart? */
+	/* Is one inside the other, without contact of the surfaces? */
 	bool contained(const Pair &pair, const Position &q) const;
 
-	/* The first place of the move, 0 to 1, where a look finds the pair violated; 2 if none does. */
+	/* The first place of the move, 0 to 1, at which a sample violates the pair; 2: there is none. */
 	double first_violation(const Pair &pair, const Move &move, double clearance) const;
 
-	/* Do their tools, if any, stand in the spindle? */
+	/* Are their tools, if they have any, in the spindle? */
 	bool present(const Pair &pair, int tool) const;
 
 	long looks() const
@@ -34,7 +36,7 @@ public:
 		return looks_;
 	}
 
-	/* mm: the least distance of any look so far. */
+	/* mm: the least distance of all samples so far. */
 	double nearest() const
 	{
 		return nearest_;

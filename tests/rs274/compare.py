@@ -1,8 +1,8 @@
-"""compare.py - the differential test: the programs of this folder, then random ones, in fivecheck and in rs274.
+"""compare.py - the differential test: runs the programs of this folder, then random ones, in fivecheck and in rs274.
 
-A program that must be refused says in its first line how fivecheck refuses it:
+A program that must be refused has in its first line the error of fivecheck:
     (error: division by zero)
-    (error, rs274 accepts: ...)     where rs274 goes on, and why is said further on
+    (error, rs274 accepts: ...)     if rs274 goes on; the reason is given further on
 """
 import argparse
 import glob
@@ -16,7 +16,7 @@ import reference
 
 
 def expected_error(path):
-    """The message, whether rs274 refuses the program as well; or None, True."""
+    """The expected message, and whether rs274 must refuse the program, too; or None, True."""
     with open(path, errors='replace') as program:
         found = re.match(r'\(error(, rs274 accepts)?: (.*)\)$', program.readline().strip())
     return (found.group(2), not found.group(1)) if found else (None, True)
@@ -32,7 +32,7 @@ def check_program(programs, path):
     accepted, _, said = programs.run_ours(path)
     if accepted:
         return f'fivecheck accepts it, but "{message}" was expected'
-    # The line of the program, which holds the message, is quoted below an error.
+    # An error quotes the line of the program, which may contain the message.
     if not any(message in line for line in said.splitlines() if ': error: ' in line):
         return f'fivecheck says something else: {said.strip()}'
     if programs.run_reference(path)[0] == both:
@@ -59,7 +59,7 @@ def write(path, lines):
 
 
 def shrink(programs, path, lines):
-    """Leaves out lines, but not the last, M2, for as long as the two still differ."""
+    """Removes lines, but not the last one, M2, as long as the two programs still differ."""
     size = max(1, len(lines) // 2)
     while size:
         at = 0
@@ -80,7 +80,7 @@ def shrink(programs, path, lines):
 
 
 def is_worth(count, less, what):
-    """Not if more than one in twenty was not compared as a whole; a few always may be."""
+    """False if more than one in twenty was not compared as a whole; a few are always allowed."""
     if less * 20 <= count + 40:
         return True
     print(f'check-rs274: too many were {what}')

@@ -5,7 +5,7 @@ Moves, arcs, offsets, units, expressions, control flow, canned cycles, cutter co
 import math
 
 AXES = 'XYZABC'
-# LinuxCNC takes lines of 253 bytes at most; a longer one gives way to a shorter.
+# LinuxCNC reads lines of at most 253 bytes; a longer line is replaced by a shorter one.
 LINE_MAX = 250
 
 
@@ -19,12 +19,12 @@ class Generator:
         self.tools = random.random() < .5
 
     def number(self, size=50):
-        """A decimal, sometimes written oddly."""
+        """A decimal, sometimes in an unusual form."""
         text = f'{self.r.uniform(-size, size):.{self.r.randint(0, 4)}f}'
         return text.replace('.', ' .') if self.r.random() < .05 else text
 
     def value(self, size=50):
-        """A number, or something that computes one of about that size."""
+        """A number, or an expression with a value of about that size."""
         if self.r.random() < .7:
             return self.number(size)
         return f'[[{self.expression(3)}] MOD {size}]'
@@ -44,8 +44,8 @@ class Generator:
         if choice == 7:
             return f'ATAN[{inner}]/[{self.number(9)} + 20]'
         if choice == 8:
-            # Not of the sine itself: that would give back the argument but for the last digit, in which C libraries
-            # differ, and a comparison with the argument would be decided by that digit.
+            # Not the arcsine of the sine itself: its result would be the argument except for the last digit, in which C
+            # libraries differ, and a comparison with the argument would depend on this digit.
             return f'{r.choice(["ASIN", "ACOS"])}[SIN[{inner}] * 0.87]'
         return f'{r.choice(["ABS", "COS", "SIN", "FIX", "FUP", "ROUND", "-"])}[{inner}]'
 
@@ -97,7 +97,8 @@ class Generator:
                          lambda: r.choice(['G28.1', 'G30.1', 'G28', 'G30', f'G28 {self.words(2)}'])])()
 
     def tool_entry(self):
-        """The simulated machine of rs274 takes tool 1 for the one in an empty spindle: its entry is left alone."""
+        """The simulated machine of rs274 uses the entry of tool 1 for an empty spindle, so this entry is not changed.
+        """
         r = self.r
         radius = f' R{r.uniform(-3, 3):.3f}' if r.random() < .3 else ''
         return f'G10 L{r.choice([1, 10, 11])} P{r.randint(2, 3)} Z{self.value()}{radius}'
@@ -148,7 +149,7 @@ class Generator:
         return lines + ['G80 G90', f'G0 X{self.number(9)}']
 
     def compensated(self):
-        """Once around a polygon, or an arc instead of a side here and there, left or right of it."""
+        """Once around a polygon, with an arc instead of some sides, to the left or to the right of it."""
         r = self.r
         corners = sorted(r.uniform(0, 2 * math.pi) for _ in range(r.randint(3, 6)))
         if r.random() < .5:
@@ -227,15 +228,15 @@ class Generator:
         self.calls.append(name)
         if self.r.random() < .3:
             lines += ['o9 if [#1 GT 0]', f'{name} return [#2]', 'o9 endif']
-        # Values of the definition itself: an endsub without one.
+        # endsub has no value: a subprogram that ends there returns none.
         return lines + [f'{name} endsub']
 
 
 def program(random):
-    """The lines of one program, the last being M2."""
+    """The lines of one program; the last one is M2."""
     g = Generator(random)
     lines = [random.choice(['G21', 'G21', 'G20']), '#<local>=1 #<_global>=2', 'F100']
-    # Later, the simulated machine of rs274 forgets the length compensation with a tool change.
+    # After this place a tool change would make the simulated machine of rs274 forget the length compensation.
     lines += random.choice([[], ['T1 M6'], ['T3 M6']])
     for _ in range(random.randint(0, 3)):
         lines += g.subprogram()

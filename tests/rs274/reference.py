@@ -1,4 +1,4 @@
-"""reference.py - runs a program through rs274 and through fivecheck, and compares where the axes go."""
+"""reference.py - runs a program in rs274 and in fivecheck, and compares the motion of the axes."""
 import math
 import os
 import re
@@ -11,18 +11,18 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 LINEAR = [True] * 3 + [False] * 3
 INCH = 25.4
-# rs274 prints four decimals, of the unit in force.
+# rs274 prints four decimals in the active unit.
 HALF_DIGIT = 5.01e-5
-# A program that takes more processor time is endless.
+# A program that takes more processor time counts as endless.
 SECONDS = 5
 
-# What rs274 keeps from run to run: all offsets and reference points 0, G54 in force.
+# The variables that rs274 keeps between runs: all offsets and reference points are 0, G54 is active.
 VARIABLES = ([n + i for n in (5161, 5181) for i in range(9)] + list(range(5210, 5221)) +
              [n + i for n in range(5221, 5400, 20) for i in range(10)])
 
 
 class Move:
-    """A canonical move: where it ends (mm, degrees), how exactly that is known, and its arc, if it is one."""
+    """A canonical move: its end (mm, degrees), how exactly the end is known, and its arc, if it is one."""
 
     def __init__(self, end, exact, arc=None):
         self.end, self.exact, self.arc = end, exact, arc
@@ -38,7 +38,7 @@ def slots(values, unit):
 
 
 class Canon:
-    """Follows rs274's canonical calls."""
+    """Follows the canonical calls of rs274."""
 
     def __init__(self):
         self.unit, self.plane = INCH, 'XY'
@@ -83,7 +83,7 @@ class Canon:
         elif name in ('STRAIGHT_TRAVERSE', 'STRAIGHT_FEED', 'STRAIGHT_PROBE'):
             self.straight(numbers(text))
         elif name == 'RIGID_TAP':
-            # There and back.
+            # To the end and back.
             start = self.moves[-1] if self.moves else Move([0.0] * 6, [0.0] * 6)
             self.straight(numbers(text)[:3])
             self.moves.append(Move(start.end, start.exact))
@@ -115,7 +115,7 @@ class Programs:
         shutil.rmtree(self.folder)
 
     def run_reference(self, path):
-        """Accepted or not, moves, messages."""
+        """rs274: whether it accepted the program, the moves, the messages."""
         variables = os.path.join(self.folder, 'rs274.var')
         with open(variables, 'w') as out:
             out.write(self.variables)
@@ -129,7 +129,7 @@ class Programs:
         return done.returncode == 0, canon.moves, done.stderr
 
     def run_ours(self, path):
-        """Accepted or not, the ends of the spans, messages."""
+        """fivecheck: whether it accepted the program, the ends of the spans, the messages."""
         done = run([self.fivecheck, '--dump-path', '--tolerance=0.01', '--max-blocks=100000',
                     '--setup', os.path.join(HERE, 'setup.xml'), os.path.join(HERE, 'machine.xml'), path])
         rows = [[float(x) for x in line.split('\t')[3:9]] for line in done.stdout.splitlines()[1:]]
@@ -141,7 +141,7 @@ def is_at(position, move):
 
 
 def rests(last, move):
-    """Is the move so short, for what is known of its two ends, that it may be no move at all?"""
+    """Is the move so short that it may be no move at all, as exactly as its two ends are known?"""
     return all(abs(s - e) <= x + y for s, e, x, y in zip(last.end, move.end, last.exact, move.exact))
 
 
@@ -157,7 +157,7 @@ def sweep_of(position, move):
 
 
 def follow_arc(position, move, rows):
-    """Takes the chords of an arc from rows; what is wrong with them, or None."""
+    """Takes the chords of an arc from rows. The value is a description of the difference, or None."""
     a, b, centre, _ = move.arc
     expected, swept = sweep_of(position, move), 0.0
     while rows:
@@ -174,7 +174,8 @@ def follow_arc(position, move, rows):
 
 
 def difference(moves, rows, to_the_end=True):
-    """The first move that the rows do not make, or None. Rows that stop early are compared as far as they go."""
+    """Describes the first move that the rows do not make, or None. Rows that stop early are compared as far as they go.
+    """
     last, rows = Move([0.0] * 6, [0.0] * 6), list(rows)
     for i, move in enumerate(moves):
         if not rows and not to_the_end:
@@ -190,26 +191,27 @@ def difference(moves, rows, to_the_end=True):
         else:
             continue
         last = move
-    # Moves too short to be told from none may be left.
+    # Moves that are too short to be distinguished from none may be left.
     end = Move(last.end, [2 * x for x in last.exact])
     left = [row for row in rows if not is_at(row, end)]
     return f'{len(left)} more moves, the first to {left[0]}' if left else None
 
 
-# LinuxCNC 2.9 compares exactly, later versions take nearly equal numbers for equal; and where a sine vanishes, LinuxCNC's
-# is of either sign: fivecheck refuses what depends on these.
+# LinuxCNC 2.9 compares exactly, later versions treat nearly equal numbers as equal; and where a sine vanishes, the sine
+# of LinuxCNC may have either sign. fivecheck refuses programs that depend on either.
 VERSIONS_DISAGREE = re.compile(r': error: ((EQ|NE|LE|GE) of numbers that differ by only \S+: versions of LinuxCNC disagree|'
                                'the rounding error of a sine)')
 
 
 def stops_where_versions_disagree(programs, path):
-    """Does fivecheck stop, by its own words, at a comparison that versions of LinuxCNC answer differently?"""
+    """Does fivecheck stop, according to its message, at a comparison that versions of LinuxCNC answer differently?"""
     accepted, _, messages = programs.run_ours(path)
     return not accepted and VERSIONS_DISAGREE.search(messages) is not None
 
 
 def compare(programs, path):
-    """None when both agree, as far as fivecheck goes where versions of LinuxCNC disagree; else how they differ."""
+    """None if both agree, up to the place where versions of LinuxCNC disagree; otherwise a description of the
+    difference."""
     accepted, moves, complaint = programs.run_reference(path)
     ours, rows, messages = programs.run_ours(path)
     if accepted and not ours and VERSIONS_DISAGREE.search(messages):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The same program has the same verdict and the same first finding, however it is asked.
+"""A program has the same verdict and the same first finding with all options that must not change them.
 
-Draws machines and programs of some thousand small blocks, moves each program to the place where its verdict just turns,
-and runs it there plainly and in all the ways that only tell more or only save time. Any difference is a fault; the case
-is kept. Only Python's standard library is needed.
+Makes random machines and programs of some thousand small blocks, finds the place of each program at which its verdict
+changes, and runs it there without options, and with all options that only report more or only save time. Any difference
+is a fault, and its case is kept. Only Python's standard library is needed.
 
     one_verdict.py --fivecheck build/fivecheck --cases 4 --seed 1 --keep FOLDER [--only CASE] [--blocks MOST]
         [--programs COUNT] [--ways COUNT] [--patience SECONDS] [--progress] [--stock]
@@ -25,28 +25,29 @@ import time
 
 from shapes import box, drawn, prism, write_stl
 
-# The place at which the verdict turns is looked for at so many places at once, so many times.
+# The place at which the verdict changes is searched with this many programs at once, this many times.
 PLACES = 3
 ROUNDS = 9
 
-# Places from the turn on, towards clear, in mm, and in shares of e: near 0 the last place found, the first clear one.
+# Places around the change, toward clear: in mm, and in multiples of e. 0 is the last place with a finding, or the first
+# clear one.
 BESIDE_MM = (-0.5, -0.05)
 BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
-# More places by lot: so far from the turn at most, in shares of e or in mm.
+# More places, at random: their largest distance from the change, in multiples of e or in mm.
 AROUND_E = 4.0
 AROUND_MM = 0.3
 
-# Blocks of a program that cuts a blank, at most, and how exactly it is known what remains, in mm.
+# The most blocks of a program that cuts a blank, and the tolerance of the remaining stock, in mm.
 STOCK_BLOCKS = 40
 STOCK_TOLERANCE = 2
 
-# Blocks of a share, where shards share a program.
+# The blocks of a share, when shards share a program.
 SHARE = 1024
 
 # Options that take long.
 COSTLY = ("--clearance", "--report", "--glb", "--picture")
 
-# Of so many programs at least this share must have a cutter in a part: else that is not tried.
+# With this many programs, at least this share must have a cutter in a part; otherwise that is not tested.
 MANY = 400
 SHARE_OF_CUTTING = 0.05
 
@@ -63,7 +64,7 @@ class TooSlow(Exception):
 
 
 class Undecided(Exception):
-    """A rapid whose way is not known moves too many axes: the program is no case."""
+    """A rapid whose path is not known moves too many axes: the program cannot be a case."""
 
 
 def axis_xml(name, kind, direction, inside, location=None, extra=""):
@@ -80,7 +81,7 @@ class Case:
     tip = False  # the program guides the tool's tip
     stock = False  # the setup has a blank, which the program cuts
     rapids = 0.05  # the share of the blocks that are rapids
-    changes_tool = False  # at the end of a share of the blocks the tool is put in anew
+    changes_tool = False  # at the end of a share of the blocks the tool is loaded again
 
     def __init__(self, seed, number, folder, most=5000, with_stock=False):
         self.random = random.Random(f"{seed} {number}")
@@ -119,7 +120,7 @@ class Case:
         return prism([radius * self.random.uniform(0.97, 1) for _ in range(n)], bottom, top)
 
     def head_over_table(self):
-        """A long head comes from the side to a turning table; its neighbour, the slide, touches it and is excused."""
+        """A long head approaches a turning table from the side; its neighbour, the slide, touches it and is excused."""
         r = self.random
         head = self.mesh("head", box((60, -r.uniform(2, 20), -20), (80, r.uniform(2, 20), r.choice([40, 580]))))
         slide = self.mesh("slide", box((80, -20, 0), (100, 20, 400)))
@@ -132,12 +133,12 @@ class Case:
         self.wander = {"C": 2.0, "Z": 3.0}
 
     def cutting(self):
-        """A cutter that comes to a part, which it may enter a little at rapid or standing."""
+        """A cutter that approaches a part, which it may enter a little at rapid or with a stopped spindle."""
         self.rapids = self.random.choice([0, 0.05, 0.5])
         self.trunnion(cutting=True)
 
     def milling(self):
-        """Two tools that cut a blank, which they may enter a little at rapid or standing."""
+        """Two tools that cut a blank, which they may enter a little at rapid or with a stopped spindle."""
         self.stock = True
         self.rapids = self.random.choice([0.02, 0.2])
         self.trunnion(cutting=True)
@@ -149,7 +150,8 @@ class Case:
                 [f"G91\n{move}\nG90" for move in self.curves()])
 
     def curves(self):
-        """Incremental moves that end where they begin, or that the next block leaves: arcs, a cycle, a touch."""
+        """Incremental moves that end where they begin, or whose end the next block leaves: arcs, a cycle, a probe move.
+        """
         r = self.random
         if self.tip or self.rapid != "linear":
             return []
@@ -159,7 +161,7 @@ class Case:
                 f"G38.3 Z-{r.uniform(0.1, 1):.3f} F300"]
 
     def trunnion(self, cutting=False):
-        """A tool, or the bare spindle nose, above a table that tilts and turns."""
+        """A tool, or only the spindle nose, above a table that tilts and turns."""
         r = self.random
         tool = cutting or r.random() < 0.7
         spindle = '<spindle location="0 0 300" direction="0 0 -1"/>' if tool else ""
@@ -189,7 +191,7 @@ class Case:
         self.wander = {"A": 1.0, "C": 2.0, "X": 3.0, "Y": 3.0}
 
     def part(self, always):
-        """On the table, or nothing. A cutter may enter it while it cuts."""
+        """The part on the table, or nothing. A cutter may enter it while it cuts."""
         r = self.random
         if not always and r.random() < 0.4:
             return ""
@@ -206,7 +208,7 @@ class Case:
         return f"<stock {size}{doubt}/>"
 
     def second_tool(self, reach, holder):
-        """Of several sections: tapered, or wide at its end."""
+        """A tool with several sections: tapered, or wide at its end."""
         if not self.stock:
             return ""
         wide = self.random.random() < 0.5
@@ -215,7 +217,7 @@ class Case:
                 f'<section length="10" diameter="{20 if wide else 10}"/></cutter></tool>')
 
     def tilting_head(self):
-        """A head that tilts by B and turns by C over blocks on the base."""
+        """A head that tilts by B and turns by C above blocks on the base."""
         r = self.random
         nose = self.mesh("nose", prism([25 * r.uniform(0.9, 1) for _ in range(12)], 120, 300))
         b = axis_xml("B", "rotary", "0 1 0", nose, "0 0 350", 'limit_min="-90" limit_max="90"')
@@ -227,7 +229,7 @@ class Case:
         self.wander = {"B": 1.5, "C": 4.0, "X": 4.0, "Y": 4.0}
 
     def walk(self, count):
-        """Lists what each block does to the wandering axes, and its retreat from the approach."""
+        """Lists for each block the positions of the wandering axes, and its retreat from the approach."""
         r = self.random
         at = {axis: 0.0 for axis in self.wander}
         step = r.choice([0.002, 0.02, 0.2, 1.0])
@@ -250,12 +252,12 @@ class Case:
             lines.append(f"G64 P{self.tolerance_on_path}")
         for number, (kind, retreat, at, winds) in enumerate(self.blocks):
             lines.extend(filter(None, [self.between.get(number)]))
-            # The tool is changed in the last of the blocks, some of which stand in one line of the list.
+            # The tool is changed in the last block of a share; some entries of the list have several blocks.
             if self.changes_tool and len(lines) + lines[0].count("\n") == 2 * SHARE - 1:
                 lines.append(self.prologue.strip())
             words = "".join(f" {axis}{value + (360 if winds and axis == 'C' and self.wrap == 'shortest' else 0):.5f}"
                             for axis, value in at.items())
-            # The way of a rapid that is not straight is not known where the tip is guided.
+            # The path of a rapid that is not straight is not known if the program guides the tip.
             kind = "G1" if self.tip and self.rapid != "linear" else kind
             lines.append(f"{kind} {self.approach}{place + retreat:.6f}{words}")
         with open(os.path.join(self.folder, name), "w") as f:
@@ -320,12 +322,12 @@ class Asker:
         return found
 
     def merge(self, names):
-        """The same of the shards that are joined."""
+        """The same for joined shards."""
         status = self.call(["merge", "-o", "joined.ndjson", *names]).returncode
         return status, self.read("joined.ndjson")
 
     def waivers(self, run, name, most=None):
-        """Writes waivers for the findings of a run, or for the first ones of each program."""
+        """Writes waivers for the findings of a run, or only for the first ones of each program."""
         text = self.call(["waive", "--reason=known", "--until=9999-12-31", run]).stdout
         head, *items = text.split("<waiver ")
         end = items[-1][items[-1].index("</waivers>"):]
@@ -339,7 +341,7 @@ class Asker:
             f.write("<waiver ".join(kept) + end)
 
 
-# Ways to ask that only tell more or only save time.
+# Options that only report more or only save time.
 def ways(levels, with_glb):
     yield "-v", ["-v"], None
     yield "--timing", ["--timing=timing.csv", "--max-blocks=100000"], None
@@ -375,7 +377,7 @@ def firsts(runs):
 
 
 def compare_shards(asker, programs, first, every):
-    """Each shard of a program finds its share; joined they are the run. The same of shards of a list."""
+    """Each shard of a program finds its share, and joined they are the whole run. The same for shards of a list."""
     count = asker.case.random.choice((2, 3, 5))
     names = [f"shard-{k}.ndjson" for k in range(1, count + 1)]
     program = asker.case.random.choice(programs)
@@ -394,7 +396,8 @@ def compare_shards(asker, programs, first, every):
 
 
 def compare_waived(asker, programs, every):
-    """With all findings waived the same ones are accepted; with the first waived the next is the first that fails."""
+    """If all findings are waived, the same findings are accepted; if the first is waived, the next one is the first
+    that fails."""
     def bare(line):
         finding = json.loads(line)
         for key in ("accepted", "reason", "expires"):
@@ -412,7 +415,8 @@ def compare_waived(asker, programs, every):
 
 
 def compare(asker, programs, levels, with_glb, count):
-    """count: of how many ways, drawn by lot; None: of all. Counts what is found first in programs, or their verdict."""
+    """Compares all options, or `count` of them at random. The value counts the kinds of the programs' first findings,
+    or their verdicts."""
     r = asker.case.random
     plain = asker.run(programs)
     every = asker.run(programs, "-a", out="every.ndjson")
@@ -420,7 +424,7 @@ def compare(asker, programs, levels, with_glb, count):
     expect("-a", (every[0], firsts(every[1])), (plain[0], firsts(plain[1])))
     asked = list(ways(levels, with_glb))
     for name, options, simd in asked if count is None else r.sample(asked, count):
-        # What takes long is asked for the two programs next to the turn.
+        # Costly options are used only for the two programs next to the change.
         some = programs[:2] if name.startswith(COSTLY) else programs
         for more, (_, wanted) in ([], plain), (["-a"], every):
             status = int(any(wanted[p][0] == "found" for p in some))
@@ -439,7 +443,7 @@ def compare(asker, programs, levels, with_glb, count):
 
 
 def find_turn(case, asker):
-    """The highest place at which something is found, and the next one, which is clear."""
+    """The highest place with a finding, and the next one, which is clear."""
     near, far = case.range
     for _ in range(ROUNDS):
         places = [near + (far - near) * k / (PLACES + 1) for k in range(PLACES + 2)]
@@ -453,7 +457,7 @@ def find_turn(case, asker):
 
 
 def places_near(case, near, far, count):
-    """The turn itself, so many places beside it, and more by lot."""
+    """The change itself, the places beside it, and more at random."""
     r = case.random
     places = [near, far] + [near + m for m in BESIDE_MM] + [(near if s < 0 else far) + s * case.e for s in BESIDE_E]
     while len(places) < count:
@@ -463,7 +467,8 @@ def places_near(case, near, far, count):
 
 
 def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience, programs_wanted, with_stock):
-    """Returns what is found first in how many programs, and the number of runs."""
+    """Checks a case. The value is the kinds of first findings with their numbers of programs, and the number of runs.
+    """
     case = Case(seed, number, folder, most, with_stock)
     asker = Asker(fivecheck, case, patience)
 
@@ -497,11 +502,12 @@ def main():
     parser.add_argument("--programs", type=int, default=8, help="programs of each case")
     parser.add_argument("--only", type=int, help="the number of one case")
     parser.add_argument("--blocks", type=int, default=5000, help="the most blocks to a program")
-    parser.add_argument("--ways", type=int, help="ask each program in so many ways, drawn by lot, instead of in all")
+    parser.add_argument("--ways", type=int, metavar="COUNT",
+                        help="run each program with this many of the options, at random, instead of all")
     parser.add_argument("--patience", type=int, metavar="SECONDS",
                         help="leave out, and count, cases that take more processor time")
     parser.add_argument("--stock", action="store_true", help="only cases with a blank that is cut")
-    parser.add_argument("--progress", action="store_true", help="say on standard error how far it is")
+    parser.add_argument("--progress", action="store_true", help="print progress on standard error")
     parser.add_argument("--keep", default="build/verdicts", help="where cases that disagree are kept")
     arguments = parser.parse_args()
     fivecheck = os.path.abspath(arguments.fivecheck)

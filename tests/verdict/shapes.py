@@ -1,4 +1,4 @@
-"""shapes.py - surfaces as drawings have them, and STL files of them."""
+"""shapes.py - surfaces of random bodies as they are drawn in practice, and STL files of them."""
 import math
 import struct
 
@@ -17,7 +17,7 @@ def box(low, high):
 
 
 def prism(radii, bottom, top):
-    """About Z, with one corner for each radius."""
+    """A prism about Z, with one corner for each radius."""
     n = len(radii)
     ring = [(r * math.cos(2 * math.pi * i / n), r * math.sin(2 * math.pi * i / n)) for i, r in enumerate(radii)]
     out = []
@@ -33,14 +33,14 @@ def flipped(triangles):
 
 
 def shrunk(triangles):
-    """Half as large, about the middle."""
+    """The surface at half size, about its middle."""
     corners = [p for t in triangles for p in t]
     middle = [0.5 * (min(p[k] for p in corners) + max(p[k] for p in corners)) for k in range(3)]
     return [tuple(tuple(middle[k] + 0.5 * (p[k] - middle[k]) for k in range(3)) for p in t) for t in triangles]
 
 
 def drawn(r, triangles):
-    """The same surface as drawings have it: mostly once, facing outwards."""
+    """The surface as it is drawn in practice: mostly once, facing outward."""
     how = r.choice(["plain"] * 5 + ["doubled", "inverted", "nested", "hollow", "open"])
     if how == "doubled":
         return triangles + flipped(triangles)
