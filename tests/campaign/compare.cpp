@@ -153,7 +153,8 @@ void Judge::judge_finding(const Finding &finding)
 		if (std::fabs(q[i] - finding.at[i]) > (curved ? 1.2 * terms_.tolerance : 0) + 2 * ROUNDING)
 			object("axes elsewhere", finding.text, q[i] - finding.at[i]);
 	apart = truth_.distance(*pair, q);
-	if (apart > (pair->core ? 0 : terms_.clearance) + terms_.tolerance + slack(*pair) + ROUNDING && !truth_.contained(*pair, q))
+	if (apart > (pair->core ? 0 : terms_.clearance) + terms_.tolerance + slack(*pair) + ROUNDING &&
+	    !truth_.contained(*pair, q))
 		object("FALSE ALARM", finding.text, apart);
 }
 

@@ -281,7 +281,7 @@ static Body &add_tool_body(Machine &machine, const Tool &tool, Role role, const 
 	for (triangle &t : body.placed)
 		for (vec &p : t.p)
 			p = add(machine.gauge, add(times(p.x, x), add(times(p.y, y), times(p.z, z))));
-	/* fivecheck's solid is up to 0.01 mm outside the true one, which is outside this one by the height of an arc. */
+	/* fivecheck's solid is up to 0.01 mm outside the true one, and that outside this one by the height of an arc. */
 	body.slack = 0.0101 + widest * (1 - std::cos(3.14159265358979323846 / 64));
 	machine.bodies.push_back(body);
 	return machine.bodies.back();

@@ -39,7 +39,7 @@ static const struct code_set more_set = CODE_SET(more_codes);
 static const struct dialect silent = {
     .name = "silent",
     .g_codes = {&standard_g_codes, &more_set, &fanuc_family_g_codes},
-    .m_codes = {&standard_m_codes, &fanuc_family_m_codes},
+    .m_codes = {&basic_m_codes, &standard_m_codes, &fanuc_family_m_codes},
     .read_block = read_words,
 };
 
