@@ -10,7 +10,7 @@ static bool is_past_a_limit(const struct checker *c)
 
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
-		double at = c->position.v[axis->slot];
+		double at = c->program.position.v[axis->slot];
 
 		if (at < axis->limit_min || at > axis->limit_max)
 			return true;
@@ -20,63 +20,68 @@ static bool is_past_a_limit(const struct checker *c)
 
 static void say_undecided(struct checker *c, size_t pair)
 {
-	c->failed = true;
-	checker_say_undecided(c, pair, c->block, 2 * c->number);
+	c->end.failed = true;
+	checker_say_undecided(c, pair, c->program.block, 2 * c->program.next_step);
+}
+
+/* The place and the time of a finding of this pair at the current position. */
+static struct block_finding finding_at_rest(const struct program_state *program, size_t pair)
+{
+	return (struct block_finding){.finding.time = program->time, .finding.stock_time = (double)program->next_step,
+				      .block = program->block, .block_time = program->block_time,
+				      .order = 2 * program->next_step, .rank = (int)pair};
 }
 
 /* Checks a pair at the current position. step_class: the class of steps that this position counts as; 0: none. */
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
-	const struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
-					 .block = c->block, .block_time = c->block_time,
-					 .order = 2 * c->number, .rank = (int)check->pair};
+	const struct block_finding at = finding_at_rest(&c->program, check->pair);
 	struct contact contact;
 	enum pose_state state;
 
 	pair_check_prepare(check, c->options);
-	state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact, NULL);
+	state = static_query_pose(c->scene, &c->sweep, pair, &c->program.position, c->options->tolerance, &contact,
+				  NULL);
 
-	c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
-	if (c->broken_off)
+	c->end.broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
+	if (c->end.broken_off)
 		return;
 	if (state == POSE_FAILED)
 		say_undecided(c, check->pair);
 	if (state == POSE_UNKNOWN && check->unknown_block < 0)
-		check->unknown_block = c->block;
+		check->unknown_block = c->program.block;
 	if ((state == POSE_CLEAR || state == POSE_UNKNOWN) && c->measures)
-		pair_check_stand(check, &c->sweep, &c->position);
+		pair_check_stand(check, &c->sweep, &c->program.position);
 	if (state != POSE_NEAR && state != POSE_OVERLAP)
 		return;
 	checker_add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, step_class,
 			    &contact, NULL);
 	if (c->options->block_clearances && state == POSE_OVERLAP)
-		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
-	pair_check_leave_block(check, c->block);
+		block_log_add_clearance(&c->log, c->program.block, &(struct pair_clearance){.pair = check->pair});
+	pair_check_leave_block(check, c->program.block);
 }
 
 /* The same for a body and the stock. */
 static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
 {
-	struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
-					 .block = c->block, .block_time = c->block_time,
-					 .order = 2 * c->number, .rank = (int)check->pair};
+	struct block_finding at = finding_at_rest(&c->program, check->pair);
 	struct contact contact;
-	enum query_answer answer = stock_pair_stand(check, &c->position, c->number, &contact);
+	enum query_answer answer = stock_pair_stand(check, &c->program.position, c->program.next_step, &contact);
 
-	c->broken_off = check->sweep.broken_off;
-	if (c->broken_off || answer == QUERY_CLEAR)
+	c->end.broken_off = check->sweep.broken_off;
+	if (c->end.broken_off || answer == QUERY_CLEAR)
 		return;
 	if (answer == QUERY_UNDECIDED) {
 		say_undecided(c, check->pair);
 		return;
 	}
-	at.finding.of.pair.certain = stock_certainty_at(check, &c->position, (double)c->number);
+	at.finding.of.pair.certain = stock_certainty_at(check, &c->program.position, (double)c->program.next_step);
 	checker_add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
 			    &contact, NULL);
 	if (c->options->block_clearances && check->steps == STEP_ANY && !(contact.distance > 0))
-		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
-	stock_pair_leave_block(check, c->block);
+		block_log_add_clearance(&c->log, c->program.block, &(struct pair_clearance){.pair = check->pair});
+	stock_pair_leave_block(check, c->program.block);
 }
 
 /* The pairs to check at the current position. */
@@ -96,20 +101,20 @@ static bool is_looked_at(const struct checker *c, const struct rest_query *query
 {
 	/* Pairs that must stay apart while the spindle turns have just been checked. */
 	if (query->spindle_stops)
-		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && left_block != c->block;
+		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && left_block != c->program.block;
 	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
 }
 
 static void look_at_pair(struct checker *c, const struct rest_query *query, struct pair_check *check)
 {
-	if (pair_check_is_active(check, c->tool) &&
+	if (pair_check_is_active(check, c->program.tool) &&
 	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
 		check_pair_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 
 static void look_at_stock(struct checker *c, const struct rest_query *query, struct stock_pair *check)
 {
-	if (stock_pair_is_active(check, c->tool) &&
+	if (stock_pair_is_active(check, c->program.tool) &&
 	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
 		check_stock_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
@@ -120,7 +125,7 @@ static void look(struct checker *c, const struct rest_query *query)
 	const double start = checker_clock();
 	size_t i = 0, k = 0;
 
-	while ((i < c->scheduler.count || k < c->stock.pair_count) && !checker_has_enough(c) && !c->broken_off) {
+	while ((i < c->scheduler.count || k < c->stock.pair_count) && !checker_has_enough(c) && !c->end.broken_off) {
 		if (k == c->stock.pair_count ||
 		    (i < c->scheduler.count && c->scheduler.checks[i].pair < c->stock.pairs[k].pair))
 			look_at_pair(c, query, &c->scheduler.checks[i++]);

@@ -1,9 +1,7 @@
 #include "check/batch_run.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/mem.h"
 #include "base/spare_threads.h"
 
 static void add_clearance(struct checker *c, long block, size_t pair, double clearance, bool so_far)
@@ -39,22 +37,24 @@ static void take_clearances(struct checker *c)
 static bool measure_stock(struct checker *c)
 {
 	const double start = checker_clock();
-	const bool complete = stock_check_measure(&c->stock, &c->settling->batch, c->settling->tool);
+	const bool complete = stock_check_measure(&c->stock, &c->pending.settling->batch, c->pending.settling->tool);
 
-	c->measuring += checker_clock() - start;
+	c->timing.measuring += checker_clock() - start;
 	return complete;
 }
 
 /* If cuts are missing, a motion that is clear would cause findings. */
 static void stop_at_log_fault(struct checker *c)
 {
-	if (!stock_check_fault(&c->stock) || c->stopped)
+	const struct pending_batch *settling = c->pending.settling;
+
+	if (!stock_check_fault(&c->stock) || c->end.stopped)
 		return;
 	diag_error(c->diag, (struct srcloc){c->file, 0, 0},
 		   "the log of cuts (stock) could not be written to a temporary file: %s; the check stops here",
 		   strerror(stock_check_fault(&c->stock)));
-	c->failed = c->broken_off = c->stopped = true;
-	c->last_block = (c->settling->batch.step_count ? c->settling->batch.steps[0].block : c->settling->block) - 1;
+	c->end.failed = c->end.broken_off = c->end.stopped = true;
+	c->end.last_block = (settling->batch.step_count ? settling->batch.steps[0].block : settling->block) - 1;
 }
 
 static struct pending_batch *pending_of(struct checker *c, size_t number)
@@ -63,7 +63,7 @@ static struct pending_batch *pending_of(struct checker *c, size_t number)
 	 * A batch that is settled at once uses the same memory as the one before, which is still in the processor's
 	 * cache.
 	 */
-	return &c->pending[c->background ? number % PENDING : 0];
+	return &c->pending.items[c->background ? number % PENDING : 0];
 }
 
 /*
@@ -85,16 +85,6 @@ static bool measure(struct checker *c, struct pending_batch *pending)
 	return complete;
 }
 
-/* Copies the scheduler's results, because it may begin the next batch. */
-static void keep_results(struct pending_batch *pending, const struct scheduler *scheduler)
-{
-	pending->results = mem_grow(pending->results, &pending->result_capacity, scheduler->result_count,
-				    sizeof(*pending->results));
-	pending->result_count = scheduler->result_count;
-	if (pending->result_count)
-		memcpy(pending->results, scheduler->results, pending->result_count * sizeof(*pending->results));
-}
-
 /* A background_fn. */
 static bool run_batch(void *context, size_t number)
 {
@@ -108,7 +98,7 @@ static bool run_batch(void *context, size_t number)
 	pending->complete = !measures_first(c->options) || measure(c, pending);
 	if (pending->complete) {
 		pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
-		keep_results(pending, &c->scheduler);
+		pending_batch_keep_results(pending, &c->scheduler);
 	}
 	if (pending->complete && c->options->block_clearances && !measures_first(c->options))
 		pending->complete = measure(c, pending);
@@ -119,37 +109,37 @@ static bool run_batch(void *context, size_t number)
 /* Takes the results of the batch, and checks it against the stock. */
 static void take_pending(struct checker *c)
 {
-	struct pending_batch *pending = c->settling;
+	struct pending_batch *pending = c->pending.settling;
 	size_t last = pending->batch.step_count - 1;
 
-	c->broken_off = !pending->complete;
-	c->measuring += pending->measuring;
-	if (!c->broken_off) {
+	c->end.broken_off = !pending->complete;
+	c->timing.measuring += pending->measuring;
+	if (!c->end.broken_off) {
 		last = checker_last_step(c, pending->results, pending->result_count, last);
-		c->broken_off = !stock_check_run(&c->stock, &pending->batch, last, pending->tool, c->options);
+		c->end.broken_off = !stock_check_run(&c->stock, &pending->batch, last, pending->tool, c->options);
 	}
-	if (!c->broken_off) {
+	if (!c->end.broken_off) {
 		last = checker_last_step(c, c->stock.results, c->stock.result_count, last);
 		checker_take_results(c, pending->results, pending->result_count, last);
 		checker_take_results(c, c->stock.results, c->stock.result_count, last);
-		c->broken_off = c->options->block_clearances && !measure_stock(c);
+		c->end.broken_off = c->options->block_clearances && !measure_stock(c);
 	}
-	if (!c->broken_off && c->options->block_clearances)
+	if (!c->end.broken_off && c->options->block_clearances)
 		take_clearances(c);
-	if (c->broken_off)
-		c->last_block = pending->batch.steps[0].block - 1;
+	if (c->end.broken_off)
+		c->end.last_block = pending->batch.steps[0].block - 1;
 }
 
 /* Reports progress, or the reason why the check ends here. */
 static void tell_progress(struct checker *c)
 {
-	if (c->exhausted && !c->stopped)
-		c->stopped = true;
-	if (c->stopped || (!c->broken_off && checker_goes_on(c)))
+	if (c->end.exhausted && !c->end.stopped)
+		c->end.stopped = true;
+	if (c->end.stopped || (!c->end.broken_off && checker_goes_on(c)))
 		return;
 	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},
 		   "interrupted after line %ld: the rest was not checked", c->checked.line);
-	c->stopped = c->failed = true;
+	c->end.stopped = c->end.failed = true;
 }
 
 static void tell_opened(const struct checker *c, struct file_names *files)
@@ -172,7 +162,7 @@ static void swap_batches(struct batch *a, struct batch *b)
 /* Takes the results of the next batch, whose check is complete, and reports everything about its blocks. */
 static void settle_next(struct checker *c, struct block_record *timed)
 {
-	struct pending_batch *pending = c->settling = pending_of(c, c->settled++);
+	struct pending_batch *pending = c->pending.settling = pending_of(c, c->pending.settled++);
 	const double start = checker_clock() - (pending->runs ? pending->seconds : 0);
 
 	tell_opened(c, &pending->opened);
@@ -184,23 +174,23 @@ static void settle_next(struct checker *c, struct block_record *timed)
 	stop_at_log_fault(c);
 	batch_clear(&pending->batch);
 	/* In an interrupted batch it is unknown which finding comes first. */
-	if (!c->broken_off) {
+	if (!c->end.broken_off) {
 		checker_hand_on_findings(c);
 		c->checked = pending->last;
 		c->checked_line = pending->last.line;
 	}
 	c->stats->seconds_check += checker_clock() - start;
 	if (timed) {
-		const double check = c->stats->seconds_check - c->read_check;
+		const double check = c->stats->seconds_check - c->timing.check_before;
 
-		timed->interpret = checker_clock() - c->read_from - check;
-		timed->check = check - c->measuring;
+		timed->interpret = checker_clock() - c->timing.read_from - check;
+		timed->check = check - c->timing.measuring;
 	}
 	if (c->sink->block)
-		block_log_measured(&c->log, c->last_block, c->sink);
+		block_log_measured(&c->log, c->end.last_block, c->sink);
 	block_log_forget(&c->log);
 	tell_progress(c);
-	if (c->stopped) {
+	if (c->end.stopped) {
 		c->stats->motion = pending->summary;
 		c->stats->blocks_checked = pending->blocks_checked;
 	}
@@ -209,19 +199,19 @@ static void settle_next(struct checker *c, struct block_record *timed)
 /* Settles batches until `count` are settled, or the check stops. */
 static void settle(struct checker *c, size_t count, struct block_record *timed)
 {
-	while (c->settled < count && !c->stopped) {
+	while (c->pending.settled < count && !c->end.stopped) {
 		if (c->background)
-			background_wait(c->background, c->settled + 1);
+			background_wait(c->background, c->pending.settled + 1);
 		settle_next(c, timed);
-		if (c->background && !c->stopped)
-			background_take(c->background, c->settled);
+		if (c->background && !c->end.stopped)
+			background_take(c->background, c->pending.settled);
 	}
 }
 
 /* Begins to check the collected steps. */
 static void begin(struct checker *c)
 {
-	struct pending_batch *pending = pending_of(c, c->begun);
+	struct pending_batch *pending = pending_of(c, c->pending.begun);
 	const struct file_names opened = c->opened;
 	const struct event_copies heard = c->heard;
 
@@ -231,19 +221,19 @@ static void begin(struct checker *c)
 	pending->opened = opened;
 	c->heard = pending->heard;
 	pending->heard = heard;
-	pending->block = c->block;
-	pending->tool = c->tool;
-	pending->last = c->last;
-	pending->summary = c->summary;
+	pending->block = c->program.block;
+	pending->tool = c->program.tool;
+	pending->last = c->program.last;
+	pending->summary = c->program.summary;
 	pending->blocks_checked = c->stats->blocks_checked;
-	pending->runs = !checker_has_enough(c) && !c->broken_off && pending->batch.step_count;
+	pending->runs = !checker_has_enough(c) && !c->end.broken_off && pending->batch.step_count;
 	pending->result_count = 0;
 	pending->measuring = 0;
-	c->begun++;
+	c->pending.begun++;
 	if (c->background)
 		background_give(c->background);
 	else
-		run_batch(c, c->begun - 1);
+		run_batch(c, c->pending.begun - 1);
 }
 
 /*
@@ -264,7 +254,7 @@ static void start_background(struct checker *c)
 {
 	if (c->background || !can_check_in_background(c))
 		return;
-	background_start(&c->second, run_batch, c, c->begun);
+	background_start(&c->second, run_batch, c, c->pending.begun);
 	c->background = &c->second;
 	c->scheduler.loop = &c->second.loop;
 }
@@ -286,7 +276,7 @@ static void take_spare_thread(struct checker *c)
 	c->borrowed++;
 	checker_settle(c);
 	/* Batches after the one that ended the check are not settled: the background may still work on them. */
-	if (c->stopped)
+	if (c->end.stopped)
 		return;
 	scheduler_add_thread(&c->scheduler);
 	start_background(c);
@@ -317,35 +307,30 @@ void checker_begin(struct checker *c)
 		return;
 	}
 	settle(c, background_done(c->background), NULL);
-	if (c->begun - c->settled == PENDING)
-		settle(c, c->settled + 1, NULL);
-	if (!c->stopped)
+	if (c->pending.begun - c->pending.settled == PENDING)
+		settle(c, c->pending.settled + 1, NULL);
+	if (!c->end.stopped)
 		begin(c);
 }
 
 void checker_settle(struct checker *c)
 {
-	settle(c, c->begun, NULL);
+	settle(c, c->pending.begun, NULL);
 }
 
 void checker_process(struct checker *c, struct block_record *timed)
 {
 	checker_settle(c);
-	if (c->stopped)
+	if (c->end.stopped)
 		return;
 	begin(c);
-	settle(c, c->begun, timed);
+	settle(c, c->pending.begun, timed);
 	if (!c->background)
-		swap_batches(&c->batch, &c->settling->batch);
+		swap_batches(&c->batch, &c->pending.settling->batch);
 }
 
 void checker_release_pending(struct checker *c)
 {
-	for (size_t i = 0; i < PENDING; i++) {
-		batch_release(&c->pending[i].batch);
-		block_page_release(&c->pending[i].page);
-		file_names_release(&c->pending[i].opened);
-		event_copies_release(&c->pending[i].heard);
-		free(c->pending[i].results);
-	}
+	for (size_t i = 0; i < PENDING; i++)
+		pending_batch_release(&c->pending.items[i]);
 }

@@ -33,116 +33,116 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 			.time = limit->time,
 			.axes = limit->position,
 			.tool = limit->tool,
-			.stock_time = (double)c->number,
+			.stock_time = (double)c->program.next_step,
 			.of.limit = limit->travel,
 		},
-		.block = c->block,
+		.block = c->program.block,
 		.block_time = limit->block_time,
-		.order = 2 * c->number + 1,
+		.order = 2 * c->program.next_step + 1,
 		.rank = -1,
 	};
 
 	if (checker_has_enough(c) || !checker_owns(c))
 		return;
 	block_log_add_finding(&c->log, &finding);
-	c->last = (struct place){limit->file, limit->line};
-	c->limit_found = true;
+	c->program.last = (struct place){limit->file, limit->line};
+	c->end.limit_found = true;
 }
 
 static void on_step(struct checker *c, const struct motion_step *step)
 {
-	if (!c->moved) {
+	if (!c->program.moved) {
 		checker_settle(c);
-		if (c->stopped)
+		if (c->end.stopped)
 			return;
-		c->moved = true;
-		c->position = step->span.q0;
-		c->tool = step->tool;
-		c->time = step->time;
+		c->program.moved = true;
+		c->program.position = step->span.q0;
+		c->program.tool = step->tool;
+		c->program.time = step->time;
 		checker_at_rest(c, false, step->move);
 	}
 	if (c->stock.tool_count && !checker_has_enough(c))
-		stock_check_log(&c->stock, step, c->number);
+		stock_check_log(&c->stock, step, c->program.next_step);
 	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c)) {
-		if (c->skipped) {
+		if (c->program.skipped) {
 			checker_settle(c);
-			if (c->stopped)
+			if (c->end.stopped)
 				return;
 			scheduler_jump(&c->scheduler);
 			stock_check_jump(&c->stock);
 		}
-		c->skipped = false;
-		batch_add(&c->batch, step, c->block, c->number, c->share);
+		c->program.skipped = false;
+		batch_add(&c->batch, step, c->program.block, c->program.next_step, c->program.share);
 	}
 	cutter_approach_step(&c->approach, step);
-	c->last = (struct place){step->file, step->line};
-	c->steps++;
-	c->number++;
+	c->program.last = (struct place){step->file, step->line};
+	c->program.steps++;
+	c->program.next_step++;
 	if (c->options->record)
 		path_record_step(c->options->record, step);
-	c->position = step->span.q1;
-	c->time = step->time + step->seconds;
-	c->block_time = step->block_time + step->seconds;
-	if (c->batch.step_count >= MID_BLOCK || c->broken_off)
+	c->program.position = step->span.q1;
+	c->program.time = step->time + step->seconds;
+	c->program.block_time = step->block_time + step->seconds;
+	if (c->batch.step_count >= MID_BLOCK || c->end.broken_off)
 		checker_process(c, NULL);
 }
 
 static void on_tool(struct checker *c, const struct motion_tool *change)
 {
 	checker_process(c, NULL);
-	if (c->stopped)
+	if (c->end.stopped)
 		return;
 	/*
 	 * Before the first motion the new tool is checked later, with the start pose. The old tool is gone by then, so
 	 * it is checked now.
 	 */
-	if (!c->moved && c->tool != change->tool)
+	if (!c->program.moved && c->program.tool != change->tool)
 		checker_at_rest(c, true, 0);
-	c->tool = change->tool;
-	c->position = change->position;
+	c->program.tool = change->tool;
+	c->program.position = change->position;
 	scheduler_change_tool(&c->scheduler);
 	stock_check_jump(&c->stock);
-	if (c->moved)
+	if (c->program.moved)
 		checker_at_rest(c, true, 0);
-	if (c->broken_off)
+	if (c->end.broken_off)
 		checker_process(c, NULL);
 }
 
 static void on_spindle_stop(struct checker *c, const struct motion_spindle_stop *stop)
 {
 	/* Before the first motion, the check of the start pose covers this. */
-	if (!c->moved)
+	if (!c->program.moved)
 		return;
 	checker_process(c, NULL);
-	if (c->stopped)
+	if (c->end.stopped)
 		return;
-	c->position = stop->position;
-	c->time = stop->time;
+	c->program.position = stop->position;
+	c->program.time = stop->time;
 	checker_spindle_stops(c, stop->move);
-	if (c->broken_off)
+	if (c->end.broken_off)
 		checker_process(c, NULL);
 }
 
 /* Begins the next block. */
 static void start_block(struct checker *c)
 {
-	block_log_begin(&c->log, c->block);
-	c->steps = 0;
-	c->block_time = 0;
-	c->measuring = 0;
+	block_log_begin(&c->log, c->program.block);
+	c->program.steps = 0;
+	c->program.block_time = 0;
+	c->timing.measuring = 0;
 	if (c->options->times) {
-		c->read_check = c->stats->seconds_check;
-		c->read_from = checker_clock();
+		c->timing.check_before = c->stats->seconds_check;
+		c->timing.read_from = checker_clock();
 	}
 }
 
 /* If steps are only counted, the summary at the end of a block shows whether there were any. */
 static void count_steps(struct checker *c, const struct motion_block *block)
 {
-	if (c->number == c->summary.spans)
+	if (c->program.next_step == c->program.summary.spans)
 		return;
-	c->number = c->summary.spans;
-	c->last = (struct place){block->file, block->line};
+	c->program.next_step = c->program.summary.spans;
+	c->program.last = (struct place){block->file, block->line};
 }
 
 /* A block that passes no limit then has nothing to report and is not kept. */
@@ -150,26 +150,26 @@ static void pass_block(struct checker *c, const struct motion_block *block)
 {
 	c->stats->blocks_checked += checker_owns(c);
 	checker_end_block(c, block->seconds);
-	if (c->block % BATCH_STEPS == 0)
+	if (c->program.block % BATCH_STEPS == 0)
 		checker_process(c, NULL);
 	start_block(c);
 }
 
 static void on_block(struct checker *c, const struct motion_block *block)
 {
-	const struct block_record complete = {.block = c->block, .file = block->file, .line = block->line,
+	const struct block_record complete = {.block = c->program.block, .file = block->file, .line = block->line,
 					      .text = block->text, .seconds = block->seconds, .moves = block->moves,
 					      .callers = block->callers, .caller_count = block->caller_count,
-					      .measured = true, .steps = c->steps};
+					      .measured = true, .steps = c->program.steps};
 	struct block_record *record = block_log_complete(&c->log, &complete);
 	const bool ours = checker_owns(c);
 
 	if (c->options->record)
-		path_record_block(c->options->record, block->line, c->tool, &c->position);
+		path_record_block(c->options->record, block->line, c->program.tool, &c->program.position);
 	c->stats->blocks_checked += ours;
-	c->skipped |= !ours;
+	c->program.skipped |= !ours;
 	/* Blocks without steps are collected too. Each step of a batch begins where the one before it ends. */
-	if (checker_has_enough(c) || (c->limit_found && !c->options->all) || c->options->times)
+	if (checker_has_enough(c) || (c->end.limit_found && !c->options->all) || c->options->times)
 		checker_process(c, c->options->times ? record : NULL);
 	else if (c->batch.step_count >= BATCH_STEPS || c->log.open.block_count >= BATCH_STEPS ||
 		 (ours && c->options->shards > 1 && checker_ends_share(c, block->seconds)))
@@ -205,13 +205,13 @@ static bool on_event(void *context, const struct motion_event *event)
 	case MOTION_BLOCK:
 		if (c->counts_steps)
 			count_steps(c, &event->of.block);
-		if (c->counts_steps && !c->limit_found)
+		if (c->counts_steps && !c->end.limit_found)
 			pass_block(c, &event->of.block);
 		else
 			on_block(c, &event->of.block);
 		break;
 	}
-	return !c->stopped;
+	return !c->end.stopped;
 }
 
 static void on_opened(void *context, const char *path)
@@ -219,7 +219,7 @@ static void on_opened(void *context, const char *path)
 	struct checker *c = context;
 
 	/* The check may end with an earlier batch. */
-	if (c->settled < c->begun)
+	if (c->pending.settled < c->pending.begun)
 		file_names_keep(&c->opened, path);
 	else
 		c->options->read.opened->call(c->options->read.opened->context, path);
@@ -239,7 +239,7 @@ static bool stops_waiting(void *context)
 	struct checker *c = context;
 
 	checker_process(c, NULL);
-	return c->stopped || cancel_asked(c->options->read.cancel);
+	return c->end.stopped || cancel_asked(c->options->read.cancel);
 }
 
 /* -------------------------------------------------------------------- run */
@@ -249,7 +249,7 @@ static void say_no_motion(const struct checker *c)
 {
 	const struct srcloc place = {c->file, 0, 0};
 
-	if (!c->summary.blocks)
+	if (!c->program.summary.blocks)
 		diag_error(c->diag, place, INTERP_NO_BLOCK);
 	else
 		diag_warning(c->diag, place, "the program moves no axis%s",
@@ -260,14 +260,17 @@ static void say_no_motion(const struct checker *c)
 static void finish(struct checker *c, bool complete)
 {
 	/* A block with a fault is checked up to the fault, and measured if it moves anything. */
-	const struct block_record rest = {.block = c->block, .file = c->last.file ? c->last.file : c->file,
-					  .line = c->last.line ? c->last.line : 1, .text = "", .moves = 1,
-					  .seconds = c->block_time, .measured = c->steps > 0, .steps = c->steps};
+	const struct program_state *program = &c->program;
+	const struct block_record rest = {.block = program->block,
+					  .file = program->last.file ? program->last.file : c->file,
+					  .line = program->last.line ? program->last.line : 1, .text = "", .moves = 1,
+					  .seconds = program->block_time, .measured = program->steps > 0,
+					  .steps = program->steps};
 	struct block_record *record;
 
-	if (c->stopped)
+	if (c->end.stopped)
 		return;
-	if (!c->summary.spans && complete) {
+	if (!c->program.summary.spans && complete) {
 		say_no_motion(c);
 		checker_at_rest(c, false, 0);
 	}
@@ -283,7 +286,7 @@ static bool read_program(struct checker *c, const struct motion_options *options
 
 	checker_start_threads(c);
 	complete = motion_run(c->scene->machine, c->scene->setup, options, in, c->file, &sink, &c->log.diags.diag,
-			      &c->summary);
+			      &c->program.summary);
 	checker_settle(c);
 	checker_end_threads(c);
 	return complete;
@@ -309,9 +312,9 @@ static bool run_program(struct checker *c, FILE *in)
 	options.read.cancel = &cancel;
 	options.read.waiting = &waiting;
 	complete = read_program(c, &options, in);
-	if (!c->stopped)
-		c->stats->motion = c->summary;
-	return complete || c->stopped;
+	if (!c->end.stopped)
+		c->stats->motion = c->program.summary;
+	return complete || c->end.stopped;
 }
 
 static void release(struct checker *c)
@@ -360,9 +363,9 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	pthread_mutex_init(&c.telling, NULL);
 	c.sweep.cancel = &c.asked;
 	c.asked = (struct cancel){&c, checker_asks};
-	c.position = machine_home(scene->machine);
-	c.tool = scene->setup ? scene->setup->initial_tool : 0;
-	c.last_block = LONG_MAX;
+	c.program.position = machine_home(scene->machine);
+	c.program.tool = scene->setup ? scene->setup->initial_tool : 0;
+	c.end.last_block = LONG_MAX;
 	start_block(&c);
 	cutter_approach_init(&c.approach, options->method == CHECK_NOTHING ? NULL : scene, name);
 	if (options->method != CHECK_NOTHING)
@@ -370,21 +373,21 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	if (options->method == CHECK_NOTHING || stock_check_init(&c.stock, scene, options, &c.asked, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
-		if (complete && !c.stopped && !c.failed && diag->errors == errors)
+		if (complete && !c.end.stopped && !c.end.failed && diag->errors == errors)
 			stats->far_cutters = cutter_approach_result(&c.approach);
 		/* After a first finding, nothing more was logged. */
-		if (options->remainder && complete && !c.stopped && !checker_has_enough(&c))
-			stock_check_remainder(&c.stock, c.number, options->remainder);
+		if (options->remainder && complete && !c.end.stopped && !checker_has_enough(&c))
+			stock_check_remainder(&c.stock, c.program.next_step, options->remainder);
 		if (options->stock_view)
-			stock_check_view(&c.stock, c.number, options->stock_view);
-		scheduler_collect(&c.scheduler, options, c.last_block, stats, proven);
-		stock_check_collect(&c.stock, scene, c.last_block, stats, proven);
+			stock_check_view(&c.stock, c.program.next_step, options->stock_view);
+		scheduler_collect(&c.scheduler, options, c.end.last_block, stats, proven);
+		stock_check_collect(&c.stock, scene, c.end.last_block, stats, proven);
 	}
 	stats->certificates += c.sweep.certificates;
 	stats->bisections += c.sweep.bisections;
 	stats->seconds_interpret = checker_clock() - start - stats->seconds_check;
 	release(&c);
-	if (c.failed || diag->errors > errors || (!complete && !stats->findings))
+	if (c.end.failed || diag->errors > errors || (!complete && !stats->findings))
 		return CHECK_INCOMPLETE;
 	return stats->findings ? CHECK_FOUND : CHECK_CLEAR;
 }

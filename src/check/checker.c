@@ -49,28 +49,28 @@ bool checker_goes_on(struct checker *c)
 
 bool checker_has_enough(const struct checker *c)
 {
-	return c->found && !c->options->all;
+	return c->end.found && !c->options->all;
 }
 
 bool checker_owns(const struct checker *c)
 {
 	const struct check_options *options = c->options;
 
-	return options->shards < 2 || c->share % options->shards == options->shard - 1;
+	return options->shards < 2 || c->program.share % options->shards == options->shard - 1;
 }
 
 bool checker_ends_share(const struct checker *c, double seconds)
 {
-	return c->share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;
+	return c->program.share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;
 }
 
 void checker_end_block(struct checker *c, double seconds)
 {
 	const bool ends = checker_ends_share(c, seconds);
 
-	c->block++;
-	c->share += ends;
-	c->share_blocks = ends ? 0 : c->share_blocks + 1;
+	c->program.block++;
+	c->program.share += ends;
+	c->program.share_blocks = ends ? 0 : c->program.share_blocks + 1;
 }
 
 /* --------------------------------------------------------------- findings */
@@ -115,20 +115,20 @@ void checker_add_finding(struct checker *c, const struct block_finding *at, enum
 	const struct contact contact = measured(c, pair, found, tolerance);
 	struct block_finding finding = *at;
 
-	finding.finding = finding_of_pair(c->scene, pair, kind_of(pair, kind), &contact, c->tool);
+	finding.finding = finding_of_pair(c->scene, pair, kind_of(pair, kind), &contact, c->program.tool);
 	finding.finding.of.pair.step_class = step_class;
 	finding.finding.move = move;
 	finding.finding.time = at->finding.time;
 	finding.finding.stock_time = at->finding.stock_time;
 	finding.finding.of.pair.certain = at->finding.of.pair.certain;
 	block_log_add_finding(&c->log, &finding);
-	c->found = true;
+	c->end.found = true;
 }
 
 static void add_contact(struct checker *c, const struct pair_check_result *result)
 {
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
-	const struct batch_step *step = &c->settling->batch.steps[result->step];
+	const struct batch_step *step = &c->pending.settling->batch.steps[result->step];
 	const struct motion_step *motion = &step->motion;
 	const double since = result->contact.s * motion->seconds;
 	const struct block_finding at = {.finding.time = motion->time + since,
@@ -156,7 +156,7 @@ static void begin_messages(struct checker *c, long block, long order)
 /* The messages that follow come from reading again. */
 static void end_messages(struct checker *c)
 {
-	c->log.diags.mark = c->block;
+	c->log.diags.mark = c->program.block;
 	c->log.diags.order = 0;
 }
 
@@ -191,23 +191,25 @@ static void say_exhausted(struct checker *c, const struct pair_check_result *res
 
 static void report_undecided(struct checker *c, const struct pair_check_result *result)
 {
-	const struct batch_step *step = &c->settling->batch.steps[result->step];
+	const struct batch_step *step = &c->pending.settling->batch.steps[result->step];
 
 	if (result->exhausted)
 		say_exhausted(c, result, step);
 	else
 		checker_say_undecided(c, result->pair, step->block, 2 * step->number + 1);
-	if (!pair_check_result_ends(result, &c->settling->batch, c->options))
+	if (!pair_check_result_ends(result, &c->pending.settling->batch, c->options))
 		return;
-	c->exhausted = true;
-	c->exhausted_step = step->number;
-	c->last_block = step->block;
+	c->end.exhausted = true;
+	c->end.exhausted_step = step->number;
+	c->end.last_block = step->block;
 }
 
 size_t checker_last_step(const struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
 {
+	const struct batch *batch = &c->pending.settling->batch;
+
 	for (size_t i = 0; i < count; i++)
-		if (results[i].step < last && pair_check_result_ends(&results[i], &c->settling->batch, c->options))
+		if (results[i].step < last && pair_check_result_ends(&results[i], batch, c->options))
 			last = results[i].step;
 	return last;
 }
@@ -227,7 +229,7 @@ void checker_take_results(struct checker *c, const struct pair_check_result *res
 /* Do this finding and all later ones come after the step that ended the check? */
 static bool is_too_late(const struct checker *c, const struct block_finding *finding)
 {
-	return c->exhausted && finding->order > 2 * c->exhausted_step + 1;
+	return c->end.exhausted && finding->order > 2 * c->end.exhausted_step + 1;
 }
 
 void checker_hand_on_findings(struct checker *c)
@@ -237,7 +239,7 @@ void checker_hand_on_findings(struct checker *c)
 	struct finding finding;
 
 	block_log_sort(log);
-	while (!c->stopped && done < log->finding_count && !is_too_late(c, &log->findings[done]) &&
+	while (!c->end.stopped && done < log->finding_count && !is_too_late(c, &log->findings[done]) &&
 	       block_log_finding(log, done, &finding)) {
 		const long block = log->findings[done].block;
 
@@ -245,11 +247,12 @@ void checker_hand_on_findings(struct checker *c)
 		c->stats->findings++;
 		done++;
 		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all) {
-			c->stopped = true;
-			c->last_block = block;
+			c->end.stopped = true;
+			c->end.last_block = block;
 		}
 	}
 	block_log_drop_findings(log, done);
-	if (!c->stopped && (!c->found || c->options->all))
-		diag_queue_deliver(&log->diags, c->diag, c->exhausted ? c->last_block : c->settling->block);
+	if (!c->end.stopped && (!c->end.found || c->options->all))
+		diag_queue_deliver(&log->diags, c->diag,
+				   c->end.exhausted ? c->end.last_block : c->pending.settling->block);
 }

@@ -14,36 +14,13 @@
 #include "check/cutter_approach.h"
 #include "check/event_copies.h"
 #include "check/options.h"
+#include "check/pending_batch.h"
 #include "check/scheduler.h"
 #include "check/sink.h"
 #include "check/stats.h"
 #include "check/stock_check.h"
 #include "motion/events.h"
 #include "scene/scene.h"
-
-/* A place in the program. File NULL: none yet. */
-struct place {
-	const char *file;
-	long line;
-};
-
-/* A batch that is being checked, with the state of the reader at its end: the result of the check if it ends there. */
-struct pending_batch {
-	struct batch batch;
-	struct block_page page;	/* the blocks completed in this batch */
-	struct file_names opened;	/* files opened meanwhile, not reported yet */
-	struct event_copies heard;	/* events for options->watch, sent when the earlier batches are settled */
-	long block;	/* the last block of the page, or the block being read */
-	int tool;	/* in the spindle, during the whole batch */
-	struct place last;	/* the last step's block */
-	struct motion_summary summary;	/* of what was read so far */
-	long blocks_checked;
-	bool runs;	/* it has steps to check */
-	bool complete;	/* it was checked to its end; only then the next batch is valid */
-	struct pair_check_result *results;	/* of all pairs, in their order */
-	size_t result_count, result_capacity;
-	double seconds, measuring;	/* duration of the check; the part of it that measured clearances */
-};
 
 /* s */
 #define GRACE_SECONDS 1.0
@@ -54,6 +31,47 @@ struct pending_batch {
  * percent less.
  */
 enum { PENDING = 4 };
+
+/* The state of the program at the end of what was read. */
+struct program_state {
+	long block;	/* number of the block being read */
+	long share, share_blocks;	/* its share of the blocks; number of blocks of that share read so far */
+	long steps;	/* of the block being read */
+	long next_step;	/* number of the next step among all steps of the program */
+	int tool;
+	bool moved;
+	bool skipped;	/* blocks of other shards follow the last step of this shard */
+	axis_values position;
+	double time, block_time;	/* where the last step ended */
+	struct place last;	/* the last step's block */
+	struct motion_summary summary;
+};
+
+/* With options->times: the time that the block being read takes. */
+struct block_timing {
+	double read_from;	/* checker_clock at the start of reading */
+	double check_before;	/* stats->seconds_check then */
+	double measuring;	/* s spent on clearances since then */
+};
+
+/* The batches that are being checked or wait. Batch i is items[i % PENDING]. */
+struct pending_batches {
+	struct pending_batch items[PENDING];
+	size_t begun, settled;	/* numbers of batches; those between belong to the background */
+	struct pending_batch *settling;	/* the batch whose results are being taken */
+};
+
+/* Why and where the check ends. */
+struct check_end {
+	bool failed;	/* something was not checked or not decided, and this was reported */
+	bool found;	/* two bodies came too close; without `all` the check ends here */
+	bool limit_found;	/* without `all` the check ends with this block */
+	bool exhausted;	/* a step needs more than options->effort: reported; the check ends with this step */
+	long exhausted_step;	/* its number among all steps of the program */
+	bool stopped;	/* by us or by the sink */
+	bool broken_off;	/* the batch was not checked to its end */
+	long last_block;	/* the check ends with it */
+};
 
 /*
  * With several threads, a background thread checks the collected batches one by one, while this thread reads on and
@@ -72,28 +90,14 @@ struct checker {
 	bool counts_steps;	/* nothing is checked, recorded or watched: steps are only counted */
 	bool measures;	/* measure the smallest clearance of each pair */
 
-	/* The program as far as it was read. */
-	long block;	/* number of the block being read */
-	long share, share_blocks;	/* its share of the blocks; number of blocks of that share read so far */
-	long steps;	/* of the block being read */
-	long number;	/* of the next step among all steps of the program */
-	int tool;
-	bool moved;
-	bool skipped;	/* blocks of other shards follow the last step of this shard */
-	axis_values position;
-	double time, block_time;	/* where the last step ended */
-	struct place last;	/* the last step's block */
-	struct motion_summary summary;	/* of what was read so far */
-	/* With options->times: start of reading this block; seconds_check then; s spent on clearances since. */
-	double read_from, read_check, measuring;
+	struct program_state program;
+	struct block_timing timing;
 
 	/* The batch that is being collected, and those that are being checked. */
 	struct batch batch;
 	struct file_names opened;	/* while it is collected, if earlier batches are being checked */
 	struct event_copies heard;	/* while it is collected, with a background */
-	struct pending_batch pending[PENDING];	/* batch i is pending[i % PENDING] */
-	size_t begun, settled;	/* numbers of batches; those between belong to the background */
-	struct pending_batch *settling;	/* the batch whose results are being taken */
+	struct pending_batches pending;
 
 	/* The checks, and the threads that run them. */
 	struct scheduler scheduler;	/* belongs to the background while it checks a batch */
@@ -107,20 +111,13 @@ struct checker {
 	pthread_mutex_t telling;	/* for the progress callback and `refused` */
 	double refused;	/* checker_clock when the callback said to give up; 0: it did not */
 
-	/* The results, and why the check ends. */
+	/* The results. */
 	struct file_names names;
 	struct block_log log;
 	struct place checked;	/* the last block that was checked */
 	atomic_long checked_line;	/* the line of `checked`, for all threads */
-	bool failed;	/* something was not checked or not decided, and this was reported */
-	bool found;	/* two bodies came too close; without `all` the check ends here */
 	bool *undecided;	/* pairs for which checker_say_undecided was called; NULL: none */
-	bool limit_found;	/* without `all` the check ends with this block */
-	bool exhausted;	/* a step needs more than options->effort: reported; the check ends with this step */
-	long exhausted_step;	/* its number among all steps of the program */
-	bool stopped;	/* by us or by the sink */
-	bool broken_off;	/* the batch was not checked to its end */
-	long last_block;	/* the check ends with it */
+	struct check_end end;
 };
 
 /* Seconds of a monotonic clock. */
