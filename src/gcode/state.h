@@ -33,6 +33,19 @@ typedef struct slot_values {
 	double v[SLOT_COUNT];
 } slot_values;
 
+/* X, Y and Z. */
+static inline vec3 slot_values_linear(const slot_values *values)
+{
+	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
+}
+
+static inline void slot_values_set_linear(slot_values *values, vec3 point)
+{
+	values->v[SLOT_X] = point.x;
+	values->v[SLOT_Y] = point.y;
+	values->v[SLOT_Z] = point.z;
+}
+
 /* The tool change, as a value of length_doubt. */
 #define DOUBT_M6 (-2)
 

@@ -3,10 +3,19 @@
 #define FIVECHECK_GEOM_VEC3_H
 
 #include <math.h>
+#include <stdbool.h>
+
+#include "base/same_double.h"
 
 typedef struct vec3 {
 	double x, y, z;
 } vec3;
+
+/* See same_double: exactly equal. */
+static inline bool same_vec3(vec3 a, vec3 b)
+{
+	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
+}
 
 static inline vec3 vec3_add(vec3 a, vec3 b)
 {

@@ -5,6 +5,7 @@
 
 #include "base/file_bytes.h"
 #include "base/file_signature.h"
+#include "base/has_ending.h"
 #include "import/mesh_file.h"
 #include "machine/library/library_file.h"
 #include "machine/library/vericut_text.h"
@@ -75,17 +76,10 @@ static bool is_ini(const char *text)
 	return is_section(line);
 }
 
-static bool ends_with(const char *path, const char *end)
-{
-	size_t length = strlen(path);
-
-	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
-}
-
 /* A machine of FreeCAD's CAM workbench: JSON, like tool libraries. */
 static bool is_freecad(const char *path, const char *text)
 {
-	return *skip_space(text) == '{' && (ends_with(path, ".fcm") || strstr(text, "\"freecad_version\"")) &&
+	return *skip_space(text) == '{' && (has_ending(path, ".fcm") || strstr(text, "\"freecad_version\"")) &&
 	       strstr(text, "\"machine\"");
 }
 
@@ -130,14 +124,15 @@ static const char *advice(const char *path, const struct file_bytes *file)
 		return "this file is empty";
 	if (own_advice(text))
 		return own_advice(text);
-	if (ends_with(path, ".stl"))
+	if (has_ending(path, ".stl"))
 		return "an STL file needs no import: name it in a machine file or a setup (mesh=\"\")";
-	if (ends_with(path, ".hsmlib"))
+	if (has_ending(path, ".hsmlib"))
 		return "this is a tool library of HSMWorks: save it as JSON (Fusion 360 exports it), which can be "
 		       "imported";
 	if (strstr(text, "(tool_number)"))
 		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
-	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
+	if (has_ending(path, ".step") || has_ending(path, ".stp") || has_ending(path, ".igs") ||
+	    has_ending(path, ".iges"))
 		return "this is a CAD solid without axes: export each body that moves as STL, with all axes at 0, and "
 		       "name the meshes in a machine file ('fivecheck init' writes one as a start)";
 	if (!strncmp(text, "PK\003\004", 4))

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/has_ending.h"
 #include "geom/stl.h"
 #include "import/mesh_helper.h"
 #include "import/ply_check.h"
@@ -106,13 +107,6 @@ static bool is_vericut(const char *path)
 	return vericut_mesh_is(bytes, read_head(path, bytes, sizeof(bytes)));
 }
 
-static bool ends_with(const char *path, const char *end)
-{
-	size_t length = strlen(path);
-
-	return length > strlen(end) && !strcasecmp(path + length - strlen(end), end);
-}
-
 enum mesh_format mesh_file_format(const char *path)
 {
 	char bytes[5] = "";
@@ -121,12 +115,12 @@ enum mesh_format mesh_file_format(const char *path)
 	if (count == 4 && !memcmp(bytes, "glTF", 4))
 		return MESH_GLTF;
 	if (count == 4 && !memcmp(bytes, "PK\003\004", 4))
-		return ends_with(path, ".3mf") ? MESH_3MF : MESH_OTHER;
+		return has_ending(path, ".3mf") ? MESH_3MF : MESH_OTHER;
 	if (count == 4 && !memcmp(bytes, "ply", 3) && strchr("\r\n", bytes[3]))
 		return MESH_PLY;
-	if (ends_with(path, ".gltf"))
+	if (has_ending(path, ".gltf"))
 		return MESH_GLTF;
-	return ends_with(path, ".obj") ? MESH_OBJ : MESH_OTHER;
+	return has_ending(path, ".obj") ? MESH_OBJ : MESH_OTHER;
 }
 
 /* All parts of the file as one mesh. */

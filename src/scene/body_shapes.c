@@ -69,11 +69,6 @@ const struct corner_runs *body_shapes_corners(struct body_shapes *shapes)
 	return shapes->corners;
 }
 
-static bool same_vec3(vec3 a, vec3 b)
-{
-	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
-}
-
 /* The caller holds the lock. */
 static const struct known_profile *find_profile(const struct body_shapes *shapes, vec3 location, vec3 axis)
 {

@@ -4,10 +4,7 @@
 
 #include <stdbool.h>
 
-/* A point of the plane: along its first and its second axis (G17 X Y, G18 Z X, G19 Y Z), mm. */
-struct plane_point {
-	double a, b;
-};
+#include "gcode/execute/plane_point.h"
 
 enum arc_status {
 	ARC_OK,

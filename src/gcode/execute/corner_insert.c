@@ -23,21 +23,6 @@ static double distance(struct plane_point p, struct plane_point q)
 	return math_hypot(p.a - q.a, p.b - q.b);
 }
 
-static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
-{
-	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
-}
-
-static double cross(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.b - p.b * q.a;
-}
-
-static double dot(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.a + p.b * q.b;
-}
-
 /* The names of the corner's words in messages. */
 static const char *names(const struct interp *interp)
 {
@@ -112,23 +97,23 @@ static struct plane_point direction_at(const struct comp_way *way, struct plane_
 static struct plane_point touch(const struct comp_way *way, struct plane_point at, struct plane_point direction,
 				struct plane_point centre)
 {
-	struct plane_point from_centre = along(centre, -1, way->centre), from_at = along(centre, -1, at);
+	struct plane_point from_centre = plane_along(centre, -1, way->centre), from_at = plane_along(centre, -1, at);
 	double radius = distance(at, way->centre), length = math_hypot(from_centre.a, from_centre.b);
 
 	if (!way->is_arc)
-		return along(at, dot(from_at, direction), direction);
-	return along(way->centre, radius / fmax(length, SAME_POINT), from_centre);
+		return plane_along(at, plane_dot(from_at, direction), direction);
+	return plane_along(way->centre, radius / fmax(length, SAME_POINT), from_centre);
 }
 
 /* Is the point on the path between two of its points? */
 static bool lies_between(const struct comp_way *way, struct plane_point from, struct plane_point to,
 			 struct plane_point point)
 {
-	struct plane_point whole = along(to, -1, from);
+	struct plane_point whole = plane_along(to, -1, from);
 
 	if (!way->is_arc)
-		return dot(along(point, -1, from), whole) >= 0 &&
-		       dot(along(point, -1, from), whole) <= dot(whole, whole);
+		return plane_dot(plane_along(point, -1, from), whole) >= 0 &&
+		       plane_dot(plane_along(point, -1, from), whole) <= plane_dot(whole, whole);
 	return fabs(arc_sweep(from, point, way->centre, way->clockwise, 1, 0)) <=
 	       fabs(arc_sweep(from, to, way->centre, way->clockwise, 1, SAME_POINT));
 }
@@ -152,7 +137,7 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	double angle;
 
 	ahead = before.is_arc ? direction_at(&before, at, at) : direction_at(&before, from, at);
-	angle = math_atan2(cross(ahead, onward), dot(ahead, onward));
+	angle = math_atan2(plane_cross(ahead, onward), plane_dot(ahead, onward));
 	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the path has no corner at the chamfer or rounding (%s) of line %ld", names(interp),
@@ -164,8 +149,8 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	if (corner->letter != 'R') {
 		const double leg = corner->letter == 'L' ? corner->size / (2 * math_cos(angle / 2)) : corner->size;
 
-		insertion->first = along(at, -leg, ahead);
-		insertion->last = along(at, leg, onward);
+		insertion->first = plane_along(at, -leg, ahead);
+		insertion->last = plane_along(at, leg, onward);
 	} else {
 		struct comp_corner_shape shape = {.before = &before,
 						  .after = &after,

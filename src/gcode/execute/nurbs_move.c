@@ -79,11 +79,6 @@ static bool add_knot(struct interp *interp)
 	return true;
 }
 
-static vec3 linear(const slot_values *position)
-{
-	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
-}
-
 /* The manual: the first point is the present position of the tool, and each point names the axes of the curve. */
 static bool add_point(struct interp *interp, vec3 here)
 {
@@ -100,7 +95,7 @@ static bool add_point(struct interp *interp, vec3 here)
 			     SPLINE_POINTS_MAX);
 	if (!endpoint_find(interp, false, &target))
 		return false;
-	point.at = linear(&target);
+	point.at = slot_values_linear(&target);
 	if (memory->count == 0 && vec3_norm(vec3_sub(point.at, here)) > SAME_COORDINATE)
 		return refuse(interp, "the first control point of G6.2 must be the present position");
 	if (axes && memory->axes && axes != memory->axes)
@@ -224,7 +219,7 @@ bool nurbs_move_run(struct interp *interp)
 	if (!add_knot(interp))
 		return false;
 	if (opens || (block->letters & AXIS_BITS))
-		return add_point(interp, linear(&here));
+		return add_point(interp, slot_values_linear(&here));
 	if (block_has(block, 'R'))
 		return fault(&interp->at, block_column(block, 'R'), "a weight (R) without a control point");
 	return memory->knot_count < memory->count + (size_t)memory->order || finish(interp);

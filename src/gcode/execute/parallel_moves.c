@@ -48,11 +48,6 @@ static bool is_plain(const struct interp *interp, const slot_values *target)
 	return same;
 }
 
-static vec3 place(const slot_values *position)
-{
-	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
-}
-
 /* Moves to a point of the controller. */
 static bool go_to(struct moves *moves, vec3 point, const struct canon_move *move)
 {
@@ -84,7 +79,7 @@ bool parallel_moves_go(struct interp *interp, const slot_values *target, const s
 {
 	const slot_values end = rotated_frame_position(&interp->state, target);
 	struct moves moves = {.interp = interp, .at = *target, .narrow = *move, .counts = true};
-	struct box_way way = {.start = place(&interp->state.position),
+	struct box_way way = {.start = slot_values_linear(&interp->state.position),
 			      .half = {box->half[0], box->half[1], box->half[2]}};
 	struct canon_move whole = *move;
 	const double size = vec3_norm((vec3){vec3_norm(way.half[0]), vec3_norm(way.half[1]), vec3_norm(way.half[2])});
@@ -93,7 +88,7 @@ bool parallel_moves_go(struct interp *interp, const slot_values *target, const s
 		add_spread(&whole, box->half);
 		return motion_commands_go(interp, target, &whole);
 	}
-	way.way = vec3_sub(place(&end), way.start);
+	way.way = vec3_sub(slot_values_linear(&end), way.start);
 	box_cover(&way, BESIDE, go_along, &moves);
 	/* All moves together take about the time of the one move: the control's true time is not known. */
 	moves.narrow.feed.linear *= (double)moves.count;

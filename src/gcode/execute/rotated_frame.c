@@ -4,18 +4,6 @@
 
 #include "geom/tolerance.h"
 
-static vec3 linear(const slot_values *values)
-{
-	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
-}
-
-static void set_linear(slot_values *values, vec3 point)
-{
-	values->v[SLOT_X] = point.x;
-	values->v[SLOT_Y] = point.y;
-	values->v[SLOT_Z] = point.z;
-}
-
 /* The offsets contain the length along Z; this is the correction if the length acts along the turned Z. */
 static vec3 turned_length(const struct state *state)
 {
@@ -34,7 +22,7 @@ static vec3 frame_origin(const struct state *state)
 
 vec3 rotated_frame_point(const struct state *state, vec3 straight)
 {
-	vec3 offset = linear(&state->offset);
+	vec3 offset = slot_values_linear(&state->offset);
 
 	if (!state->frame.on)
 		return straight;
@@ -64,7 +52,7 @@ static vec3 turn_back(const struct rotated_frame *frame, vec3 from_origin)
 
 vec3 rotated_frame_straight_point(const struct state *state, vec3 position)
 {
-	const vec3 offset = linear(&state->offset);
+	const vec3 offset = slot_values_linear(&state->offset);
 
 	if (!state->frame.on)
 		return position;
@@ -81,7 +69,8 @@ slot_values rotated_frame_straight(const struct state *state)
 	slot_values straight = state->position;
 
 	if (state->frame.on)
-		set_linear(&straight, rotated_frame_straight_point(state, linear(&state->position)));
+		slot_values_set_linear(&straight,
+				       rotated_frame_straight_point(state, slot_values_linear(&state->position)));
 	return straight;
 }
 
@@ -90,7 +79,7 @@ slot_values rotated_frame_position(const struct state *state, const slot_values 
 	slot_values position = *straight;
 
 	if (state->frame.on)
-		set_linear(&position, rotated_frame_point(state, linear(straight)));
+		slot_values_set_linear(&position, rotated_frame_point(state, slot_values_linear(straight)));
 	return position;
 }
 

@@ -3,6 +3,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/has_ending.h"
+
 /* The first lines of a file give its version. */
 #define HEAD_MAX 4096
 
@@ -12,13 +14,6 @@ static const struct {
 	{".mch", "a machine"}, {".vcproject", "a project"}, {".usr", "a job (user file)"},
 	{".tls", "a tool library"}, {".ctl", "a control"},
 };
-
-static bool ends_with(const char *path, const char *end)
-{
-	size_t length = strlen(path);
-
-	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
-}
 
 /*
  * XML and JSON begin differently, and files of other programs have some of these names. Text has no control characters.
@@ -62,7 +57,7 @@ bool vericut_text_refuse(const char *path, const char *text, struct diag *diag)
 	if (!is_plain_text(text))
 		return false;
 	for (size_t i = 0; i < sizeof(kinds) / sizeof(*kinds); i++) {
-		if (!ends_with(path, kinds[i].end))
+		if (!has_ending(path, kinds[i].end))
 			continue;
 		version = version_of(text, &length);
 		diag_error(diag, (struct srcloc){.file = path},

@@ -36,11 +36,6 @@ static const struct circle_plane *plane_of(int code)
 	return &planes[code == G17 ? 0 : code == G18 ? 1 : 2];
 }
 
-static vec3 linear(const slot_values *values)
-{
-	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
-}
-
 static const struct arc_tolerance *tolerance_of(const struct interp *interp)
 {
 	return interp->state.scale > 1 ? &arc_tolerance_inch : &arc_tolerance_mm;
@@ -60,7 +55,7 @@ static bool place_arc(struct interp *interp, const struct sinumerik_block *block
 		      vec3 centre, vec3 normal, double sweep, struct canon_arc *arc)
 {
 	const struct state *state = &interp->state;
-	const vec3 offset = linear(&state->offset);
+	const vec3 offset = slot_values_linear(&state->offset);
 	const mat3 *turn = &state->frame.turn;
 	double scale;
 	bool mirrored;
@@ -86,7 +81,7 @@ static bool through_point(struct interp *interp, const struct sinumerik_block *b
 			  const slot_values *end, struct canon_arc *arc)
 {
 	static const enum sinumerik_address addresses[3] = {SINUMERIK_I1, SINUMERIK_J1, SINUMERIK_K1};
-	const vec3 from = linear(start);
+	const vec3 from = slot_values_linear(start);
 	double at[3] = {from.x, from.y, from.z}, sweep;
 	vec3 u, v, normal, middle, centre;
 
@@ -98,7 +93,7 @@ static bool through_point(struct interp *interp, const struct sinumerik_block *b
 	}
 	middle = (vec3){at[0], at[1], at[2]};
 	u = vec3_sub(middle, from);
-	v = vec3_sub(linear(end), from);
+	v = vec3_sub(slot_values_linear(end), from);
 	normal = vec3_cross(u, v);
 	if (!(vec3_norm(normal) > LEAST_BEND * vec3_norm(u) * vec3_norm(v)))
 		return fault(&interp->at, circle_column(block),
@@ -268,7 +263,7 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 	const bool polar = block->addresses & SINUMERIK_POLAR_BITS;
 	const bool tangent = interp->state.motion == SINUMERIK_CT;
 	const bool centred = polar || block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
-	vec3 centre = linear(start);
+	vec3 centre = slot_values_linear(start);
 	double at[3] = {centre.x, centre.y, centre.z}, sweep;
 
 	c.start = (struct plane_point){start->v[plane->a], start->v[plane->b]};

@@ -14,18 +14,6 @@
 /* Degrees */
 #define RIGHT_ANGLE 90
 
-static vec3 linear(const slot_values *values)
-{
-	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
-}
-
-static void set_linear(slot_values *values, vec3 point)
-{
-	values->v[SLOT_X] = point.x;
-	values->v[SLOT_Y] = point.y;
-	values->v[SLOT_Z] = point.z;
-}
-
 static vec3 apply_inverse(const mat3 *m, vec3 p)
 {
 	const vec3 yz = vec3_cross(m->y, m->z);
@@ -64,8 +52,9 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 		total.shift.v[slot] = outer->shift.v[slot] + inner->shift.v[slot];
 		total.fine.v[slot] = outer->fine.v[slot] + inner->fine.v[slot];
 	}
-	set_linear(&total.shift,
-		   vec3_add(linear(&outer->shift), mat3_apply(&outer->matrix, linear(&inner->shift))));
+	slot_values_set_linear(&total.shift,
+			       vec3_add(slot_values_linear(&outer->shift),
+					mat3_apply(&outer->matrix, slot_values_linear(&inner->shift))));
 	return total;
 }
 
@@ -125,9 +114,10 @@ const slot_values *sinumerik_frame_place(struct interp *interp)
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		sinumerik->place.program.v[slot] = state->position.v[slot] - state->offset.v[slot];
 	if (state->frame.on)
-		set_linear(&sinumerik->place.program,
-			   apply_inverse(&state->frame.turn,
-					 vec3_sub(linear(&sinumerik->place.program), state->frame.origin)));
+		slot_values_set_linear(&sinumerik->place.program,
+				       apply_inverse(&state->frame.turn,
+						     vec3_sub(slot_values_linear(&sinumerik->place.program),
+							      state->frame.origin)));
 	sinumerik->place.known = true;
 	return &sinumerik->place.program;
 }
@@ -166,8 +156,8 @@ bool sinumerik_frame_changed(struct interp *interp, int column)
 	state->frame = (struct rotated_frame){.on = !is_identity(&total.matrix)};
 	if (state->frame.on) {
 		describe_frame(&state->frame, &total.matrix);
-		state->frame.origin = linear(&total.shift);
-		set_linear(&state->shift, (vec3){0, 0, 0});
+		state->frame.origin = slot_values_linear(&total.shift);
+		slot_values_set_linear(&state->shift, (vec3){0, 0, 0});
 	}
 	sinumerik->tangent.known = false;
 	sinumerik->frames.even = sinumerik_frame_scale(&total.matrix, &factor);

@@ -242,11 +242,6 @@ static bool retract(const struct sinumerik_swivel *s, long way)
 	return go_rapid(interp, &target);
 }
 
-static bool same_vec3(vec3 a, vec3 b)
-{
-	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
-}
-
 static bool is_none(const struct sinumerik_frame *frame)
 {
 	const struct sinumerik_frame none = sinumerik_frame_none();

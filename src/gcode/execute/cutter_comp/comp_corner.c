@@ -4,29 +4,14 @@
 
 #include <math.h>
 
-static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
-{
-	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
-}
-
-static double dot(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.a + p.b * q.b;
-}
-
-static double cross(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.b - p.b * q.a;
-}
-
 static bool two_lines(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
 {
-	struct plane_point between = along(after->point, -1, before->point);
-	double sine = cross(before->direction, after->direction);
+	struct plane_point between = plane_along(after->point, -1, before->point);
+	double sine = plane_cross(before->direction, after->direction);
 
 	if (!(fabs(sine) > 0))
 		return false;
-	*corner = along(before->point, cross(between, after->direction) / sine, before->direction);
+	*corner = plane_along(before->point, plane_cross(between, after->direction) / sine, before->direction);
 	return isfinite(corner->a) && isfinite(corner->b);
 }
 
@@ -34,19 +19,19 @@ static bool two_lines(const struct comp_way *before, const struct comp_way *afte
 static bool line_and_arc(const struct comp_way *line, const struct comp_way *arc, bool farther,
 			 struct plane_point *corner)
 {
-	struct plane_point to_centre = along(arc->centre, -1, line->point);
-	double foot = dot(to_centre, line->direction), height = cross(line->direction, to_centre);
+	struct plane_point to_centre = plane_along(arc->centre, -1, line->point);
+	double foot = plane_dot(to_centre, line->direction), height = plane_cross(line->direction, to_centre);
 	double half = arc->radius * arc->radius - height * height;
 
 	if (half < 0)
 		return false;
-	*corner = along(line->point, foot + (farther ? 1 : -1) * sqrt(half), line->direction);
+	*corner = plane_along(line->point, foot + (farther ? 1 : -1) * sqrt(half), line->direction);
 	return true;
 }
 
 static bool two_arcs(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
 {
-	struct plane_point between = along(after->centre, -1, before->centre);
+	struct plane_point between = plane_along(after->centre, -1, before->centre);
 	double distance = math_hypot(between.a, between.b), cosine, side, angle;
 
 	if (!(distance > 0) || !(before->radius > 0))
@@ -57,7 +42,7 @@ static bool two_arcs(const struct comp_way *before, const struct comp_way *after
 		return false;
 	side = before->inside == after->clockwise ? -1 : 1;
 	angle = math_atan2(between.b, between.a) + side * math_acos(cosine);
-	*corner = along(before->centre, before->radius, (struct plane_point){math_cos(angle), math_sin(angle)});
+	*corner = plane_along(before->centre, before->radius, (struct plane_point){math_cos(angle), math_sin(angle)});
 	return true;
 }
 

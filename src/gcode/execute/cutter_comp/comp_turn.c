@@ -22,21 +22,6 @@
 /* mm: a flatter outside corner needs no extra moves. */
 #define FLAT 1e-3
 
-static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
-{
-	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
-}
-
-static double dot(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.a + p.b * q.b;
-}
-
-static double cross(struct plane_point p, struct plane_point q)
-{
-	return p.a * q.b - p.b * q.a;
-}
-
 static double distance(struct plane_point p, struct plane_point q)
 {
 	return math_hypot(p.a - q.a, p.b - q.b);
@@ -44,7 +29,7 @@ static double distance(struct plane_point p, struct plane_point q)
 
 static struct plane_point foot_of(const struct comp_corner_shape *c, struct plane_point direction)
 {
-	return along(c->at, c->radius * c->side, (struct plane_point){-direction.b, direction.a});
+	return plane_along(c->at, c->radius * c->side, (struct plane_point){-direction.b, direction.a});
 }
 
 static void add(struct comp_turn *turn, struct plane_point point)
@@ -57,7 +42,7 @@ static struct plane_point line_crossing(const struct comp_corner_shape *c)
 {
 	struct plane_point sum = {c->foot.a + c->next_foot.a - 2 * c->at.a, c->foot.b + c->next_foot.b - 2 * c->at.b};
 
-	return along(c->at, 1 / (1 + dot(c->ahead, c->onward)), sum);
+	return plane_along(c->at, 1 / (1 + plane_dot(c->ahead, c->onward)), sum);
 }
 
 /* Adds the points of extended lines around an outside corner: one, or two if the corner is acute. */
@@ -67,8 +52,8 @@ static void add_drawn(struct comp_turn *turn, const struct comp_corner_shape *c)
 		add(turn, line_crossing(c));
 		return;
 	}
-	add(turn, along(c->foot, c->radius, c->ahead));
-	add(turn, along(c->next_foot, -c->radius, c->onward));
+	add(turn, plane_along(c->foot, c->radius, c->ahead));
+	add(turn, plane_along(c->next_foot, -c->radius, c->onward));
 }
 
 /* ------------------------------------------------------- inside corners */
@@ -95,20 +80,21 @@ static double tool_radius(const struct comp_corner_shape *c, const struct comp_w
 static bool cross_line(const struct comp_corner_shape *c, struct plane_point foot, struct plane_point direction,
 		       const struct comp_way *arc, struct plane_point *found)
 {
-	struct plane_point to_centre = along(arc->centre, -1, foot);
-	double height = cross(direction, to_centre), radius = tool_radius(c, arc), half, nearest = INFINITY;
+	struct plane_point to_centre = plane_along(arc->centre, -1, foot);
+	double height = plane_cross(direction, to_centre), radius = tool_radius(c, arc), half, nearest = INFINITY;
 
 	half = radius * radius - height * height;
 	if (half < 0)
 		return false;
 	for (int sign = -1; sign <= 1; sign += 2)
-		consider(c, along(foot, dot(to_centre, direction) + sign * sqrt(half), direction), &nearest, found);
+		consider(c, plane_along(foot, plane_dot(to_centre, direction) + sign * sqrt(half), direction), &nearest,
+			 found);
 	return true;
 }
 
 static bool cross_arcs(const struct comp_corner_shape *c, struct plane_point *found)
 {
-	struct plane_point between = along(c->after->centre, -1, c->before->centre);
+	struct plane_point between = plane_along(c->after->centre, -1, c->before->centre);
 	double apart = math_hypot(between.a, between.b), r0 = tool_radius(c, c->before), r1 = tool_radius(c, c->after);
 	double foot, half, nearest = INFINITY;
 
@@ -119,9 +105,10 @@ static bool cross_arcs(const struct comp_corner_shape *c, struct plane_point *fo
 	if (half < 0)
 		return false;
 	for (int sign = -1; sign <= 1; sign += 2) {
-		struct plane_point on_line = along(c->before->centre, foot / apart, between);
+		struct plane_point on_line = plane_along(c->before->centre, foot / apart, between);
 
-		consider(c, along(on_line, sign * sqrt(half) / apart, (struct plane_point){-between.b, between.a}),
+		consider(c,
+			 plane_along(on_line, sign * sqrt(half) / apart, (struct plane_point){-between.b, between.a}),
 			 &nearest, found);
 	}
 	return true;
@@ -301,7 +288,7 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 
 	c.foot = foot_of(&c, c.ahead);
 	c.next_foot = foot_of(&c, c.onward);
-	c.angle = c.side * math_atan2(cross(c.onward, c.ahead), dot(c.onward, c.ahead));
+	c.angle = c.side * math_atan2(plane_cross(c.onward, c.ahead), plane_dot(c.onward, c.ahead));
 	*turn = (struct comp_turn){.corner = c.at};
 	if (fabs(c.angle) > PI - REVERSAL)
 		return fault(
