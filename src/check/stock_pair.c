@@ -115,11 +115,6 @@ void stock_pair_leave_block(struct stock_pair *check, long block)
 	check->clear_at_end = false;
 }
 
-static enum query_answer answer_of(enum sweep_answer answer)
-{
-	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
-}
-
 enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep *sweep, const struct motion_step *step,
 				   long number, struct contact *contact)
 {
@@ -134,7 +129,7 @@ enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep 
 			low.v[i] -= step->tolerance.v[i];
 			high.v[i] += step->tolerance.v[i];
 		}
-		return answer_of(stock_sweep_box(sweep, &low, &high, (double)number, contact));
+		return query_answer_of(stock_sweep_box(sweep, &low, &high, (double)number, contact));
 	}
 	if (step_may_leave_path(check->bodies.chain, step))
 		chord.tolerance = &step->tolerance;
@@ -142,7 +137,7 @@ enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep 
 		chord.curve = span->path;
 		chord.halve = clearance_query_halve;
 	}
-	return answer_of(stock_sweep_chord(sweep, &chord, (double)number, contact));
+	return query_answer_of(stock_sweep_chord(sweep, &chord, (double)number, contact));
 }
 
 /* The part of a motion that a budget has to cover: from `low` to `high`. */
@@ -345,5 +340,5 @@ enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *
 
 	check->asked = true;
 	check->sweep.exhausted = false;
-	return answer_of(stock_sweep_chord(&check->sweep, &still, (double)number, contact));
+	return query_answer_of(stock_sweep_chord(&check->sweep, &still, (double)number, contact));
 }

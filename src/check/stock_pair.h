@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "check/batch.h"
+#include "check/certified/clearance_query.h"
 #include "check/certified/motion_budget.h"
 #include "check/pair_check.h"
 #include "stock/stock_sweep.h"

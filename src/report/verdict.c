@@ -5,15 +5,7 @@
 #include "control/dialects.h"
 #include "report/doubt_text.h"
 #include "report/format/format_units.h"
-
-size_t verdict_pairs(const struct scene *scene, enum pair_status status)
-{
-	size_t count = 0;
-
-	for (size_t i = 0; i < scene->pair_count; i++)
-		count += scene->pairs[i].status == status;
-	return count;
-}
+#include "scene/scene.h"
 
 static long accepted(const struct verdict *v)
 {
@@ -168,7 +160,7 @@ static bool caution_excused(struct strbuf *out, const struct verdict *v)
 
 static bool caution_waived(struct strbuf *out, const struct verdict *v)
 {
-	size_t waived = verdict_pairs(v->scene, PAIR_WAIVED);
+	size_t waived = scene_count_pairs(v->scene, PAIR_WAIVED);
 
 	if (!waived)
 		return false;

@@ -69,7 +69,4 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int 
  */
 bool verdict_caution_is_doubt(int i);
 
-/* The number of pairs of the scene with this status. */
-size_t verdict_pairs(const struct scene *scene, enum pair_status status);
-
 #endif

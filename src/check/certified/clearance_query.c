@@ -4,11 +4,6 @@
 #include "motion/path.h"
 #include "motion/span.h"
 
-static enum query_answer answer_of(enum sweep_answer answer)
-{
-	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
-}
-
 void clearance_query_halve(const struct chord *whole, struct chord *first, struct chord *second)
 {
 	const struct span span = {whole->q0, whole->q1, whole->chord_error, whole->curve, whole->u0, whole->u1};
@@ -24,7 +19,7 @@ void clearance_query_halve(const struct chord *whole, struct chord *first, struc
 enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
 					struct contact *contact)
 {
-	return answer_of((query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord,
+	return query_answer_of((query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord,
 								      query->clearance, query->tolerance, contact));
 }
 
@@ -45,7 +40,8 @@ static enum query_answer sweep_positions(const struct clearance_query *query, co
 		low.v[i] -= step->tolerance.v[i];
 		high.v[i] += step->tolerance.v[i];
 	}
-	return answer_of(sweep_box(query->sweep, query->bodies, &box, query->clearance, query->tolerance, contact));
+	return query_answer_of(
+	    sweep_box(query->sweep, query->bodies, &box, query->clearance, query->tolerance, contact));
 }
 
 enum query_answer clearance_query_step(const struct clearance_query *query, const struct motion_step *step,

@@ -26,6 +26,11 @@ enum query_answer {
 	QUERY_UNDECIDED
 };
 
+static inline enum query_answer query_answer_of(enum sweep_answer answer)
+{
+	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
+}
+
 /* The chord.halve of a piece of a path (chord.curve). */
 void clearance_query_halve(const struct chord *whole, struct chord *first, struct chord *second);
 

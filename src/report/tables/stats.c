@@ -2,6 +2,7 @@
 
 #include "report/format/format_units.h"
 #include "report/verdict.h"
+#include "scene/scene.h"
 
 void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result,
 	       bool accepted)
@@ -51,15 +52,15 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 
 static void add_pairs(struct strbuf *out, struct scene *scene)
 {
-	size_t required = verdict_pairs(scene, PAIR_CHECKED), excused = verdict_pairs(scene, PAIR_ADJACENT);
+	size_t required = scene_count_pairs(scene, PAIR_CHECKED), excused = scene_count_pairs(scene, PAIR_ADJACENT);
 	size_t read, built;
 
 	scene_count_meshes(scene, &read, &built);
 	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", required, excused,
 		    scene->pair_count - required - excused);
 	strbuf_addf(out, " (%zu rigid, %zu out of reach, %zu waived, %zu cutting)\n",
-		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH),
-		    verdict_pairs(scene, PAIR_WAIVED), verdict_pairs(scene, PAIR_CUTTING));
+		    scene_count_pairs(scene, PAIR_RIGID), scene_count_pairs(scene, PAIR_OUT_OF_REACH),
+		    scene_count_pairs(scene, PAIR_WAIVED), scene_count_pairs(scene, PAIR_CUTTING));
 	strbuf_addf(out, "  meshes        %zu read, %zu trees built, %zu not needed\n", read,
 		    built, scene->body_count - built);
 }
