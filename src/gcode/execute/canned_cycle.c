@@ -1,12 +1,9 @@
 #include "gcode/execute/canned_cycle.h"
 
-#include <limits.h>
-#include <math.h>
-
-#include "base/math/math_functions.h"
-#include "base/same_double.h"
+#include "gcode/execute/cycle_heights.h"
 #include "gcode/execute/cycle_hole.h"
 #include "gcode/execute/cycle_pecks.h"
+#include "gcode/execute/cycle_shift.h"
 #include "gcode/execute/cycle_words.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -14,7 +11,6 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
-#include "geom/tolerance.h"
 
 /* ------------------------------------------------------------------ words */
 
@@ -45,146 +41,6 @@ static bool find_axes(struct canned_cycle *cycle)
 		     cycle->code / 10, AXIS_LETTERS[cycle->depth], plane / 10);
 }
 
-/* The drilling axis' word is kept under the letter Z in every plane. */
-static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
-{
-	struct interp *interp = cycle->interp;
-	struct cycle_memory *memory = &interp->state.cycle;
-	char letter = AXIS_LETTERS[cycle->depth];
-
-	if (block_has(&interp->block, letter)) {
-		memory->word['Z' - 'A'] = block_value(&interp->block, letter);
-		memory->known |= letter_bit('Z');
-	} else if (!kept || !(memory->known & letter_bit('Z'))) {
-		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c (depth)",
-			     cycle->code / 10, letter);
-	}
-	*value = memory->word['Z' - 'A'];
-	return true;
-}
-
-/*
- * The height to which the tool retracts. LinuxCNC's interpreter starts with G99, unless the machine's
- * RS274NGC_STARTUP_CODE changes this.
- */
-static double find_clear(struct canned_cycle *cycle, double level)
-{
-	struct interp *interp = cycle->interp;
-	int retract = interp->state.retract;
-	bool starts_at_r = cycle->traits->starts_at_r == ANSWER_YES;
-
-	if (starts_at_r && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
-		caution(&interp->at, block_motion_column(&interp->block),
-			"a cycle before any G98 or G99: it is assumed that the tool retracts to R (G99), which "
-			"RS274NGC_STARTUP_CODE of the machine can change");
-		interp->cautioned_retract = true;
-	}
-	if (retract == G99 || (starts_at_r && retract == CODE_NONE))
-		return cycle->r;
-	return cycle->traits->never_below_r == ANSWER_YES ? fmax(level, cycle->r) : level;
-}
-
-/* If it is not known whether the initial level is a coordinate or a position, both must give the same height. */
-static bool check_level(const struct canned_cycle *cycle, double level)
-{
-	struct interp *interp = cycle->interp;
-	const struct state *state = &interp->state;
-	const struct cycle_memory *memory = &state->cycle;
-	bool used = state->retract != G99 || state->incremental;
-	bool moved = used && fabs(level - memory->height) > SAME_COORDINATE;
-	bool rescaled = !same_double(memory->scale, state->scale);
-
-	if (cycle->traits->level_is_coordinate == ANSWER_YES || !(moved || rescaled || memory->turned))
-		return true;
-	return fault(&interp->at, block_motion_column(&interp->block),
-		     "the coordinates have changed since the first cycle, and the control decides whether the initial "
-		     "level and the words change with them; write G80 first");
-}
-
-/*
- * R and Z in the wrong order. No manual forbids this: the control moves to R and then to Z, or stops with an alarm
- * before. A first peck may still move down from R.
- */
-static bool cross_over(struct canned_cycle *cycle, double offset)
-{
-	struct interp *interp = cycle->interp;
-	int column = block_motion_column(&interp->block), code = cycle->code / 10;
-	double r = cycle->r - offset, z = cycle->bottom - offset;
-	bool back = cycle_hole_bores_back(cycle);
-	bool by_ij = cycle->code == G87 && cycle->traits->g87 == G87_BACK_BY_IJK;
-
-	if (cycle->traits->any_order == ANSWER_YES && !by_ij) {
-		if (!interp->cautioned_order)
-			caution(&interp->at, column,
-				"R of G%d, %.6g mm, is %s Z, %.6g mm: the control moves to R and then to Z, or stops "
-				"with an alarm; both cases are checked, here and further on",
-				code, r, back ? "above" : "below", z);
-		interp->cautioned_order = true;
-		return true;
-	}
-	if (back)
-		return fault(&interp->at, column,
-			     "R of G%d, %.6g mm, is above Z, %.6g mm: a back boring cycle moves down to R and bores "
-			     "upwards to Z",
-			     code, r, z);
-	return fault(&interp->at, column, "R of G%d, %.6g mm, is below the depth, %.6g mm", code, r, z);
-}
-
-/*
- * Is R, or the depth (letter Z), an increment? On controls that keep the position of words this depends on the mode in
- * which the word was given. Manuals do not say what an increment means after G90.
- */
-static bool find_mode(struct canned_cycle *cycle, char letter, bool given, bool *incremental)
-{
-	struct interp *interp = cycle->interp;
-	struct state *state = &interp->state;
-	uint32_t bit = letter_bit(letter);
-
-	if (given)
-		state->cycle.increments = (state->cycle.increments & ~bit) | (state->incremental ? bit : 0);
-	*incremental = state->incremental;
-	if (given || cycle->traits->words_keep_place == ANSWER_NO)
-		return true;
-	*incremental = state->cycle.increments & bit;
-	if (!*incremental || state->incremental)
-		return true;
-	return fault(&interp->at, block_motion_column(&interp->block),
-		     "%s of G%d was given as an increment (G91); controls differ in what it means in G90; write it "
-		     "again",
-		     letter == 'R' ? "R" : "the depth", cycle->code / 10);
-}
-
-/* Finds the heights of R, of the bottom and of the retract, from the initial level. */
-static bool find_heights(struct canned_cycle *cycle, bool kept)
-{
-	struct interp *interp = cycle->interp;
-	struct state *state = &interp->state;
-	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
-	bool back = cycle_hole_bores_back(cycle), r_counts = false, bottom_counts = false;
-
-	if (!cycle_words_take(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom) ||
-	    !find_mode(cycle, 'R', block_has(&interp->block, 'R'), &r_counts) ||
-	    !find_mode(cycle, 'Z', block_has(&interp->block, AXIS_LETTERS[cycle->depth]), &bottom_counts))
-		return false;
-	if (!state->cycle.has_level) {
-		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
-		state->cycle.has_level = true;
-		state->cycle.height = cycle->at.v[cycle->depth];
-		state->cycle.scale = scale;
-		state->cycle.turned = false;
-	}
-	level = state->cycle.level * scale + offset;
-	if (!check_level(cycle, level))
-		return false;
-	cycle->r = r * scale + (r_counts ? level : offset);
-	cycle->bottom = bottom * scale + (bottom_counts ? cycle->r : offset);
-	cycle->crosses = back ? cycle->r > cycle->bottom : cycle->r < cycle->bottom;
-	if (cycle->crosses && !cross_over(cycle, offset))
-		return false;
-	cycle->clear = back ? level : find_clear(cycle, level);
-	return true;
-}
-
 static bool find_dwell(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
@@ -207,85 +63,6 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	if (given && !motion_commands_seconds(interp, 'P', &interp->block.value['P' - 'A']))
 		return false;
 	return cycle_words_take(cycle, 'P', kept, &cycle->dwell);
-}
-
-static bool find_back_bore(struct canned_cycle *cycle, bool kept)
-{
-	const struct state *state = &cycle->interp->state;
-	double a = 0, b = 0, top = 0;
-
-	if (cycle->code != G87 || cycle->traits->g87 != G87_BACK_BY_IJK)
-		return true;
-	/* I, J and K belong to X, Y and Z. */
-	if (!cycle_words_take(cycle, "IJK"[cycle->a], kept, &a) ||
-	    !cycle_words_take(cycle, "IJK"[cycle->b], kept, &b) ||
-	    !cycle_words_take(cycle, "IJK"[cycle->depth], kept, &top))
-		return false;
-	cycle->shift_a = a * state->scale;
-	cycle->shift_b = b * state->scale;
-	cycle->top = top * state->scale + (state->incremental ? cycle->bottom : state->offset.v[cycle->depth]);
-	return true;
-}
-
-/* Do I and J give the shift with its direction? A Q of the block, or else of an earlier block, has priority. */
-static bool is_shift_by_ij(const struct canned_cycle *cycle, bool kept)
-{
-	const struct block *block = &cycle->interp->block;
-	uint32_t ij = letter_bit('I') | letter_bit('J'), known = kept ? cycle->interp->state.cycle.known : 0;
-
-	if (cycle->traits->shift_by_ij != ANSWER_YES || block_has(block, 'Q'))
-		return false;
-	return (block->letters & ij) || (!(known & letter_bit('Q')) && (known & ij));
-}
-
-/*
- * Finds the distance by which a bore shifts the tool away from the wall. A parameter of the control gives the direction
- * of Q (Fanuc B-64484EN, "Fine Boring Cycle (G76)", parameter 5148; Haas, setting 27): therefore the whole disc around
- * the axis is proved.
- */
-static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
-{
-	struct interp *interp = cycle->interp;
-	const struct state *state = &interp->state;
-	bool back = cycle_hole_bores_back(cycle);
-	int column = block_motion_column(&interp->block), code = cycle->code / 10;
-	double q = 0;
-
-	if (cycle->code != G76 && !back)
-		return true;
-	if (is_shift_by_ij(cycle, kept)) {
-		if (state->plane != G17)
-			return fault(&interp->at, column,
-				     "G%d with I and J is supported only in the plane of G17; give Q",
-				     code);
-		cycle->shift_a = cycle_words_or_zero(cycle, 'I', kept) * state->scale;
-		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
-		/* Manuals do not say exactly where a back boring cycle shifts: the disc covers it. */
-		cycle->spread = back ? math_hypot(cycle->shift_a, cycle->shift_b) : 0;
-	} else if ((!back || cycle->traits->any_order == ANSWER_YES) && !cycle_words_know(cycle, 'Q', kept)) {
-		/* The tool enters and leaves on the axis of the hole. */
-		if (!interp->cautioned_no_shift)
-			caution(&interp->at, column,
-				"G%d without Q: it is assumed that the tool %s without a shift, here and further on",
-				code,
-				back ? "enters and leaves the bore" : "leaves the bore");
-		interp->cautioned_no_shift = true;
-		return true;
-	} else if (!cycle_words_take(cycle, 'Q', kept, &q)) {
-		return false;
-	} else {
-		cycle->spread = fabs(q) * state->scale;
-	}
-	if (!(cycle->spread > 0))
-		return true;
-	if (state->tcp != TCP_OFF)
-		return fault(&interp->at, column,
-			     "G%d with a shift is not supported under tool centre point control",
-			     code);
-	/* The disc is proved along the path up; without such a path there is no proof. */
-	if (!cycle->crosses && !(cycle->clear > (back ? cycle->r : cycle->bottom)))
-		return fault(&interp->at, column, "the retract of G%d does not rise from the bottom", code);
-	return true;
 }
 
 /* L or K: the number of holes, one step of G91 apart. */
@@ -479,9 +256,8 @@ bool canned_cycle_run(struct interp *interp)
 	if (!find_axes(&cycle))
 		return false;
 	kept = keeps_words(&cycle);
-	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
-	    !find_dwell(&cycle, kept) || !cycle_pecks_find(&cycle, kept) || !find_back_bore(&cycle, kept) ||
-	    !find_bore_shift(&cycle, kept) ||
+	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !cycle_heights_find(&cycle, kept) ||
+	    !find_dwell(&cycle, kept) || !cycle_pecks_find(&cycle, kept) || !cycle_shift_find(&cycle, kept) ||
 	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
 		return false;
 	state->motion = cycle.code;
