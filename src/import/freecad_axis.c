@@ -19,21 +19,21 @@ static bool read_joint(const struct freecad_reading *r, const json_t *data, char
 		    !freecad_read_vector(json_object_get(joint, "axis"), &axis->direction) ||
 		    freecad_is_none(axis->direction))
 			return freecad_fault(r,
-					       "axis %c: joint needs an origin and an axis of three numbers each, and "
-					       "the axis must not be 0 0 0", letter);
+					     "axis %c: joint needs an origin and an axis of three numbers each, and "
+					     "the axis must not be 0 0 0", letter);
 		return true;
 	}
 	if (json_array_size(joint) != 2 || !freecad_read_vector(json_array_get(joint, 0), &first) ||
 	    !freecad_read_vector(json_array_get(joint, 1), &second) ||
 	    (freecad_is_none(first) && freecad_is_none(second)))
 		return freecad_fault(r,
-				       "axis %c: joint must be two vectors of three numbers each, and not both 0 0 0",
-				       letter);
+				     "axis %c: joint must be two vectors of three numbers each, and not both 0 0 0",
+				     letter);
 	if (!axis->rotary && !freecad_is_none(first) && !freecad_is_none(second))
 		return freecad_fault(r,
-				       "axis %c: versions of FreeCAD differ in which vector of this joint is the "
-				       "direction of a linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": "
-				       "[...]}", letter);
+				     "axis %c: versions of FreeCAD differ in which vector of this joint is the "
+				     "direction of a linear axis: write it as {\"origin\": [0, 0, 0], \"axis\": "
+				     "[...]}", letter);
 	axis->direction = freecad_is_none(second) ? first : second;
 	axis->location = freecad_is_none(second) || !axis->rotary ? (vec3){0, 0, 0} : first;
 	return true;
@@ -107,9 +107,9 @@ static bool judge_direction(const struct freecad_reading *r, char letter, const 
 	    vec3_dot(axis->direction, axis_chains_direction(axis->slot, false)) > 0)
 		return true;
 	return freecad_fault(r,
-			       "axis %c: its direction %g %g %g does not point to +%c, the positive direction of the "
-			       "control (the tool relative to the work, also for an axis of the table)",
-			       letter, axis->direction.x, axis->direction.y, axis->direction.z, letter);
+			     "axis %c: its direction %g %g %g does not point to +%c, the positive direction of the "
+			     "control (the tool relative to the work, also for an axis of the table)",
+			     letter, axis->direction.x, axis->direction.y, axis->direction.z, letter);
 }
 
 bool freecad_axis_read(struct freecad_reading *r, const json_t *axes, char letter)
@@ -124,8 +124,8 @@ bool freecad_axis_read(struct freecad_reading *r, const json_t *axes, char lette
 		return freecad_fault(r, "axis %c: type must be linear or rotary", letter);
 	if (rotary != slot_is_rotary(read.axis.slot))
 		return freecad_fault(r,
-				       "axis %c: type is %s, but X, Y, Z, U, V and W are linear, and A, B and C rotary",
-				       letter, type);
+				     "axis %c: type is %s, but X, Y, Z, U, V and W are linear, and A, B and C rotary",
+				     letter, type);
 	read.axis.rotary = read.axis.has_location = rotary;
 	if (!read_joint(r, data, letter, &read.axis) || !judge_direction(r, letter, &read.axis) ||
 	    !read_travel(r, data, letter, &read.axis) || !read_role(r, data, letter, &read) ||
@@ -134,8 +134,8 @@ bool freecad_axis_read(struct freecad_reading *r, const json_t *axes, char lette
 	read.axis.location = vec3_scale(r->unit, read.axis.location);
 	if (rotary && freecad_is_none(read.axis.location))
 		freecad_warn(r,
-			       "the axis %c is at 0 0 0, which FreeCAD writes if the location is not given: correct "
-			       "its location", letter);
+			     "the axis %c is at 0 0 0, which FreeCAD writes if the location is not given: correct "
+			     "its location", letter);
 	r->axes[read.axis.slot] = read;
 	return true;
 }

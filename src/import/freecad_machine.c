@@ -20,8 +20,8 @@ static bool read_letters(struct freecad_reading *r, const json_t *axes)
 	json_object_foreach ((json_t *)axes, name, data)
 		if (strlen(name) != 1 || slot_of_letter(*name) < 0)
 			return freecad_fault(r,
-					       "the name of an axis must be one of X, Y, Z, A, B, C, U, V and W, but "
-					       "one is \"%.20s\": rename it in FreeCAD", name);
+					     "the name of an axis must be one of X, Y, Z, A, B, C, U, V and W, but "
+					     "one is \"%.20s\": rename it in FreeCAD", name);
 	for (const char *at = usual; *at; at++) {
 		const char letter[2] = {*at, '\0'};
 
@@ -96,9 +96,9 @@ static bool table_agrees(struct freecad_reading *r, const char *table)
 			continue;
 		if (last && (is_along_z(&last->axis) || !is_along_z(&axis->axis)))
 			return freecad_fault(r,
-					       "the table has several rotary axes, and the order of FreeCAD's parents "
-					       "contradicts what FreeCAD computes: name the axes that carry the work "
-					       "(%s), in order from the base, with --table=LETTERS", table);
+					     "the table has several rotary axes, and the order of FreeCAD's parents "
+					     "contradicts what FreeCAD computes: name the axes that carry the work "
+					     "(%s), in order from the base, with --table=LETTERS", table);
 		last = axis;
 	}
 	return true;
@@ -118,10 +118,10 @@ static bool find_sides(struct freecad_reading *r)
 			axis->side = axis_letters_have(asked.text, *at) ? SIDE_TABLE : SIDE_HEAD;
 		if (axis->side == SIDE_UNKNOWN)
 			return freecad_fault(r,
-					       "this file does not say which axes carry the work and which the tool "
-					       "(\"role\", which later versions of FreeCAD write): name those that "
-					       "carry the work, in order from the base, with --table=LETTERS, such as "
-					       "--table=YX, or --table= for none");
+					     "this file does not say which axes carry the work and which the tool "
+					     "(\"role\", which later versions of FreeCAD write): name those that "
+					     "carry the work, in order from the base, with --table=LETTERS, such as "
+					     "--table=YX, or --table= for none");
 	}
 	return true;
 }
@@ -182,8 +182,8 @@ static bool read_unit(struct freecad_reading *r, const json_t *data)
 		return freecad_fault(r, "units must be metric or imperial");
 	r->unit = MM_PER_INCH;
 	freecad_warn(r,
-		       "the units of this file are imperial: its lengths are assumed to be inches; compare the travels "
-		       "with the machine");
+		     "the units of this file are imperial: its lengths are assumed to be inches; compare the travels "
+		     "with the machine");
 	return true;
 }
 
@@ -201,8 +201,8 @@ static bool read_tool(struct freecad_reading *r, const json_t *data)
 	axis = json_object_get(tool, "tool_axis");
 	if (json_array_size(list) > 1)
 		freecad_warn(r,
-			       "this file has %zu tool heads, but a fivecheck machine has one spindle: the first is "
-			       "used", json_array_size(list));
+			     "this file has %zu tool heads, but a fivecheck machine has one spindle: the first is "
+			     "used", json_array_size(list));
 	if (type && strcmp(type, "rotary") != 0)
 		freecad_warn(r, "the tool head is a %.20s: only the motion of its mount is checked", type);
 	if (!axis)
@@ -222,8 +222,8 @@ static bool judge_base(struct freecad_reading *r, const json_t *data)
 	for (size_t i = 0; i < 3 && json_is_array(turn); i++)
 		if (fabs(json_number_value(json_array_get(turn, i))) > FREECAD_SHORTEST)
 			return freecad_fault(r,
-					       "the base_frame of the machine is rotated, which is not supported: set "
-					       "orientation_quaternion to 0, 0, 0, 1");
+					     "the base_frame of the machine is rotated, which is not supported: set "
+					     "orientation_quaternion to 0, 0, 0, 1");
 	return true;
 }
 
