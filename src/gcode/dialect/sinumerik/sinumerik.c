@@ -19,6 +19,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_program.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
+#include "gcode/dialect/sinumerik/sinumerik_soft.h"
 #include "gcode/dialect/sinumerik/sinumerik_synchronous.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/dialect/standard_codes.h"
@@ -241,6 +242,10 @@ static bool read_line(struct interp *interp, bool *done)
 	lexer = (struct lexer){.at = &interp->at, .position = head.rest};
 	if (!run_words(interp, &lexer))
 		return false;
+	if (sinumerik_soft_keeps_block(interp))
+		return true;
+	if (!sinumerik_soft_end_block(interp))
+		return false;
 	if (corner_insert_keeps_block(interp))
 		return corner_insert_end_block(interp);
 	return corner_insert_end_block(interp) && cutter_comp_end_block(interp);
@@ -274,6 +279,7 @@ static void free_state(void *state)
 	free(sinumerik->tool.names);
 	strbuf_release(&sinumerik->search.line);
 	sinumerik_macro_release(sinumerik);
+	sinumerik_soft_release(sinumerik);
 	free(sinumerik);
 }
 

@@ -234,7 +234,7 @@ static bool read_tool_name(struct reading *r, int column)
 static bool is_place(int address)
 {
 	return (address >= SINUMERIK_I1 && address <= SINUMERIK_K1) || address == SINUMERIK_AP ||
-	       address == SINUMERIK_RP;
+	       address == SINUMERIK_RP || address == SINUMERIK_DISCL || address == SINUMERIK_DISRP;
 }
 
 /* X=..., M2=3, S1=500, A3=..., CR=... */

@@ -285,6 +285,12 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 			   sinumerik->loops.items[sinumerik->loops.count - 1].start.line);
 		return false;
 	}
+	if (sinumerik->soft.waits) {
+		diag_error(interp->diag, loc,
+			   "G%d of line %ld waits for the path that it touches, but the file ends here",
+			   sinumerik->soft.words.code / 10, sinumerik->soft.first.at.line);
+		return false;
+	}
 	/* The last line of the part is the last line of the file. */
 	if (call && call->last_line)
 		return next_round(interp);

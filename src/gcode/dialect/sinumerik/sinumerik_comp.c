@@ -189,15 +189,20 @@ static void loosen_all(struct interp *interp)
 static bool switch_off(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct cutter_comp *comp = &interp->comp;
+	const bool soft = block->code[SINUMERIK_SOFT] != CODE_NONE;
 	const int motion =
 	    block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code[SINUMERIK_MOTION] : interp->state.motion;
 
 	if (comp->side == 0)
 		return true;
-	if (comp->entered && motion <= G1 && moves_in_plane(interp, block)) {
+	if (comp->entered && (motion <= G1 || soft) && moves_in_plane(interp, block)) {
 		comp->leaving = true;
 		return true;
 	}
+	if (comp->entered && soft)
+		return fault(&interp->at, block->code_column[SINUMERIK_CUTTER],
+			     "G40 beside a soft retraction without a coordinate of the plane is not supported: give it "
+			     "both coordinates of its end");
 	interp->block.g_column[G_CUTTER] = block->code_column[SINUMERIK_CUTTER];
 	interp->block.g[G_CUTTER] = G40;
 	if (comp->entered) {
@@ -284,6 +289,9 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 		sinumerik->comp.turns_plane = code[SINUMERIK_CUT] == SINUMERIK_CUT2DF;
 	if (code[SINUMERIK_CUTTER] == CODE_NONE)
 		return true;
+	/* A soft retraction is still on the side of G41 or G42: G40 holds from its last way on. */
+	if (code[SINUMERIK_CUTTER] != G40 || code[SINUMERIK_SOFT] == CODE_NONE)
+		sinumerik->comp.selected = code[SINUMERIK_CUTTER];
 	if (code[SINUMERIK_CUTTER] == G40)
 		return switch_off(interp, block);
 	if (!sinumerik_open_place_check(interp, column, "tool radius compensation"))

@@ -31,6 +31,49 @@ struct sinumerik_comp {
 	double disc;	/* DISC: 0 is a circle */
 	double allowance;	/* mm: OFFN */
 	bool turns_plane;	/* CUT2DF */
+	int selected;	/* the last G40, G41 or G42; 0: none was given */
+	int soft_side;	/* G140 to G143; 0: none was given */
+	int soft_way;	/* G340, G341; 0: none was given */
+};
+
+/* DISCL or DISRP. */
+struct sinumerik_soft_height {
+	bool given, absolute;
+	double value;	/* mm: above the contour; absolute: a straight position (rotated_frame.h) */
+};
+
+/* What a block with G147, G148 and the like has said. */
+struct sinumerik_soft_words {
+	int code, column;
+	double size;	/* mm: DISR */
+	struct sinumerik_soft_height clearance, retract;
+	bool rapid_before;	/* the block before moved with G0 */
+	bool has_slow, has_feed;	/* FAD, F */
+	struct canon_feed before, slow, own;	/* of the block before, FAD, F */
+	struct canon_feed path;	/* of the path that touches the contour; on retraction of the way behind P2 */
+};
+
+/* A block that waits; the line and its text are copies. */
+struct sinumerik_soft_block {
+	bool kept;
+	struct block block;
+	struct line_place at;
+	struct call_chain callers;
+	char *text;	/* owned */
+};
+
+/* G147, G247 and G347 wait for the path that gives the direction of the contour at its start. */
+struct sinumerik_soft {
+	bool waits;
+	bool fresh;	/* the current block waits */
+	bool needs_end;	/* the next path gives P4 */
+	bool cautioned;	/* the warning that MD20150 decides between G340 and G341 was given */
+	struct sinumerik_soft_words words;
+	slot_values start, end;	/* P0 and P4, straight */
+	struct sinumerik_soft_block first, second;	/* that of the code, and that which has given P4 */
+	int motion_before;	/* of the block before the current one that has such a code */
+	double linear_before, angular_before;	/* its feed: mm and degrees a minute or a turn */
+	enum feed_mode mode_before;
 };
 
 struct sinumerik_tools {

@@ -12,6 +12,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
+#include "gcode/dialect/sinumerik/sinumerik_soft.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -78,6 +79,12 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 
 	if (sinumerik_contour_is_read(interp))
 		return sinumerik_contour_take(interp, target, circle);
+	if (sinumerik_soft_waits(interp)) {
+		if (!sinumerik_soft_pass(interp, target, move, circle, &waits))
+			return false;
+		if (waits)
+			return true;
+	}
 	if (corner_insert_concerns(interp)) {
 		const struct corner_move next = {.target = &straight, .move = move, .is_arc = circle != NULL,
 						 .centre = circle ? circle->centre : (struct plane_point){0, 0}};
@@ -368,6 +375,8 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	if (given != CODE_NONE)
 		state->motion = given;
 	*moved = false;
+	if (block->code[SINUMERIK_SOFT] != CODE_NONE)
+		return sinumerik_soft_run(interp, block);
 	if (block->positions)
 		return run_position(interp, block);
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP ||

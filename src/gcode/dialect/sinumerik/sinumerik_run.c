@@ -15,6 +15,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_own_block.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
+#include "gcode/dialect/sinumerik/sinumerik_soft.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool_frame.h"
@@ -187,7 +188,7 @@ static bool set_modes(struct interp *interp, const struct sinumerik_block *block
 		state->unknown_modes &= ~(1U << G_DISTANCE);
 	}
 	sinumerik_path_set(interp, block);
-	return sinumerik_comp_select(interp, block);
+	return sinumerik_comp_select(interp, block) && sinumerik_soft_select(interp, block);
 }
 
 /* G500, G54 to G57, G505 to G599. */
@@ -455,6 +456,9 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	interp->block.corner = '\0';
 	if (interp->corner.on && has_more(block))
 		return corner_insert_end_block(interp);
+	if (sinumerik_soft_waits(interp) && has_more(block))
+		return sinumerik_soft_end_block(interp);
+	sinumerik_soft_note(interp, block);
 	if (!check_words(interp, block) || !sinumerik_contour_check(interp, block) ||
 	    !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
 	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||

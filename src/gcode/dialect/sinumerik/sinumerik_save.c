@@ -76,6 +76,8 @@ bool sinumerik_save_restore(struct interp *interp, const struct sinumerik_saved 
 	sinumerik->comp.approach = saved->comp.approach;
 	sinumerik->comp.corner = saved->comp.corner;
 	sinumerik->comp.turns_plane = saved->comp.turns_plane;
+	sinumerik->comp.soft_side = saved->comp.soft_side;
+	sinumerik->comp.soft_way = saved->comp.soft_way;
 	sinumerik->frames.programmed = saved->frames.programmed;
 	sinumerik->frames.programmed_unsure = saved->frames.programmed_unsure;
 	return sinumerik_frame_changed(interp, column);

@@ -36,6 +36,7 @@ struct sinumerik {
 	struct sinumerik_path path;
 	struct sinumerik_orientation orientation;
 	struct sinumerik_comp comp;
+	struct sinumerik_soft soft;
 };
 
 static inline struct sinumerik *sinumerik_of(const struct interp *interp)

@@ -117,10 +117,10 @@
 	REFUSED_ROW(ROW, "SPLINEPATH", "points of splines and polynomials") \
 	REFUSED_ROW(ROW, "POLYPATH", "points of splines and polynomials") \
 	REFUSED_ROW(ROW, "POLYNOM", "points of splines and polynomials") \
-	REFUSED_ROW(ROW, "DISCL", "smooth approach and retraction") \
-	REFUSED_ROW(ROW, "DISR", "smooth approach and retraction") \
-	REFUSED_ROW(ROW, "DISRP", "smooth approach and retraction") \
-	REFUSED_ROW(ROW, "FAD", "smooth approach and retraction") \
+	ADDRESS_ROW(ROW, "DISCL", DISCL, "soft approach: height of the point above the contour") \
+	ADDRESS_ROW(ROW, "DISR", DISR, "soft approach: length of the line or radius of the circle") \
+	ADDRESS_ROW(ROW, "DISRP", DISRP, "soft approach: height of the way to the point above the contour") \
+	ADDRESS_ROW(ROW, "FAD", FAD, "soft approach: feed of the way down to the contour") \
 	PLAIN_ROW(ROW, "DRFOF", IGNORED, "no offset by the handwheel") \
 	PLAIN_ROW(ROW, "CPRECON", IGNORED, "accuracy of the contour") \
 	PLAIN_ROW(ROW, "CPRECOF", IGNORED, "accuracy of the contour") \
