@@ -179,6 +179,7 @@ static const struct code_word words[] = {
     {"CYCL DEF 262 to 265", CODE_BOUNDED, "thread milling: the whole thread is proved"},
     {"CYCL DEF 267", CODE_BOUNDED, "outside thread milling: the thread and the room about it are proved"},
     {"CONTOUR DEF", CODE_READ, "contours of labels with a number, for the contour cycles"},
+    {"GLOBAL DEF", CODE_READ, "values that the parameters of cycles take over by PREDEF"},
     {"TCH PROBE", CODE_BOUNDED, "touch probe: as far as the machine file says (<macro>), else refused"},
     {"SEL PGM", CODE_READ, "program that CALL SELECTED PGM calls"},
     {"SEL TABLE", CODE_READ, "datum table: its rows are those of the setup"},

@@ -13,6 +13,8 @@
 #define KLARTEXT_CONTOURS_MAX 12
 /* The largest number of points of PATTERN DEF, CYCL DEF 220 and 221. */
 #define KLARTEXT_POINTS_MAX 1000
+/* The parameters that GLOBAL DEF gives values to. */
+#define KLARTEXT_GLOBALS 18
 
 /* A Q parameter of a cycle, or a letter of a line of an older cycle, which may have no value. */
 struct klartext_cycle_word {
@@ -30,6 +32,7 @@ struct klartext_cycle {
 	bool open; /* further lines may follow */
 	bool refused; /* and reported: the rest is read, and has no effect */
 	bool by_q; /* its words are Q parameters */
+	bool global; /* GLOBAL DEF: it only gives values for PREDEF */
 	bool continued; /* by '~' after parameters: the first line without '~' is the last one */
 	bool numbered; /* CYCL DEF has a block number: lines without one continue it */
 	long line; /* of CYCL DEF */
@@ -43,6 +46,12 @@ struct klartext_cycles {
 	struct klartext_cycle active; /* the cycle that M99 and CYCL CALL carry out */
 	bool modal; /* M89: the active cycle is carried out after each move */
 	char program[KLARTEXT_NAME]; /* of CYCL DEF 12 */
+};
+
+/* The values of GLOBAL DEF; klartext_global.c says for which parameters. */
+struct klartext_globals {
+	bool given[KLARTEXT_GLOBALS];
+	double value[KLARTEXT_GLOBALS]; /* in the units of the program */
 };
 
 /* The contours of cycles 21 to 24. */

@@ -8,11 +8,13 @@
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_frame_cycle.h"
+#include "gcode/dialect/klartext/klartext_global.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_string.h"
+#include "gcode/dialect/klartext/klartext_tolerance.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 
@@ -41,30 +43,6 @@ static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
 		   : fault(&interp->at, cycle->column, "a dwell cannot be negative");
 }
 
-/*
- * "TOLERANCE (Cycle 32)": T is the largest deviation from the path when the control smooths it; TA is the same for
- * rotary axes, in degrees. Without T the machine's own value is in force again.
- */
-static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
-{
-	struct state *state = &interp->state;
-	bool rotary = cycle->count && cycle->words[0].part > 1;
-	double tolerance = rotary ? state->blend_tolerance : 0;
-
-	for (int i = 0; i < cycle->count; i++) {
-		const struct klartext_cycle_word *word = &cycle->words[i];
-
-		if (word->given && !strcmp(word->name, "T"))
-			tolerance = word->value * state->scale;
-		else if (word->given && !strcmp(word->name, "TA") && tolerance > 0)
-			tolerance = fmax(tolerance, word->value);
-	}
-	if (tolerance < 0)
-		return fault(&interp->at, cycle->column, "a path tolerance cannot be negative");
-	state->blend_tolerance = tolerance;
-	return true;
-}
-
 /* iTNC 530 and TNC 640 user's manuals, cycle programming. Sorted by number. */
 static const struct cycle_row rows[] = {
     {1, USE_CALLED, NULL},
@@ -88,7 +66,7 @@ static const struct cycle_row rows[] = {
     {23, USE_CALLED, NULL},
     {24, USE_CALLED, NULL},
     {26, USE_DEFINED, klartext_frame_cycle_scale_axes},
-    {32, USE_DEFINED, tolerate},
+    {32, USE_DEFINED, klartext_tolerance_set},
     {200, USE_CALLED, NULL},
     {201, USE_CALLED, NULL},
     {202, USE_CALLED, NULL},
@@ -147,6 +125,8 @@ static bool finish(struct interp *interp)
 	const struct cycle_row *row = find_row(definition->number);
 
 	definition->open = false;
+	if (definition->global)
+		return klartext_global_take(interp, definition);
 	if (definition->refused) {
 		cycles->active = *definition;
 		return true;
@@ -182,7 +162,7 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 	return word;
 }
 
-/* Q200=2; a feed may be MAX (FMAX), or AUTO (FAUTO) for the feed of TOOL CALL. */
+/* Q200=2; PREDEF; a feed may be MAX (FMAX), or AUTO (FAUTO) for the feed of TOOL CALL. */
 static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	struct interp *interp = lexer->context;
@@ -205,20 +185,18 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	if (klartext_value_follows(lexer)) {
 		if (!klartext_value(lexer, &word->value))
 			return false;
-		word->given = true;
-		klartext_q_set(klartext_of(interp), number, word->value);
-		return true;
-	}
-	if (!klartext_word(lexer, text))
+	} else if (!klartext_word(lexer, text)) {
 		return fault(lexer->at, klartext_column(lexer), "a value is needed here");
-	if (!strcmp(text, "FMAX") || !strcmp(text, "MAX"))
+	} else if (!strcmp(text, "FMAX") || !strcmp(text, "MAX")) {
 		word->value = FMAX_VALUE;
-	else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO"))
+	} else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO")) {
 		word->value = klartext_of(interp)->tool.feed_bare;
-	else
-		return fault(lexer->at, column, "Q%d=%s is not supported: give a number", number, text);
+	} else if (!klartext_global_value(lexer, column, number, text, &word->value)) {
+		return false;
+	}
 	word->given = true;
-	klartext_q_set(klartext_of(interp), number, word->value);
+	if (!cycle->global)
+		klartext_q_set(klartext_of(interp), number, word->value);
 	return true;
 }
 
@@ -486,4 +464,26 @@ bool klartext_define_read(struct lexer *lexer)
 			     number);
 	skip_name(lexer);
 	return read_words(lexer, &klartext_of(interp)->cycles.definition);
+}
+
+bool klartext_define_read_global(struct lexer *lexer)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+	const int column = klartext_column(lexer);
+	int number;
+
+	if (!klartext_take(lexer, "DEF"))
+		return fault(lexer->at, column, "GLOBAL needs DEF");
+	if (!klartext_integer(lexer, "the number of GLOBAL DEF", 0, 9999, &number) ||
+	    !klartext_global_check(lexer, number, column) || !klartext_define_end(lexer->context))
+		return false;
+	klartext->cycles.definition = (struct klartext_cycle){.numbered = klartext->lines.numbered,
+							      .number = number,
+							      .open = true,
+							      .global = true,
+							      .by_q = true,
+							      .line = lexer->at->line,
+							      .column = column};
+	skip_name(lexer);
+	return read_words(lexer, &klartext->cycles.definition);
 }

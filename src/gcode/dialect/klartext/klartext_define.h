@@ -14,6 +14,9 @@ bool klartext_define_read(struct lexer *lexer);
 /* After TCH PROBE: reads its number, name and parameters. False: reported. */
 bool klartext_define_probe(struct lexer *lexer);
 
+/* After GLOBAL: reads DEF, its number, name and parameters. False: reported. */
+bool klartext_define_read_global(struct lexer *lexer);
+
 /* Is a definition open that this line continues? `numbered`: the line has a block number. */
 bool klartext_define_goes_on(struct lexer *lexer, bool numbered);
 

@@ -9,7 +9,7 @@ enum joined { JOINED_NOT, JOINED_FORMULA, JOINED_BLOCK };
 /* The kind of block that begins in the current line and continues in the next one. */
 static enum joined kind_of_line(struct interp *interp)
 {
-	static const char *const by_line[] = {"CYCL", "CYCLE", "TCH", "PATTERN"};
+	static const char *const by_line[] = {"CYCL", "CYCLE", "TCH", "PATTERN", "GLOBAL"};
 	struct lexer lexer = klartext_lexer(interp);
 	const char *text = interp->at.text;
 	char word[KLARTEXT_WORD];

@@ -178,6 +178,7 @@ static const struct statement {
     {"APPR", klartext_approach_read, false, true},
     {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},
+    {"GLOBAL", klartext_define_read_global, false, false},
     {"PATTERN", klartext_pattern_define_read, true, false},
     {"POS", klartext_pattern_define_go_on, true, false},
     {"ROW", klartext_pattern_define_go_on, true, false},

@@ -7,6 +7,7 @@
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_global.h"
 #include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
 #include "gcode/dialect/klartext/klartext_points.h"
@@ -95,6 +96,10 @@ static bool call_at_points(const struct visit *visit)
 	double surface = 0;
 	bool good = true;
 
+	if (klartext_global_is(klartext, 345, 1))
+		return fault(&interp->at, visit->column,
+			     "a pattern after GLOBAL DEF 125 with Q345=1: to which position the tool retracts is not "
+			     "certain; Q345=0 is the second set-up clearance");
 	if (defined.number == 0 || !defined.by_q || !klartext_parameter_find(&call, 203, &surface))
 		return fault(&interp->at, visit->column,
 			     "a pattern needs a cycle with Q203 that has been defined before it");

@@ -34,7 +34,7 @@ static bool is_definition(struct lexer *lexer)
 
 	klartext_word(lexer, word);
 	return ((!strcmp(word, "CYCL") || !strcmp(word, "CYCLE")) && !klartext_take(lexer, "CALL")) ||
-	       !strcmp(word, "TCH") || !strcmp(word, "PATTERN");
+	       !strcmp(word, "TCH") || !strcmp(word, "PATTERN") || !strcmp(word, "GLOBAL");
 }
 
 /* Does this line hold a parameter of a cycle (Q and a number, then "=")? */

@@ -63,6 +63,7 @@ struct klartext {
 	struct klartext_crossing crossing;
 	struct klartext_open open;
 	struct klartext_cycles cycles;
+	struct klartext_globals globals;
 	struct klartext_contour contour;
 	struct klartext_points points;
 };

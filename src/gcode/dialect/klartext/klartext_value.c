@@ -188,6 +188,11 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 			     "where it is or turns it to 0 depends on the control: set swivel_pole=\"stays\" or "
 			     "\"zero\" in the machine file's <controller>",
 			     length, name);
+	if (q->global)
+		return fault(lexer->at, column,
+			     "whether GLOBAL DEF also changes %.*s itself is not known: assign the value to another "
+			     "parameter",
+			     length, name);
 	if (q->read && number >= 100 && number < 200)
 		return fault(lexer->at, column,
 			     "%.*s is a value of the control that is not known here: write the value in its place",

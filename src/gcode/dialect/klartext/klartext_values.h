@@ -28,6 +28,7 @@ struct klartext_q {
 	bool given; /* by this program, or by the control */
 	bool read; /* from the control, by FN 18 or FN 28: its value is not known here */
 	bool undefined; /* by SET UNDEFINED */
+	bool global; /* GLOBAL DEF has another value: whether the parameter has it, too, is not known */
 	bool pole; /* read, of an axis whose angle is arbitrary: swivel_pole of the machine would give it */
 	struct klartext_query query; /* of FN 18, if FN 18 read it; else the ID is 0 */
 };
