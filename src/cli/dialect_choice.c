@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/open_file.h"
 #include "base/strbuf.h"
@@ -63,17 +64,30 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 	return false;
 }
 
-static bool find_one(const char *program, struct diag *diag, struct family_guess *guess)
+/* What was read ahead in a pipe would be missing in the check. */
+static bool can_look_ahead(const char *program, struct diag *diag)
 {
-	struct reader reader;
-	int fault;
-	FILE *in;
+	struct stat status;
 
 	if (!strcmp(program, "-")) {
 		diag_error(diag, (struct srcloc){0},
 			   "--dialect=auto cannot look ahead in standard input; " NAME_IT);
 		return false;
 	}
+	if (stat(program, &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))
+		return true;
+	diag_error(diag, (struct srcloc){program, 0, 0}, "--dialect=auto cannot look ahead in a pipe; " NAME_IT);
+	return false;
+}
+
+static bool find_one(const char *program, struct diag *diag, struct family_guess *guess)
+{
+	struct reader reader;
+	int fault;
+	FILE *in;
+
+	if (!can_look_ahead(program, diag))
+		return false;
 	in = open_file(program, diag);
 	if (!in)
 		return false;

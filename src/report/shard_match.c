@@ -43,7 +43,10 @@ static bool match_shares(const struct ndjson_run *runs, size_t count, bool *of_b
 		strbuf_addf(&there, " %lld", (long long)share.part);
 		good = good && share.part == (json_int_t)i + 1;
 	}
-	if (!good)
+	if (!good && first.parts == 1)
+		diag_error(diag, nowhere, "%s is a whole run and not a shard of one: it cannot be joined with others",
+			   runs[0].path);
+	else if (!good)
 		diag_error(diag, nowhere, "each of %lld shards must be given once, but these were given:%s",
 			   (long long)first.parts, strbuf_text(&there));
 	strbuf_release(&there);

@@ -20,3 +20,7 @@ for name in haas fanuc linuxcnc either plain both missing folder packed wide emp
 done
 status fivecheck --dialect=auto --parse-only c.xml haas.nc fanuc.nc 2>&1 | grep -v incomplete
 status fivecheck --dialect=auto --parse-only c.xml - 2>&1 <haas.nc | grep -v incomplete
+# A named pipe without a writer is not even opened.
+mkfifo pipe.nc
+status fivecheck --dialect=auto --parse-only c.xml pipe.nc 2>&1 | grep -v incomplete
+status fivecheck scan pipe.nc 2>&1

@@ -127,3 +127,5 @@ status fivecheck merge s1.json s2.json 2>&1
 status fivecheck merge 2>&1
 fivecheck merge --help | head -n 1
 status fivecheck merge -o s1.json s1.json 2>&1
+# A whole run.
+status fivecheck merge whole.json whole.json 2>&1
