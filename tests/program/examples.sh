@@ -16,7 +16,7 @@ paper=$root/machines/ac-trunnion/machine.xml
 status fivecheck -q "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'error|status'
 status fivecheck --duplicates last "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'warning|clear|status'
 status fivecheck -q "$paper" - <"$root/examples/paper-block-corrected.nc" | grep -E 'clear|status'
-# Of the ten pairs of the paper's links, Z-A and Z-C are left.
+# Of the ten pairs of the paper's links, Z-A and Z-C are left, and Y-C: here the table can reach the bridge.
 fivecheck --list-pairs "$paper" |
 	grep -E '^(bridge|carriage|head|cradle|table)	(bridge|carriage|head|cradle|table)	' | cut -f 1-3
 # The first verdict of a new user has only one caution: neighbours are excused.
