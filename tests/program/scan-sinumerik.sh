@@ -51,3 +51,19 @@ T0 M6
 M30
 NC
 status fivecheck scan --dialect=sinumerik job.mpf 2>&1 | sed -n '/^G505/p; /^needed/,$p'
+# An axis of the machine that follows another one: the machine file must say that it moves nothing else.
+program coupled.mpf <<'NC'
+G17 G90 G71 G94 G500
+TRAILON(A1,A)
+G0 X1 A=DC(30)
+TRAILOF(A1,A)
+M30
+NC
+status fivecheck scan --dialect=sinumerik coupled.mpf 2>&1 | sed -n '/^TRAIL/p; /^needed in the machine/,$p'
+root=$(dirname "$LIB")/../..
+cp -r "$root/machines/ac-trunnion/stl" stl
+for answer in '' '<macro program="TRAILON" action="none"/>'; do
+	sed "s|<controller dialect=\"[a-z]*\" rapid=\"linear\"/>|<controller dialect=\"sinumerik\" rapid=\"linear\">$answer</controller>|; s|name=\"A\" title=\"First axis\"|& wrap=\"shortest\"|" \
+		"$root/machines/ac-trunnion/machine.xml" >machine.xml
+	status fivecheck -q machine.xml coupled.mpf 2>&1 | grep '^coupled\|^status'
+done

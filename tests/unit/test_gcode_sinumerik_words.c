@@ -274,6 +274,28 @@ START_TEST(moves)
 }
 END_TEST
 
+/* An axis that the machine file does not have follows A, and the machine file says that nothing else moves. */
+START_TEST(coupled_axes)
+{
+	static const struct builder_macro macros[] = {{.name = "TRAILON", .action = MACRO_NONE}};
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 1;
+	ck_assert_msg(case_run(&c, "G500 TRAILON(A1,A,-1)\nG0 X1 A90\nTRAILOF(A1,A)\nX2\n"), "%s",
+		      strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 90 0\nrapid 2 0 0 90 0\n");
+	case_release(&c);
+	/* An axis of the machine file would move, whatever the machine file says of the others. */
+	sinumerik_case_init(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 1;
+	case_refuses(&c, "TRAILON makes C follow another axis, which is not supported for an axis of the machine file",
+		     "TRAILON(C,A)\n");
+}
+END_TEST
+
 START_TEST(refused)
 {
 	sinumerik_refuses_words(&bad[_i]);
@@ -285,6 +307,7 @@ int main(void)
 	TCase *tcase = tcase_create("programs");
 
 	tcase_add_loop_test(tcase, moves, 0, COUNT(programs));
+	tcase_add_test(tcase, coupled_axes);
 	tcase_add_loop_test(tcase, refused, 0, COUNT(bad));
 	return run_suite("gcode_sinumerik_words", tcase);
 }

@@ -7,6 +7,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
+#include "gcode/dialect/sinumerik/sinumerik_coupling.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_spindle.h"
@@ -352,6 +353,8 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_SPINDLE_STANDS:
 		r->block->spindle_stands = true;
 		return step_over_value(r, name, &value);
+	case SINUMERIK_WORD_COUPLING:
+		return sinumerik_coupling_read(r->interp, r->lexer, column);
 	case SINUMERIK_WORD_MASTER:
 		return sinumerik_spindle_take_master(r->interp, r->lexer);
 	case SINUMERIK_WORD_MODAL:

@@ -82,6 +82,7 @@ enum sinumerik_word_kind {
 	SINUMERIK_WORD_IGNORED_CALL,	/* optional parentheses; their contents are skipped */
 	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of the line is skipped */
 	SINUMERIK_WORD_MASTER,	/* SETMS */
+	SINUMERIK_WORD_COUPLING,	/* TRAILON */
 	SINUMERIK_WORD_MODAL,	/* MCALL */
 	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before the block */
 	SINUMERIK_WORD_STOPS_READING,	/* STOPRE: the following blocks are read when all blocks before are complete */

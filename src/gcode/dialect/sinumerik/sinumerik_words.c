@@ -70,7 +70,7 @@
 	PLAIN_ROW(ROW, "DELDTG", IGNORED, "distance to go") \
 	ROW("MCALL", MODAL, MOTION, 0, CODE_READ, "modal call of a cycle or subprogram") \
 	REFUSED_ROW(ROW, "COUPON", "coupling of spindles") \
-	REFUSED_ROW(ROW, "TRAILON", "coupling of axes") \
+	ROW("TRAILON", COUPLING, MOTION, 0, CODE_READ, "coupling of axes that the machine file does not have") \
 	REFUSED_ROW(ROW, "LEADON", "coupling of axes") \
 	REFUSED_ROW(ROW, "TANG", "axis that follows the path") \
 	REFUSED_ROW(ROW, "ISOCALL", "call of a program in ISO mode")
