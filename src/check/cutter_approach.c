@@ -160,7 +160,7 @@ static double gap_to_hull(struct approach_target *target, const struct cylinder 
 	if (!target->corners)
 		target->corners = corner_runs_new(target->bvh);
 	whole = mesh_part_of(target->bvh, target->corners, (struct leaf){0, 0});
-	hull = convex_of_mesh(&whole, &here);
+	hull = convex_of_mesh(&whole, &here, NULL);
 	if (!convex_direction(&hull, &moved, &search, &visits))
 		return 0;
 	return -convex_support(&moved, vec3_scale(-1, search.direction), 0, NULL, &visits) -

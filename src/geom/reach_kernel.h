@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "geom/bvh.h"
+#include "geom/corner_runs.h"
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
@@ -16,6 +17,26 @@ static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, cons
 		all = lanes_add(all, lanes_add(middle, half));
 	}
 	lanes_store(reach, all);
+}
+
+static LANES_TARGET void AT_LEVEL(caps_reach)(const struct bvh_node *node, const struct branch_caps *caps,
+					      const float n[3], float reach[BVH_WIDTH])
+{
+	lanes along = lanes_all(0), box = lanes_all(0), cap;
+
+	for (int k = 0; k < 3; k++)
+		along = lanes_add(along, lanes_mul(lanes_all(n[k]), lanes_load(caps->normal[k])));
+	along = lanes_max(along, lanes_all(0));
+	cap = lanes_mul(along, lanes_load(caps->reach));
+	for (int k = 0; k < 3; k++) {
+		lanes rest = lanes_sub(lanes_all(n[k]), lanes_mul(along, lanes_load(caps->normal[k])));
+		lanes middle = lanes_load(node->centre[k]), half = lanes_load(node->half[k]);
+
+		box = lanes_add(box, lanes_add(lanes_mul(lanes_all(n[k]), middle),
+					       lanes_mul(lanes_abs(lanes_all(n[k])), half)));
+		cap = lanes_add(cap, lanes_add(lanes_mul(rest, middle), lanes_mul(lanes_abs(rest), half)));
+	}
+	lanes_store(reach, lanes_min(box, cap));
 }
 
 static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])

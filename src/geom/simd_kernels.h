@@ -9,6 +9,7 @@
 
 struct box;
 struct box_motion;
+struct branch_caps;
 struct bvh_node;
 
 /* boxes_apart of boxes.h; both results are BVH_WIDTH long. */
@@ -23,6 +24,14 @@ typedef float support_fn(const mesh_triangle *triangles, size_t count, const flo
  * is less than 8 roundings of float times |n| and the largest |p|.
  */
 typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float *reach);
+
+/*
+ * The same with the caps of the node's children (corner_runs.h): reach[i] is an upper bound of the greatest n.p over
+ * the points of child i, at most the extent of its box. The error is less than 16 roundings: those of boxes_reach, for
+ * the part of n across the cap's normal; two for this part, two for the product and the sum with the cap, and one for
+ * the rounding of n.
+ */
+typedef void caps_reach_fn(const struct bvh_node *node, const struct branch_caps *caps, const float n[3], float *reach);
 
 /*
  * near2[i] becomes a lower bound of the squared distance in mm of p, relative to the tree's origin, from the node's
@@ -52,6 +61,7 @@ struct simd_kernels {
 	support_fn *support;
 	boxes_near_fn *boxes_near;
 	boxes_reach_fn *boxes_reach;
+	caps_reach_fn *caps_reach;
 	points_reach_fn *points_reach;
 	bvh_items_bounds_fn *bvh_items_bounds;
 };

@@ -6,9 +6,9 @@
 
 /*
  * As a share of half the diagonal of the body's box. It exceeds twice the error of boxes, which are rounded outward;
- * the error of the projection of a box in float; and the error of a corner of a run and its projection. Each of these
- * is below 8 roundings of 2^-24. Because of the first, boxes beside a flat face are not opened, although all of them
- * extend as far as the face.
+ * the error of the projection of a box and its cap in float; and the error of a corner of a run and its projection. The
+ * second of these is below 16 roundings of 2^-24, the others below 8. Because of the first, boxes beside a flat face
+ * are not opened, although all of them extend as far as the face.
  */
 #define SUPPORT_SLACK 0x1p-20
 
@@ -25,11 +25,12 @@ struct mesh_part mesh_part_of(const struct bvh *bvh, const struct corner_runs *c
 	return part;
 }
 
-struct convex convex_of_mesh(const struct mesh_part *part, const xform *place)
+struct convex convex_of_mesh(const struct mesh_part *part, const xform *place, struct seen_corners *seen)
 {
 	return (struct convex){
 		.mesh = part,
 		.place = place,
+		.seen = seen,
 		.centre = xform_apply(place, part->centre),
 		.radius = part->radius,
 	};
@@ -131,14 +132,18 @@ static int farthest_of(const float reach[BVH_WIDTH], int used)
 static void try_node(struct farthest *f, uint32_t at)
 {
 	const struct bvh_node *node = &f->bvh->nodes[at];
+	const struct corner_run *run = &f->corners->runs[at];
 	float reach[BVH_WIDTH];
 
 	f->visits += node->used;
-	if (f->corners->runs && f->corners->runs[at].groups) {
-		try_run(f, &f->corners->runs[at]);
+	if (run->groups) {
+		try_run(f, run);
 		return;
 	}
-	f->corners->kernels->boxes_reach(node, f->direction, reach);
+	if (run->caps)
+		f->corners->kernels->caps_reach(node, &f->corners->caps[run->caps - 1], f->direction, reach);
+	else
+		f->corners->kernels->boxes_reach(node, f->direction, reach);
 	for (int turn = 0; turn < node->used; turn++) {
 		const int best = farthest_of(reach, node->used);
 
@@ -159,7 +164,34 @@ static void try_child(struct farthest *f, const struct bvh_node *node, int i)
 		try_triangle(f, node->first[i] + k);
 }
 
-static double support_of_mesh(const struct mesh_part *part, vec3 m, double slack, vec3 *at, long *visits)
+/* The seen corner that reaches farthest along m; at least one was seen. */
+static vec3 farthest_seen(const struct seen_corners *seen, vec3 m)
+{
+	double most = -INFINITY;
+	int best = 0;
+
+	for (int i = 0; i < seen->count; i++) {
+		const double along = m.x * seen->x[i] + m.y * seen->y[i] + m.z * seen->z[i];
+
+		best = along > most ? i : best;
+		most = along > most ? along : most;
+	}
+	return (vec3){seen->x[best], seen->y[best], seen->z[best]};
+}
+
+static void add_seen(struct seen_corners *seen, vec3 p)
+{
+	const int i = seen->next;
+
+	seen->x[i] = p.x;
+	seen->y[i] = p.y;
+	seen->z[i] = p.z;
+	seen->next = (i + 1) % SEEN_CORNERS;
+	seen->count = seen->count < SEEN_CORNERS ? seen->count + 1 : SEEN_CORNERS;
+}
+
+static double support_of_mesh(const struct mesh_part *part, struct seen_corners *seen, vec3 m, double slack, vec3 *at,
+			      long *visits)
 {
 	const struct bvh *bvh = part->bvh;
 	const double norm = vec3_norm(m), rounding = SUPPORT_SLACK * norm * vec3_norm(bvh->half);
@@ -172,14 +204,21 @@ static double support_of_mesh(const struct mesh_part *part, vec3 m, double slack
 		.closed = -INFINITY,
 		.most = -INFINITY,
 	};
+	double known = -INFINITY;
 
+	if (seen && seen->count) {
+		f.at = farthest_seen(seen, m);
+		f.most = known = vec3_dot(m, f.at);
+	}
 	for (uint32_t i = 0; i < part->leaf.count; i++)
 		try_triangle(&f, part->leaf.first + i);
 	if (!part->leaf.count)
 		try_node(&f, part->leaf.first);
 	*visits += f.visits + 1;
-	if (at && f.run)
+	if ((at || seen) && f.run)
 		f.at = corner_runs_farthest(part->corners, f.run, f.direction);
+	if (seen && f.most > known)
+		add_seen(seen, f.at);
 	if (at)
 		*at = vec3_add(f.at, bvh->origin);
 	return vec3_dot(m, bvh->origin) + (slack > 0 ? larger(f.most, f.closed) : f.most) + 3 * rounding;
@@ -193,7 +232,8 @@ double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *a
 		*visits += 1;
 		return support_of_profile(convex, m, at);
 	}
-	most = support_of_mesh(convex->mesh, mat3_apply_transposed(&convex->place->rotation, m), slack, at, visits);
+	most = support_of_mesh(convex->mesh, convex->seen, mat3_apply_transposed(&convex->place->rotation, m), slack,
+			       at, visits);
 	if (at)
 		*at = xform_apply(convex->place, *at);
 	return most + vec3_dot(m, convex->place->translation);
@@ -291,13 +331,64 @@ static void reduce(struct simplex *simplex, vec3 *nearest)
 	simplex->count = kept;
 }
 
+/* A point of the part that reaches far along m: a seen corner, or the farthest point of the rings. */
+static vec3 guess_farthest(const struct convex *convex, vec3 m)
+{
+	vec3 at, back;
+
+	if (convex->profile) {
+		support_of_profile(convex, m, &at);
+		return at;
+	}
+	back = mat3_apply_transposed(&convex->place->rotation, m);
+	return xform_apply(convex->place, vec3_add(farthest_seen(convex->seen, back), convex->mesh->bvh->origin));
+}
+
+static bool has_guess(const struct convex *convex)
+{
+	return convex->profile || (convex->seen && convex->seen->count);
+}
+
+/* The difference of two points that reach far along v and against it. */
+static vec3 guess_difference(const struct convex *a, const struct convex *b, vec3 v)
+{
+	return vec3_sub(guess_farthest(b, vec3_scale(-1, v)), guess_farthest(a, v));
+}
+
+static void add_corner(struct simplex *simplex, struct convex_search *search, vec3 p, vec3 *nearest)
+{
+	search->seen[search->count++] = p;
+	simplex->p[simplex->count++] = p;
+	reduce(simplex, nearest);
+}
+
+/*
+ * Approaches the point nearest to the origin with corners that were seen before, as far as they go: a few of them cost
+ * much less than a support of a large mesh.
+ */
+static void approach(const struct convex *a, const struct convex *b, struct simplex *simplex,
+		     struct convex_search *search, vec3 *v)
+{
+	if (!has_guess(a) || !has_guess(b))
+		return;
+	while (search->count < CONVEX_GUESSES && simplex->count < 4) {
+		const double norm = vec3_norm(*v);
+		const vec3 p = guess_difference(a, b, *v);
+
+		if (!(norm > 1e-9) || (simplex->count && vec3_dot(*v, p) >= (1 - DIRECTION_SHARE) * norm * norm))
+			return;
+		add_corner(simplex, search, p, v);
+	}
+}
+
 bool convex_direction(const struct convex *a, const struct convex *b, struct convex_search *search, long *visits)
 {
-	vec3 v = vec3_sub(b->centre, a->centre), on_a, on_b;
+	vec3 v = vec3_sub(b->centre, a->centre), on_a, on_b, p;
 	struct simplex simplex = {0};
 	bool found = false;
 
 	search->count = 0;
+	approach(a, b, &simplex, search, &v);
 	for (int step = 0; step < CONVEX_STEPS && simplex.count < 4; step++) {
 		double norm = vec3_norm(v), along;
 
@@ -305,17 +396,15 @@ bool convex_direction(const struct convex *a, const struct convex *b, struct con
 			return found;
 		convex_support(a, v, SLACK_SHARE * norm, &on_a, visits);
 		convex_support(b, vec3_scale(-1, v), SLACK_SHARE * norm, &on_b, visits);
-		simplex.p[simplex.count] = vec3_sub(on_b, on_a);
-		search->seen[search->count++] = simplex.p[simplex.count];
-		along = vec3_dot(v, simplex.p[simplex.count]);
+		p = vec3_sub(on_b, on_a);
+		along = vec3_dot(v, p);
 		if (along > 0) {
 			found = true;
 			search->direction = vec3_scale(1 / norm, v);
-			if (step && along >= (1 - DIRECTION_SHARE) * norm * norm)
+			if (simplex.count && along >= (1 - DIRECTION_SHARE) * norm * norm)
 				return true;
 		}
-		simplex.count++;
-		reduce(&simplex, &v);
+		add_corner(&simplex, search, p, &v);
 	}
 	return found;
 }

@@ -14,12 +14,24 @@
 #include "scene/profile.h"
 
 /*
+ * Corners of a part that reached farthest in some direction, in its mesh coordinates from the tree's origin. They are
+ * tried before the tree. All zero is empty.
+ */
+enum { SEEN_CORNERS = 64 };
+
+struct seen_corners {
+	int count, next;
+	double x[SEEN_CORNERS], y[SEEN_CORNERS], z[SEEN_CORNERS];
+};
+
+/*
  * A part of a body at one pose. Borrows everything. With a profile it is the hull of the rings about the axis, and the
  * ball encloses these.
  */
 struct convex {
 	const struct mesh_part *mesh;
 	const xform *place;	/* mesh coordinates -> those of the pose */
+	struct seen_corners *seen;	/* of the mesh; or NULL */
 	const struct profile *profile;	/* or NULL */
 	vec3 location, axis;	/* of the profile, at the pose */
 	vec3 centre;	/* of the ball, at the pose */
@@ -37,8 +49,8 @@ struct mesh_part {
 
 struct mesh_part mesh_part_of(const struct bvh *bvh, const struct corner_runs *corners, struct leaf leaf);
 
-/* The part of a mesh at `place`, without or with a profile. */
-struct convex convex_of_mesh(const struct mesh_part *part, const xform *place);
+/* The part of a mesh at `place`, without or with a profile. seen: the part's seen corners, or NULL. */
+struct convex convex_of_mesh(const struct mesh_part *part, const xform *place, struct seen_corners *seen);
 struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis);
 
 /*
@@ -49,12 +61,12 @@ struct convex convex_of_profile(const struct profile *profile, vec3 location, ve
  */
 double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits);
 
-enum { CONVEX_STEPS = 24 };
+enum { CONVEX_STEPS = 24, CONVEX_GUESSES = 16 };
 
 /* The result of a search for a direction. */
 struct convex_search {
 	vec3 direction;	/* unit, from a to b */
-	vec3 seen[CONVEX_STEPS];	/* each from a point of a to one of b: no gap along n is larger than n.seen */
+	vec3 seen[CONVEX_GUESSES + CONVEX_STEPS];	/* each from a point of a to one of b: no gap along n is larger than n.seen */
 	int count;
 };
 

@@ -59,7 +59,7 @@ static struct convex shape_at(const struct made *made, const struct plane_pose *
 
 	return made->rings[body] ? convex_of_profile(&made->profiles[body], pose->location[joint],
 						     pose->direction[joint])
-				 : convex_of_mesh(&made->parts[body], &pose->places[body]);
+				 : convex_of_mesh(&made->parts[body], &pose->places[body], NULL);
 }
 
 static struct made make_plane(struct scene_of_two *s)
@@ -281,8 +281,8 @@ START_TEST(motion_across_the_normal_is_free)
 	corners[1] = corner_runs_new(duo.b);
 	parts[0] = mesh_part_of(duo.a, corners[0], root);
 	parts[1] = mesh_part_of(duo.b, corners[1], root);
-	a = convex_of_mesh(&parts[0], &places[0]);
-	b = convex_of_mesh(&parts[1], &places[1]);
+	a = convex_of_mesh(&parts[0], &places[0], NULL);
+	b = convex_of_mesh(&parts[1], &places[1], NULL);
 	travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 0, 1}, 1,
 			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, 0, &visits), &visits);
 	motion.q0 = motion.q1 = at;
@@ -338,8 +338,8 @@ START_TEST(normal_goes_with_its_link)
 		corners[1] = corner_runs_new(duo.b);
 		parts[0] = mesh_part_of(duo.a, corners[0], root);
 		parts[1] = mesh_part_of(duo.b, corners[1], root);
-		a = convex_of_mesh(&parts[0], &places[0]);
-		b = convex_of_mesh(&parts[1], &places[1]);
+		a = convex_of_mesh(&parts[0], &places[0], NULL);
+		b = convex_of_mesh(&parts[1], &places[1], NULL);
 		travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 1, 0}, link, 1, &visits);
 		plane_pose_init(&pose, &duo.pair, &turned);
 		n = travelling_plane_normal(&plane, &pose);

@@ -117,25 +117,25 @@ static void try_shapes(struct plane_search *search, const struct convex *a, cons
 	}
 }
 
-static struct convex mesh_of(const struct plane_pose *pose, const struct plane_part *part)
+static struct convex mesh_of(const struct plane_pose *pose, struct plane_part *part)
 {
-	return convex_of_mesh(&part->mesh, &pose->places[part->body]);
+	return convex_of_mesh(&part->mesh, &pose->places[part->body], &part->seen);
 }
 
-static struct convex rings_of(const struct plane_pose *pose, const struct plane_part *part)
+static struct convex rings_of(const struct plane_pose *pose, struct plane_part *part)
 {
 	size_t joint = part->body ? pose->bodies->chain->count - 1 : 0;
 
 	return convex_of_profile(&part->profile, pose->location[joint], pose->direction[joint]);
 }
 
-static struct convex shape_of(const struct plane_pose *pose, const struct plane_part *part, bool rings)
+static struct convex shape_of(const struct plane_pose *pose, struct plane_part *part, bool rings)
 {
 	return rings ? rings_of(pose, part) : mesh_of(pose, part);
 }
 
 /* Measures a kept plane again, at the place to which its link has carried it. */
-static void try_again(struct plane_search *search, const struct plane_part *const parts[2],
+static void try_again(struct plane_search *search, struct plane_part *const parts[2],
 		      const struct kept_plane *kept)
 {
 	struct convex a = shape_of(&search->pose, parts[0], kept->rings[0]);
@@ -151,7 +151,7 @@ static void try_again(struct plane_search *search, const struct plane_part *cons
  * mm: the gap that the best plane leaves at an end of the motion, less the rounding of its normal. `before`: the plane
  * whose new measurement gave the best plane; NULL: none.
  */
-static double gap_at_end(struct plane_search *search, const struct plane_part *const parts[2],
+static double gap_at_end(struct plane_search *search, struct plane_part *const parts[2],
 			 const struct travelling_plane *before, int end)
 {
 	const struct body_pair *bodies = search->bodies;
@@ -175,7 +175,7 @@ static double gap_at_end(struct plane_search *search, const struct plane_part *c
 }
 
 /* If the best plane does not hold for the whole motion, its gaps at both ends may prove the motion. */
-static void try_ends(struct plane_search *search, const struct plane_part *const parts[2],
+static void try_ends(struct plane_search *search, struct plane_part *const parts[2],
 		     const struct travelling_plane *before)
 {
 	const struct plane_motion *motion = search->motion;
@@ -205,7 +205,7 @@ static double gap_at_start(const struct travelling_plane *plane, const struct ch
 }
 
 /* mm: the gap that the best plane leaves throughout the straight motion; gap0: its gap at the start. */
-static double rest_between(struct plane_search *search, const struct plane_part *const parts[2],
+static double rest_between(struct plane_search *search, struct plane_part *const parts[2],
 			   const struct travelling_plane *before, double gap0)
 {
 	const double gap1 = gap0 > 0 ? gap_at_end(search, parts, before, 1) : -INFINITY;
@@ -213,10 +213,10 @@ static double rest_between(struct plane_search *search, const struct plane_part 
 	return travelling_plane_between(&search->best.plane, search->bodies->chain, search->motion, gap0, gap1);
 }
 
-double plane_search_carry(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+double plane_search_carry(struct plane_search *search, struct plane_part *a, struct plane_part *b,
 			  const struct kept_plane *last, const vec3 *along)
 {
-	const struct plane_part *const parts[2] = {a, b};
+	struct plane_part *const parts[2] = {a, b};
 	const struct travelling_plane *before = along ? NULL : &last->plane;
 	const struct chain *chain = search->bodies->chain;
 	const struct convex of_a = shape_of(&search->pose, a, last->rings[0]);
@@ -241,7 +241,7 @@ double plane_search_carry(struct plane_search *search, const struct plane_part *
 	return rest;
 }
 
-static void try_all_shapes(struct plane_search *search, const struct plane_part *of_a, const struct plane_part *of_b)
+static void try_all_shapes(struct plane_search *search, struct plane_part *of_a, struct plane_part *of_b)
 {
 	const struct plane_pose *pose = &search->pose;
 	struct convex mesh_a = mesh_of(pose, of_a), mesh_b = mesh_of(pose, of_b), rings_a, rings_b;
@@ -260,10 +260,10 @@ static void try_all_shapes(struct plane_search *search, const struct plane_part 
 		try_shapes(search, &mesh_a, &mesh_b);
 }
 
-bool plane_search_between(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+bool plane_search_between(struct plane_search *search, struct plane_part *a, struct plane_part *b,
 			  const struct kept_plane *last)
 {
-	const struct plane_part *const parts[2] = {a, b};
+	struct plane_part *const parts[2] = {a, b};
 
 	search->life = -1;
 	search->apart = 0;

@@ -13,6 +13,7 @@ struct plane_part {
 	struct mesh_part mesh;
 	bool has_profile;
 	struct profile profile;	/* about the joint next to the body */
+	struct seen_corners seen;	/* of the mesh */
 	size_t first_child, child_count;	/* parts; 0: not divided yet */
 };
 
@@ -45,7 +46,7 @@ void plane_search_init(struct plane_search *search, const struct body_pair *bodi
  * Does a plane prove the motion? It is search->best. False: if life is at least 0, that plane may prove a part of the
  * motion. `last`: a kept plane between the parts, which is tried first; NULL: none.
  */
-bool plane_search_between(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+bool plane_search_between(struct plane_search *search, struct plane_part *a, struct plane_part *b,
 			  const struct kept_plane *last);
 
 /*
@@ -54,7 +55,7 @@ bool plane_search_between(struct plane_search *search, const struct plane_part *
  * motion. Returns mm: the plane leaves a larger gap throughout the motion, if necessary by its gaps at both ends;
  * -INFINITY: it leaves none at the pose, and there is no best one.
  */
-double plane_search_carry(struct plane_search *search, const struct plane_part *a, const struct plane_part *b,
+double plane_search_carry(struct plane_search *search, struct plane_part *a, struct plane_part *b,
 			  const struct kept_plane *last, const vec3 *along);
 
 #endif

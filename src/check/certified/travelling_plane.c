@@ -75,9 +75,12 @@ static void add_rotary(struct travelling_plane *plane, const struct plane_pose *
 	vec3 axis = pose->direction[i], location = pose->location[i];
 	vec3 lever = vec3_cross(n, axis);
 	double from = vec3_dot(lever, location), slack = LEVER_SHARE * part->radius;
+	struct convex roughly = *part;
 
-	plane->high[i] = convex_support(part, lever, slack, NULL, visits) - from + pose->rounding;
-	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), slack, NULL, visits) - from - pose->rounding;
+	/* So coarse a support costs less than a look at the seen corners, and would replace better ones. */
+	roughly.seen = NULL;
+	plane->high[i] = convex_support(&roughly, lever, slack, NULL, visits) - from + pose->rounding;
+	plane->low[i] = -convex_support(&roughly, vec3_scale(-1, lever), slack, NULL, visits) - from - pose->rounding;
 	plane->turn[i] = vec3_norm(lever) + pose->slack;
 	plane->lever[i] =
 	    vec3_norm(vec3_cross(axis, vec3_sub(part->centre, location))) + part->radius + pose->rounding;
@@ -119,13 +122,21 @@ axis_values plane_motion_middle(const struct plane_motion *motion)
 	return middle;
 }
 
+static bool leaves_path(const struct chain *chain, const struct position_errors *errors)
+{
+	for (size_t i = 0; i < chain->count && errors->any; i++)
+		if (errors->path.v[chain->joints[i].slot] > 0)
+			return true;
+	return false;
+}
+
 double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
 			 const struct position_errors *errors)
 {
 	struct chain_state state;
 	axis_values middle, half;
 
-	if (!errors->any)
+	if (!leaves_path(bodies->chain, errors))
 		return 0;
 	for (int i = 0; i < SLOT_COUNT; i++) {
 		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
