@@ -167,11 +167,12 @@ static void try_child(struct farthest *f, const struct bvh_node *node, int i)
 /* The seen corner that reaches farthest along m; at least one was seen. */
 static vec3 farthest_seen(const struct seen_corners *seen, vec3 m)
 {
-	double most = -INFINITY;
+	const float n[3] = {(float)m.x, (float)m.y, (float)m.z};
+	float most = -INFINITY;
 	int best = 0;
 
 	for (int i = 0; i < seen->count; i++) {
-		const double along = m.x * seen->x[i] + m.y * seen->y[i] + m.z * seen->z[i];
+		const float along = n[0] * seen->x[i] + n[1] * seen->y[i] + n[2] * seen->z[i];
 
 		best = along > most ? i : best;
 		most = along > most ? along : most;
@@ -179,13 +180,14 @@ static vec3 farthest_seen(const struct seen_corners *seen, vec3 m)
 	return (vec3){seen->x[best], seen->y[best], seen->z[best]};
 }
 
+/* Rounded to float, as the corners of a run are. */
 static void add_seen(struct seen_corners *seen, vec3 p)
 {
 	const int i = seen->next;
 
-	seen->x[i] = p.x;
-	seen->y[i] = p.y;
-	seen->z[i] = p.z;
+	seen->x[i] = (float)p.x;
+	seen->y[i] = (float)p.y;
+	seen->z[i] = (float)p.z;
 	seen->next = (i + 1) % SEEN_CORNERS;
 	seen->count = seen->count < SEEN_CORNERS ? seen->count + 1 : SEEN_CORNERS;
 }
@@ -217,7 +219,8 @@ static double support_of_mesh(const struct mesh_part *part, struct seen_corners 
 	*visits += f.visits + 1;
 	if ((at || seen) && f.run)
 		f.at = corner_runs_farthest(part->corners, f.run, f.direction);
-	if (seen && f.most > known)
+	/* What is farther by rounding alone is known. */
+	if (seen && f.most > known + rounding)
 		add_seen(seen, f.at);
 	if (at)
 		*at = vec3_add(f.at, bvh->origin);

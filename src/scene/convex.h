@@ -17,11 +17,11 @@
  * Corners of a part that reached farthest in some direction, in its mesh coordinates from the tree's origin. They are
  * tried before the tree. All zero is empty.
  */
-enum { SEEN_CORNERS = 64 };
+enum { SEEN_CORNERS = 32 };
 
 struct seen_corners {
 	int count, next;
-	double x[SEEN_CORNERS], y[SEEN_CORNERS], z[SEEN_CORNERS];
+	float x[SEEN_CORNERS], y[SEEN_CORNERS], z[SEEN_CORNERS];
 };
 
 /*
