@@ -220,7 +220,8 @@ static enum inside plain_inside(const struct bvh *bvh, const struct topology *to
 	return sum ? INSIDE_YES : INSIDE_NO;
 }
 
-enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point)
+/* The answer of the closed shells; open ones are left out. */
+static enum inside inside_closed(const struct bvh *bvh, const struct topology *topology, vec3 point)
 {
 	int *windings, oriented = 0, odd = 0;
 	bool good;
@@ -237,5 +238,25 @@ enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, 
 	if (good && (odd % 2 ? !oriented : !odd && oriented))
 		return INSIDE_YES;
 	/* Inside two shells, one of which does not define its solid side: a cavity, or one solid within another. */
-	return !good || odd || open_shells_may_hold(bvh, topology, point) ? INSIDE_UNKNOWN : INSIDE_NO;
+	return !good || odd ? INSIDE_UNKNOWN : INSIDE_NO;
+}
+
+enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point)
+{
+	const enum inside closed = inside_closed(bvh, topology, point);
+
+	return closed == INSIDE_NO && !topology->plain && open_shells_may_hold(bvh, topology, point) ? INSIDE_UNKNOWN
+												     : closed;
+}
+
+bool mesh_is_inside(const struct bvh *bvh, const struct topology *topology, vec3 point)
+{
+	return inside_closed(bvh, topology, point) == INSIDE_YES;
+}
+
+bool mesh_is_inside_closed(const struct bvh *bvh, vec3 point)
+{
+	static const struct topology closed = {.closed = true, .plain = true};
+
+	return plain_inside(bvh, &closed, point) == INSIDE_YES;
 }

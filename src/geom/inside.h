@@ -28,6 +28,15 @@ enum inside {
 enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
 
 /*
+ * Does mesh_inside return INSIDE_YES? For an open shell this costs far less: whether it might hold the point, if its
+ * holes were closed, is not computed.
+ */
+bool mesh_is_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
+
+/* The winding number of a mesh whose edges are known to be balanced (edge_balance.h), without a topology. */
+bool mesh_is_inside_closed(const struct bvh *bvh, vec3 point);
+
+/*
  * Does one of a few rays from the point cross no triangle? Then mesh_inside does not return INSIDE_YES for the point,
  * and no topology is needed.
  */

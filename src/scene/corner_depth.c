@@ -51,16 +51,30 @@ static void clear_ball(struct cleared *cleared, vec3 centre, double radius)
 	cleared->radius[cleared->count++] = radius;
 }
 
+/* Is the point inside the body's mesh? A doubt does not need the topology of a large mesh that is closed. */
+static bool is_inside(struct scene *scene, int body, vec3 p)
+{
+	const struct bvh *solid = scene->bodies[body].bvh;
+
+	if (mesh_ray_is_free(solid, p))
+		return false;
+	return scene_body_is_balanced(scene, body) ? mesh_is_inside_closed(solid, p)
+						   : mesh_is_inside(solid, scene_body_topology(scene, body), p);
+}
+
 /*
  * The side of the body's surface on which the point is; `room` is from room_in_box. If `side` is INSIDE_YES, the result
- * INSIDE_NO means only that the point is not inside.
+ * INSIDE_NO means only that the point is not known to be inside; then the same holds for all points that no surface
+ * separates from it.
  */
 static enum inside side_of(struct scene *scene, int body, vec3 p, double room, enum inside side)
 {
 	const struct bvh *solid = scene->bodies[body].bvh;
 
-	if (!(room > 0) || (side == INSIDE_YES && mesh_ray_is_free(solid, p)))
+	if (!(room > 0))
 		return INSIDE_NO;
+	if (side == INSIDE_YES)
+		return is_inside(scene, body, p) ? INSIDE_YES : INSIDE_NO;
 	return mesh_inside(solid, scene_body_topology(scene, body), p);
 }
 

@@ -1,6 +1,5 @@
 #include "scene/open_check.h"
 
-#include "geom/edge_balance.h"
 #include "geom/topology.h"
 
 static bool has_checked_pair(const struct scene *scene, int body)
@@ -18,7 +17,7 @@ static bool is_open(struct scene *scene, int body)
 {
 	const struct scene_body *b = &scene->bodies[body];
 
-	return b->bvh && !b->body->profile && !b->body->checked && !edge_balance_is_closed(&b->bvh->mesh) &&
+	return b->bvh && !b->body->profile && !b->body->checked && !scene_body_is_balanced(scene, body) &&
 	       has_checked_pair(scene, body) && topology_is_open(scene_body_topology(scene, body));
 }
 

@@ -8,6 +8,7 @@
 #include "base/same_double.h"
 #include "geom/stl.h"
 #include "geom/tolerance.h"
+#include "geom/edge_balance.h"
 #include "geom/topology.h"
 #include "machine/tool_core.h"
 #include "machine/tool_solid.h"
@@ -155,6 +156,19 @@ const struct bvh *scene_body_bvh(struct scene *scene, int body)
 	const struct scene_body *b = &scene->bodies[body];
 
 	return b->core || b->body->profile ? solid_bvh(scene, body) : b->bvh;
+}
+
+bool scene_body_is_balanced(struct scene *scene, int body)
+{
+	struct scene_body *b = &scene->bodies[body];
+	const struct bvh *bvh = scene_body_bvh(scene, body);
+
+	pthread_mutex_lock(&b->building);
+	if (!b->balance_known)
+		b->balanced = edge_balance_is_closed(&bvh->mesh);
+	b->balance_known = true;
+	pthread_mutex_unlock(&b->building);
+	return b->balanced;
 }
 
 const struct topology *scene_body_topology(struct scene *scene, int body)

@@ -34,6 +34,7 @@ struct scene_body {
 	struct bvh *bvh;	/* NULL for a core or a piece given by sections, until scene_body_bvh builds it */
 	struct bvh *coarse;	/* NULL until scene_body_coarse builds it */
 	struct topology *topology;	/* NULL until asked for */
+	bool balance_known, balanced;	/* as edge_balance.h; set by scene_body_is_balanced */
 	struct body_shapes *shapes;	/* NULL until a pair needs them */
 	pthread_mutex_t building;	/* guards the members above: each is built by the first thread that needs it */
 	double depth;	/* mm: of a core, below the surface of the cutter */
@@ -95,6 +96,9 @@ const struct bvh *scene_body_bvh(struct scene *scene, int body);
  * call.
  */
 int scene_core(struct scene *scene, int body, double depth);
+
+/* Is the body's mesh closed (edge_balance.h)? This costs a fifth of a topology. */
+bool scene_body_is_balanced(struct scene *scene, int body);
 
 /* The topology of the body's mesh, built at the first call. */
 const struct topology *scene_body_topology(struct scene *scene, int body);
