@@ -109,7 +109,8 @@ static vec3 add_caps(struct corner_runs *runs, size_t *count, const struct bvh *
 	runs->runs[at].caps = (uint32_t)++*count;
 	for (int i = 0; i < node->used; i++) {
 		const struct bvh_node *below = node->count[i] ? NULL : &bvh->nodes[node->first[i]];
-		const size_t first = below ? below->begin : node->first[i], total = below ? below->total : node->count[i];
+		const size_t first = below ? below->begin : node->first[i];
+		const size_t total = below ? below->total : node->count[i];
 		const bool large = total > RUN_TRIANGLES;
 		const vec3 area = large ? add_caps(runs, count, bvh, node->first[i])
 					: area_of_triangles(bvh, first, total);

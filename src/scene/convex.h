@@ -61,12 +61,14 @@ struct convex convex_of_profile(const struct profile *profile, vec3 location, ve
  */
 double convex_support(const struct convex *convex, vec3 m, double slack, vec3 *at, long *visits);
 
+/* The largest numbers of steps: with supports, and before these with seen corners. */
 enum { CONVEX_STEPS = 24, CONVEX_GUESSES = 16 };
 
 /* The result of a search for a direction. */
 struct convex_search {
 	vec3 direction;	/* unit, from a to b */
-	vec3 seen[CONVEX_GUESSES + CONVEX_STEPS];	/* each from a point of a to one of b: no gap along n is larger than n.seen */
+	/* Each from a point of a to one of b: no gap along n is larger than n.seen. */
+	vec3 seen[CONVEX_GUESSES + CONVEX_STEPS];
 	int count;
 };
 
