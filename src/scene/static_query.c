@@ -148,11 +148,13 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
 bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
 		   vec3 *point, struct diag *diag)
 {
+	const struct body *a = scene->bodies[pair->a].body;
+	const xform link = machine_pose(scene->machine, a->link, q);
 	struct contact contact;
 
 	if (static_query_pose(scene, &scene->sweep, pair, q, tolerance, &contact, diag) != POSE_OVERLAP)
 		return false;
-	*point = contact.point;
+	*point = xform_apply(&link, xform_apply(&a->placement, contact.point));
 	return true;
 }
 

@@ -40,7 +40,7 @@ void static_query_report_undecided(const struct scene *scene, const struct scene
 
 /*
  * Do two bodies overlap at the axis positions q: do their surfaces meet, or is one inside the other? Touching within
- * `tolerance` mm counts. *point is in a's mesh coordinates.
+ * `tolerance` mm counts. *point is in machine coordinates.
  */
 bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
 		   vec3 *point, struct diag *diag);
