@@ -4,12 +4,13 @@
 
 #include "base/spare_threads.h"
 
-static void add_clearance(struct checker *c, long block, size_t pair, double clearance, bool so_far)
+/* From the first block to the last. */
+static void add_clearance(struct checker *c, long block, long last, size_t pair, double clearance, bool so_far)
 {
 	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap, so_far};
 
 	if (!least.capped || !c->options->least_clearances)
-		block_log_add_expected(&c->log, block, least);
+		block_log_add_expected(&c->log, block, last, least);
 }
 
 /* Logs the results of scheduler_measure and stock_check_measure. */
@@ -20,16 +21,16 @@ static void take_clearances(struct checker *c)
 
 		block_log_expect_clearances(&c->log, check->clearance_count);
 		for (size_t k = 0; k < check->clearance_count; k++)
-			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance,
-				      check->clearances[k].so_far);
+			add_clearance(c, check->clearances[k].block, check->clearances[k].last, check->pair,
+				      check->clearances[k].clearance, check->clearances[k].so_far);
 	}
 	for (size_t i = 0; i < c->stock.pair_count; i++) {
 		const struct stock_clearance *measured = &c->stock.clearances[i];
 
 		block_log_expect_clearances(&c->log, measured->block_count);
 		for (size_t k = 0; k < measured->block_count; k++)
-			add_clearance(c, measured->blocks[k].block, c->stock.pairs[i].pair,
-				      measured->blocks[k].clearance, false);
+			add_clearance(c, measured->blocks[k].block, measured->blocks[k].block,
+				      c->stock.pairs[i].pair, measured->blocks[k].clearance, false);
 	}
 }
 

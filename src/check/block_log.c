@@ -77,7 +77,7 @@ void block_log_forget(struct block_log *log)
 	if (!log->page.block_count)
 		return;
 	for (size_t i = 0; i < log->clearance_count; i++)
-		if (log->clearances[i].block > log->page.blocks[log->page.block_count - 1].block)
+		if (log->clearances[i].last > log->page.blocks[log->page.block_count - 1].block)
 			log->clearances[kept++] = log->clearances[i];
 	log->clearance_count = kept;
 	log->page.block_count = 0;
@@ -160,7 +160,7 @@ void block_log_expect_clearances(struct block_log *log, size_t count)
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least)
 {
 	block_log_expect_clearances(log, 1);
-	block_log_add_expected(log, block, *least);
+	block_log_add_expected(log, block, block, *least);
 }
 
 /* Divides the clearances into runs, in order of arrival. */
@@ -168,7 +168,7 @@ static void find_runs(struct block_log *log)
 {
 	log->run_count = 0;
 	for (size_t i = 0; i < log->clearance_count; i++) {
-		if (!i || log->clearances[i].block < log->clearances[i - 1].block) {
+		if (!i || log->clearances[i].block <= log->clearances[i - 1].last) {
 			log->runs = mem_grow(log->runs, &log->run_capacity, log->run_count + 1, sizeof(*log->runs));
 			log->runs[log->run_count++].next = i;
 		}
@@ -208,16 +208,23 @@ static inline size_t add_to_out(struct block_log *log, size_t count, const struc
 }
 
 /* Collects the clearances of one block in log->out. Each pair gets one: its smallest. */
-static size_t gather(struct block_log *log, long block)
+static size_t gather(struct block_log *log, const struct block_record *of)
 {
 	size_t count = 0;
 
 	for (size_t i = 0; i < log->run_count; i++) {
 		struct clearance_run *run = &log->runs[i];
+		const struct block_pair_clearance *it = &log->clearances[run->next], *end = &log->clearances[run->end];
 
-		for (; run->next < run->end && log->clearances[run->next].block <= block; run->next++)
-			if (log->clearances[run->next].block == block)
-				count = add_to_out(log, count, &log->clearances[run->next].least);
+		for (; it < end && it->block <= of->block; it++) {
+			const bool one = it->block == it->last;
+
+			if (it->last >= of->block && (one || of->steps))
+				count = add_to_out(log, count, &it->least);
+			if (it->last > of->block)
+				break;
+		}
+		run->next = (size_t)(it - log->clearances);
 	}
 	return count;
 }
@@ -229,7 +236,7 @@ void block_log_measured(struct block_log *log, long last, const struct check_sin
 	find_runs(log);
 	for (size_t i = 0; i < log->page.block_count && log->page.blocks[i].block <= last; i++) {
 		const struct block_record *block = &log->page.blocks[i];
-		size_t count = gather(log, block->block);
+		size_t count = gather(log, block);
 		struct check_block out = {
 			.file = block->file, .line = block->line, .number = block->block + 1,
 			.seconds = block->seconds, .steps = block->steps, .interpret = block->interpret,

@@ -23,9 +23,9 @@ struct block_finding {
 	long number;	/* order of those with the same rank: set by block_log_add_finding */
 };
 
-/* The clearance of a pair in a part of a block. */
+/* The clearance of a pair in a part of a block; or in each block with steps from the first to the last. */
 struct block_pair_clearance {
-	long block;
+	long block, last;
 	struct pair_clearance least;
 };
 
@@ -85,9 +85,9 @@ void block_log_add_finding(struct block_log *log, const struct block_finding *fi
 void block_log_expect_clearances(struct block_log *log, size_t count);
 
 /* block_log_expect_clearances has reserved the room. */
-static inline void block_log_add_expected(struct block_log *log, long block, struct pair_clearance least)
+static inline void block_log_add_expected(struct block_log *log, long block, long last, struct pair_clearance least)
 {
-	log->clearances[log->clearance_count++] = (struct block_pair_clearance){.block = block, .least = least};
+	log->clearances[log->clearance_count++] = (struct block_pair_clearance){block, last, least};
 }
 
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least);

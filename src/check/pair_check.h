@@ -40,9 +40,9 @@ struct pair_check_result {
 /* Counts the result of this step, if it is one of them. Call open_boxes_count before. */
 void open_boxes_add(struct open_boxes *boxes, const struct pair_check_result *result, const struct batch_step *step);
 
-/* The clearance of the pair in those steps of a block that are in the batch. */
+/* The clearance of the pair in those steps of a block that are in the batch; or the cap, in each of several blocks. */
 struct pair_check_clearance {
-	long block;
+	long block, last;	/* the first and the last block */
 	double clearance;	/* mm: proven, at most `most` */
 	double most;	/* mm: larger clearances were not needed */
 	bool so_far;	/* as in struct pair_clearance */

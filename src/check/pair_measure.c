@@ -11,22 +11,37 @@ bool pair_measure_applies(const struct pair_check *check)
 	return check->steps == STEP_ANY;
 }
 
+static void add_room(struct pair_check *check, long block, long last, double most)
+{
+	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
+				     sizeof(*check->clearances));
+	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, last, most, most, false};
+}
+
+static struct pair_check_clearance *last_room(const struct pair_check *check)
+{
+	return check->clearance_count ? &check->clearances[check->clearance_count - 1] : NULL;
+}
+
 /*
  * Starts the clearance of the step's block, if the block is new. Distances above `most` do not matter. least_only:
  * blocks without a smaller distance are left out.
  */
 static void start_room(struct pair_check *check, long block, double most, bool least_only)
 {
-	const struct pair_check_clearance *last =
-	    check->clearance_count ? &check->clearances[check->clearance_count - 1] : NULL;
+	struct pair_check_clearance *last = last_room(check);
 
-	if (last && last->block == block)
+	if (last && last->last == block) {
+		if (last->block == block)
+			return;
+		/* The rest of the block may lower its clearance. */
+		last->last--;
+		add_room(check, block, block, last->most);
 		return;
+	}
 	if (last && least_only && !(last->clearance < last->most))
 		check->clearance_count--;
-	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
-				     sizeof(*check->clearances));
-	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, most, most, false};
+	add_room(check, block, block, most);
 	block_clearance_start(&check->methods->block, most);
 }
 
@@ -68,28 +83,38 @@ static bool box_clears(struct block_clearance *block, const struct batch *batch,
 	return box && (proved >= largest || block_clearance_clears(block, box, largest, steps, size == BOX_CHUNK));
 }
 
-/* Stores the cap for all blocks of the chunk that begins with step i. */
-static void add_clear_chunk(struct pair_check *check, const struct batch *batch, const struct measure_plan *plan,
-			    size_t i)
+/*
+ * The end of the largest box that begins with step i and whose steps have at least their cap; i: there is none.
+ * `proved`: mm, proved for all steps so far.
+ */
+static size_t clear_to(struct block_clearance *block, const struct batch *batch, size_t i,
+		       const struct measure_plan *plan, double proved)
 {
-	const size_t to = i + CHUNK_STEPS < batch->step_count ? i + CHUNK_STEPS : batch->step_count;
-	long last = check->clearance_count ? check->clearances[check->clearance_count - 1].block : -1;
+	size_t to = i;
 
-	check->clearances = mem_grow(check->clearances, &check->clearance_capacity,
-				     check->clearance_count + CHUNK_STEPS, sizeof(*check->clearances));
-	for (; i < to; i++) {
-		const long block = batch->steps[i].block;
-
-		if (block == last)
-			continue;
-		last = block;
-		check->clearances[check->clearance_count++] =
-		    (struct pair_check_clearance){block, plan->most[i], plan->most[i], false};
-		check->methods->block.pair.bound = plan->most[i];
-	}
+	if (box_clears(block, batch, BOX_CHUNK, i, plan, proved))
+		to += CHUNK_STEPS;
+	else if (box_clears(block, batch, BOX_PIECE, i, plan, proved))
+		to += PIECE_STEPS;
+	return to < batch->step_count ? to : batch->step_count;
 }
 
-/* Must the steps of a chunk be examined one by one, although each of them has at least its cap? */
+/* Stores the cap for all blocks that begin in the steps before `to`, from step i on. */
+static void add_clear(struct pair_check *check, const struct batch *batch, double cap, size_t i, size_t to)
+{
+	const long block = batch->steps[i].block, end = batch->steps[to - 1].block;
+	struct pair_check_clearance *last = last_room(check);
+
+	if (last && last->last == end)
+		return;
+	if (last && !(last->clearance < cap))
+		last->last = end;
+	else
+		add_room(check, block + (last && last->last == block), end, cap);
+	check->methods->block.pair.bound = cap;
+}
+
+/* Must steps be examined one by one, although each of them has at least its cap? */
 static bool needs_each_step(const struct pair_check *check, const struct check_options *options)
 {
 	const struct block_clearance *block = &check->methods->block;
@@ -172,7 +197,7 @@ long pair_measure(struct pair_check *check, struct sweep *sweep, const struct ba
 	const long before = looked_at(check, sweep);
 	const double proved = proved_so_far(check, options), enough = clear_from(check, options);
 	struct block_clearance *block = &check->methods->block;
-	bool chunk_is_clear = false, clears = false;
+	size_t clear = 0;
 
 	check->clearance_count = check->open_count = 0;
 	check->measured_first = pair_measure_applies(check) && !isinf(enough);
@@ -184,20 +209,18 @@ long pair_measure(struct pair_check *check, struct sweep *sweep, const struct ba
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
-		if (i % CHUNK_STEPS == 0)
-			chunk_is_clear = box_clears(block, batch, BOX_CHUNK, i, plan, proved);
-		if (i % CHUNK_STEPS == 0 && chunk_is_clear && !needs_each_step(check, options)) {
+		if (i % PIECE_STEPS == 0 && i >= clear)
+			clear = clear_to(block, batch, i, plan, proved);
+		if (i < clear && !needs_each_step(check, options)) {
 			if (!options->least_clearances)
-				add_clear_chunk(check, batch, plan, i);
-			i += CHUNK_STEPS - 1;
+				add_clear(check, batch, plan->largest, i, clear);
+			i = clear - 1;
 			continue;
 		}
-		if (i % PIECE_STEPS == 0)
-			clears = chunk_is_clear || box_clears(block, batch, BOX_PIECE, i, plan, proved);
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);
-		if (!clears) {
+		if (i >= clear) {
 			const bool spent = looked_at(check, sweep) - before > plan->effort;
 			const enum measure_wish wish = plan->wishes[i];
 

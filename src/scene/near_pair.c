@@ -130,27 +130,28 @@ static bool renew_points(const struct body_pair *pair, const xform *pose, struct
 	return moved2 > MOVED_SHARE * MOVED_SHARE * near->distance * near->distance;
 }
 
-static double improve(const struct body_pair *pair, const xform *pose, double enough, int rounds, long *visits)
+double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits)
 {
 	struct near_pair near = recall(pair, pose);
 
-	for (int round = 0; round < rounds && near.distance > enough; round++)
-		if (!replace_either(pair, pose, &near, enough, visits) &&
-		    (rounds == 1 || !renew_points(pair, pose, &near)))
+	for (int round = 0; round < ROUNDS && near.distance > enough; round++)
+		if (!replace_either(pair, pose, &near, enough, visits) && !renew_points(pair, pose, &near))
 			break;
 	if (near.is_new)
 		remember(pair, pose, &near);
 	return near.distance;
 }
 
-double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits)
-{
-	return improve(pair, pose, enough, ROUNDS, visits);
-}
-
 double near_pair_improve_once(const struct body_pair *pair, const xform *pose, double enough, long *visits)
 {
-	return improve(pair, pose, enough, 1, visits);
+	const bool first = pair->coherence->points.a_replaced;
+	struct near_pair near = recall(pair, pose);
+
+	if (near.distance > enough && !replace(pair, pose, first, &near, enough, visits))
+		replace(pair, pose, !first, &near, enough, visits);
+	if (near.is_new)
+		remember(pair, pose, &near);
+	return near.distance;
 }
 
 vec3 near_pair_direction(const struct body_pair *pair, const xform *pose)

@@ -18,7 +18,7 @@ double near_pair_distance(const struct body_pair *pair, const xform *pose);
  */
 double near_pair_improve(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 
-/* The same with one round of the search: each side is replaced at most once. */
+/* The same with a single replacement, of either side. */
 double near_pair_improve_once(const struct body_pair *pair, const xform *pose, double enough, long *visits);
 
 /*
