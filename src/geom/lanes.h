@@ -35,6 +35,8 @@ LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return _mm256_max_ps(a, b); }
 LANES_FUNCTION lanes lanes_abs(lanes a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { return _mm256_sqrt_ps(a); }
 LANES_FUNCTION lanes lanes_swap_halves(lanes a) { return _mm256_permute2f128_ps(a, a, 1); }
+LANES_FUNCTION lanes lanes_swap_quarters(lanes a) { return _mm256_permute_ps(a, _MM_SHUFFLE(1, 0, 3, 2)); }
+LANES_FUNCTION lanes lanes_swap_neighbours(lanes a) { return _mm256_permute_ps(a, _MM_SHUFFLE(2, 3, 0, 1)); }
 
 /* Is every lane of a above that of b? */
 LANES_FUNCTION bool lanes_above(lanes a, lanes b)
@@ -70,6 +72,11 @@ LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { return LANES_BOTH(_mm_min_ps)
 LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return LANES_BOTH(_mm_max_ps); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { return (lanes){_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
 LANES_FUNCTION lanes lanes_swap_halves(lanes a) { return (lanes){a.high, a.low}; }
+
+#define LANES_SHUFFLED(order) ((lanes){_mm_shuffle_ps(a.low, a.low, order), _mm_shuffle_ps(a.high, a.high, order)})
+
+LANES_FUNCTION lanes lanes_swap_quarters(lanes a) { return LANES_SHUFFLED(_MM_SHUFFLE(1, 0, 3, 2)); }
+LANES_FUNCTION lanes lanes_swap_neighbours(lanes a) { return LANES_SHUFFLED(_MM_SHUFFLE(2, 3, 0, 1)); }
 
 LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 {
@@ -122,7 +129,9 @@ LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { LANES_EACH(a.v[i] < b.v[i] ? 
 LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { LANES_EACH(a.v[i] > b.v[i] ? a.v[i] : b.v[i]); }
 LANES_FUNCTION lanes lanes_abs(lanes a) { LANES_EACH(fabsf(a.v[i])); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { LANES_EACH(sqrtf(a.v[i])); }
-LANES_FUNCTION lanes lanes_swap_halves(lanes a) { LANES_EACH(a.v[(i + LANES / 2) % LANES]); }
+LANES_FUNCTION lanes lanes_swap_halves(lanes a) { LANES_EACH(a.v[i ^ 4]); }
+LANES_FUNCTION lanes lanes_swap_quarters(lanes a) { LANES_EACH(a.v[i ^ 2]); }
+LANES_FUNCTION lanes lanes_swap_neighbours(lanes a) { LANES_EACH(a.v[i ^ 1]); }
 
 LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 {

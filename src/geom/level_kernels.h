@@ -11,6 +11,7 @@ const struct simd_kernels AT_LEVEL(simd_kernels) = {
 	.support = AT_LEVEL(support),
 	.boxes_near = AT_LEVEL(boxes_near),
 	.boxes_reach = AT_LEVEL(boxes_reach),
+	.greatest_of = AT_LEVEL(greatest_of),
 	.caps_reach = AT_LEVEL(caps_reach),
 	.points_reach = AT_LEVEL(points_reach),
 	.bvh_items_bounds = AT_LEVEL(bvh_items_bounds),

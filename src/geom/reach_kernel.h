@@ -6,6 +6,13 @@
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
+/* Children that are not in use reach nowhere. */
+static inline void AT_LEVEL(close_unused)(const struct bvh_node *node, float reach[BVH_WIDTH])
+{
+	for (int i = node->used; i < BVH_WIDTH; i++)
+		reach[i] = -INFINITY;
+}
+
 static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float reach[BVH_WIDTH])
 {
 	lanes all = lanes_all(0);
@@ -17,6 +24,17 @@ static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, cons
 		all = lanes_add(all, lanes_add(middle, half));
 	}
 	lanes_store(reach, all);
+	AT_LEVEL(close_unused)(node, reach);
+}
+
+static LANES_TARGET int AT_LEVEL(greatest_of)(const float numbers[BVH_WIDTH])
+{
+	const lanes all = lanes_load(numbers);
+	lanes greatest = lanes_max(all, lanes_swap_halves(all));
+
+	greatest = lanes_max(greatest, lanes_swap_quarters(greatest));
+	greatest = lanes_max(greatest, lanes_swap_neighbours(greatest));
+	return __builtin_ctz(lanes_reaching(all, greatest));
 }
 
 static LANES_TARGET void AT_LEVEL(caps_reach)(const struct bvh_node *node, const struct branch_caps *caps,
@@ -37,6 +55,7 @@ static LANES_TARGET void AT_LEVEL(caps_reach)(const struct bvh_node *node, const
 		cap = lanes_add(cap, lanes_add(lanes_mul(rest, middle), lanes_mul(lanes_abs(rest), half)));
 	}
 	lanes_store(reach, lanes_min(box, cap));
+	AT_LEVEL(close_unused)(node, reach);
 }
 
 static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])

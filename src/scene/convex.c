@@ -115,16 +115,6 @@ static void try_run(struct farthest *f, const struct corner_run *run)
 
 static void try_child(struct farthest *f, const struct bvh_node *node, int i);
 
-/* The lane with the largest extent. */
-static int farthest_of(const float reach[BVH_WIDTH], int used)
-{
-	int best = 0;
-
-	for (int i = 1; i < used; i++)
-		best = reach[i] > reach[best] ? i : best;
-	return best;
-}
-
 /*
  * The child with the largest extent is opened first. After it, most of the others are not large enough any more. The
  * depth of a tree is bounded (bvh.c).
@@ -145,7 +135,7 @@ static void try_node(struct farthest *f, uint32_t at)
 	else
 		f->corners->kernels->boxes_reach(node, f->direction, reach);
 	for (int turn = 0; turn < node->used; turn++) {
-		const int best = farthest_of(reach, node->used);
+		const int best = f->corners->kernels->greatest_of(reach);
 
 		if (!(reach[best] > f->most + f->slack)) {
 			f->closed = larger(f->closed, reach[best]);

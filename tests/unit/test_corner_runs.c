@@ -119,6 +119,24 @@ START_TEST(every_level_gives_the_same_bits)
 }
 END_TEST
 
+START_TEST(the_greatest_of_eight_is_the_first_of_equal_ones)
+{
+	for (long n = 0; n < random_cases(4000); n++) {
+		struct random random = random_case(5, n);
+		float numbers[BVH_WIDTH];
+		int want = 0;
+
+		for (int i = 0; i < BVH_WIDTH; i++)
+			numbers[i] = random_below(&random, 4) ? (float)random_below(&random, 5) - 2 : -INFINITY;
+		for (int i = 1; i < BVH_WIDTH; i++)
+			want = numbers[i] > numbers[want] ? i : want;
+		for (int level = LANES_SCALAR; level <= simd_level(); level++)
+			require(simd_kernels_at_level(level)->greatest_of(numbers) == want, "case %ld, level %d", n,
+				level);
+	}
+}
+END_TEST
+
 START_TEST(no_child_reaches_beyond_its_cap)
 {
 	long tried = 0;
@@ -203,6 +221,7 @@ int main(void)
 
 	tcase_add_test(tcase, the_support_is_just_enough_at_every_level);
 	tcase_add_test(tcase, every_level_gives_the_same_bits);
+	tcase_add_test(tcase, the_greatest_of_eight_is_the_first_of_equal_ones);
 	tcase_add_test(tcase, no_child_reaches_beyond_its_cap);
 	tcase_add_test(tcase, caps_save_most_nodes_of_a_fine_ball);
 	return run_suite("corner_runs", tcase);
