@@ -39,6 +39,27 @@ static uint64_t edge_term(uint64_t from, uint64_t to)
 	return mix(from + 3 * to) - mix(to + 3 * from);
 }
 
+static bool is_near_zero(const float corner[3], float near)
+{
+	return fabsf(corner[0]) <= near || fabsf(corner[1]) <= near || fabsf(corner[2]) <= near;
+}
+
+bool edge_balance_near_zero(const struct mesh *mesh, float near)
+{
+	uint64_t sum = 0;
+
+	for (size_t i = 0; i < mesh->count; i++) {
+		const mesh_triangle *t = &mesh->triangles[i];
+		const bool is_near[3] = {is_near_zero(t->v[0], near), is_near_zero(t->v[1], near),
+					 is_near_zero(t->v[2], near)};
+
+		for (int k = 0; k < 3; k++)
+			if (is_near[k] || is_near[(k + 1) % 3])
+				sum += edge_term(hash_of(t->v[k]), hash_of(t->v[(k + 1) % 3]));
+	}
+	return sum == 0;
+}
+
 bool edge_balance_is_closed(const struct mesh *mesh)
 {
 	uint64_t sum = 0;

@@ -13,4 +13,10 @@
  */
 bool edge_balance_is_closed(const struct mesh *mesh);
 
+/*
+ * Is every edge used as often in one direction as in the other, of those with an end that has a coordinate of at most
+ * `near` mm? The same test, for few edges.
+ */
+bool edge_balance_near_zero(const struct mesh *mesh, float near);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "base/mem.h"
 #include "base/same_double.h"
+#include "geom/near_zero.h"
 #include "geom/stl.h"
 #include "geom/tolerance.h"
 #include "geom/edge_balance.h"
@@ -105,6 +106,7 @@ bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *dia
 			diag_note(diag, body->loc, "body '%s' uses this mesh", body->name);
 			return false;
 		}
+		near_zero_close(&mesh);
 		if (body->scale > 1 || body->scale < 1)
 			mesh_scale(&mesh, body->scale);
 		if (!within_bounds(&mesh)) {
