@@ -99,18 +99,24 @@ static size_t clear_to(struct block_clearance *block, const struct batch *batch,
 	return to < batch->step_count ? to : batch->step_count;
 }
 
-/* Stores the cap for all blocks that begin in the steps before `to`, from step i on. */
+/*
+ * Stores the cap for all blocks that begin in the steps before `to`, from step i on. The entry begins with a block that
+ * has steps, so that it still does if start_room shortens it to one block.
+ */
 static void add_clear(struct pair_check *check, const struct batch *batch, double cap, size_t i, size_t to)
 {
-	const long block = batch->steps[i].block, end = batch->steps[to - 1].block;
+	const long end = batch->steps[to - 1].block;
 	struct pair_check_clearance *last = last_room(check);
 
 	if (last && last->last == end)
 		return;
-	if (last && !(last->clearance < cap))
+	if (last && !(last->clearance < cap)) {
 		last->last = end;
-	else
-		add_room(check, block + (last && last->last == block), end, cap);
+	} else {
+		while (last && batch->steps[i].block == last->last)
+			i++;
+		add_room(check, batch->steps[i].block, end, cap);
+	}
 	check->methods->block.pair.bound = cap;
 }
 

@@ -32,6 +32,16 @@ spans() { awk '$1 == "measured" || $1 == "budgets" || $1 == "planes" { print $1,
 fivecheck --stats --clearance-report again.csv m.xml a.nc | spans
 fivecheck -a --stats --clearance 1 --clearance-report again.csv m.xml a.nc | spans
 fivecheck -a --stats --clearance 1 --clearance-cap 0.5 --clearance-report again.csv m.xml a.nc | spans
+# A block that moves nothing has no row, wherever the pieces of a batch end: here one between two blocks of many moves.
+for before in 0 1 2 3 4 5 6 7; do
+	{
+		printf '%s\n' 'G0 Z-95' F6000
+		awk -v n="$before" 'BEGIN { while (n-- > 0) print "X" n }'
+		printf '%s\n' 'G73 X130 R-70 Z-95 Q5' 'M3 S1' X150 G80 'G0 X0'
+	} >quiet.nc
+	fivecheck -q --clearance-report quiet.csv --clearance-cap 30 -o /dev/null m.xml quiet.nc
+	tail -n +2 quiet.csv | cut -d , -f 3 | paste -s -d ' ' -
+done
 # Up to the block that ended the check, or for all blocks.
 box "table, big" -50 -50 -20 50 50 0
 sed -e 's/name="table" mesh="table.stl"/name="table, big" mesh="table, big.stl"/' m.xml >big.xml
