@@ -51,7 +51,8 @@ static void write_facet(FILE *out, double radius, int rings, const int corners[3
 	fprintf(out, "endloop\nendfacet\n");
 }
 
-static void write_sphere(const char *name, double radius, int rings)
+/* A sphere, or a hollow one that lacks a facet: whether something is inside a sphere would be asked first. */
+static void write_sphere(const char *name, double radius, int rings, bool whole)
 {
 	FILE *out = fopen(name, "w");
 
@@ -64,7 +65,7 @@ static void write_sphere(const char *name, double radius, int rings)
 
 			if (i < rings - 1)
 				write_facet(out, radius, rings, low);
-			if (i > 0)
+			if (i > 0 && (whole || i > 1 || k > 0))
 				write_facet(out, radius, rings, high);
 		}
 	}
@@ -133,8 +134,8 @@ static void write_case(const char *rapid)
 	write_file("m.xml", machine.text);
 	write_file("a.nc", program);
 	write_file("turn.ngc", subprogram);
-	write_sphere("ball.stl", 99, 24);
-	write_sphere("bowl.stl", 100, 24);
+	write_sphere("ball.stl", 99, 24, true);
+	write_sphere("bowl.stl", 100, 24, false);
 	strbuf_release(&machine);
 }
 
