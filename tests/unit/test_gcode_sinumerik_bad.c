@@ -248,6 +248,12 @@ static const struct refused_program programs[] = {
 	 "REPEAT stands at the start of its block"},
 	{"ELSE\n", 1, 1,
 	 "IF in line 1 has no ENDIF"},
+	{"TRAILON(A1,A)\n", 1, 1,
+	 "TRAILON makes A1 follow another axis, and the machine file has no axis A1: if it moves nothing but what is on the "
+	 "leading axis there, set <macro program=\"TRAILON\" action=\"none\"/> in the machine file's <controller>"},
+	{"TRAILON(C,A,2)\n", 1, 1,
+	 "TRAILON makes C follow another axis, which is not supported for an axis of the machine file"},
+	{"TRAILON()\n", 1, 1, "TRAILON needs the names of its axes"},
 };
 
 START_TEST(refused)

@@ -128,12 +128,6 @@ static const struct refused_program programs[] = {
 	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, set "
 	 "<macro program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's <controller> "
 	 "to say how far it moves"},
-	{"TRAILON(A1,A)\n", 1, 1,
-	 "TRAILON makes A1 follow another axis, and the machine file has no axis A1: if it moves nothing but what is on the "
-	 "leading axis there, set <macro program=\"TRAILON\" action=\"none\"/> in the machine file's <controller>"},
-	{"TRAILON(C,A,2)\n", 1, 1,
-	 "TRAILON makes C follow another axis, which is not supported for an axis of the machine file"},
-	{"TRAILON()\n", 1, 1, "TRAILON needs the names of its axes"},
 	{"CYCLE951(1)\n", 1, 1,
 	 "CYCLE951: turning or measuring is not supported; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
