@@ -145,6 +145,8 @@ static const struct {
 	{BOTH, "GOTO\n", "p.nc:1:5: error: a value is needed here\n    GOTO\n        ^\n"},
 	{H, "N5 G0\nN5 X1.\nGOTO 5\n",
 	 "p.nc:3:6: error: N5 occurs in lines 1 and 2, so the jump is ambiguous\n    GOTO 5\n         ^\n"},
+	{BOTH, "O1\nM98 P2\nM30\nO2\nM99\nO2\nG0 X1.\nM99\n",
+	 "p.nc:2:1: error: O2 occurs in lines 4 and 6 of p.nc, so the call is ambiguous\n    M98 P2\n    ^\n"},
 	{BOTH, "WHILE [1 EQ 1] DO4\nEND4\n",
 	 "p.nc:1:18: error: the number of DO must be from 1 to 3\n    WHILE [1 EQ 1] DO4\n                     ^\n"},
 	{BOTH, "WHILE [1 EQ 1]\nEND1\n",

@@ -23,7 +23,7 @@ enum aim { AIM_BLOCK, AIM_PROGRAM, AIM_ANY_PROGRAM, AIM_END };
 struct search {
 	enum aim aim;
 	long number;
-	long after;	/* AIM_BLOCK: lines up to this one are ignored */
+	long after;	/* lines up to this one are ignored, but not those of loops */
 	int open[MACRO_B_LOOPS];	/* AIM_END: the loops in between */
 	int open_count;
 	bool own_line;	/* the search starts at the program's first line, which has the program's number */
@@ -142,7 +142,8 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 		return false;
 	read_gist(text, interp->config->controller.colon, &gist);
 	if (search->aim == AIM_PROGRAM || search->aim == AIM_ANY_PROGRAM)
-		return gist.has_program && (search->aim == AIM_ANY_PROGRAM || gist.program == search->number);
+		return gist.has_program && line > search->after &&
+		       (search->aim == AIM_ANY_PROGRAM || gist.program == search->number);
 	*over = gist.percent || gist.has_program;
 	if (search->aim == AIM_BLOCK)
 		return gist.has_block && gist.block == search->number && line > search->after;
@@ -364,6 +365,18 @@ static bool look_in_main(struct interp *interp, int number, int column, struct p
 	return false;
 }
 
+/* Which of two programs with one number a control keeps depends on a parameter (3201#2, REP). A pipe is not read on. */
+static bool is_only(struct interp *interp, int number, int column, const struct position *found)
+{
+	struct search search = {.aim = AIM_PROGRAM, .number = number, .after = found->line};
+	struct position second;
+
+	if (found->source->reader.base < 0 || !look(interp, &search, found, 0, column, &second))
+		return true;
+	return fault(&interp->at, column, "O%d occurs in lines %ld and %ld of %s, so the call is ambiguous", number,
+		     found->line, second.line, found->source->name);
+}
+
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found)
 {
 	const struct position in_hand = {interp->program.source, 0, 1};
@@ -383,6 +396,8 @@ bool macro_b_seek_program(struct interp *interp, int number, int column, struct 
 		if (!look_in_folders(interp, number, column, found))
 			return false;
 	}
+	if (!is_only(interp, number, column, found))
+		return false;
 	remember(interp, key, found);
 	return true;
 }
