@@ -50,6 +50,17 @@ LANES_FUNCTION unsigned lanes_reaching(lanes a, lanes b)
 	return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GE_OQ));
 }
 
+/* Lane i of a where bit i is set, of b where it is not. */
+LANES_FUNCTION lanes lanes_where(unsigned bits, lanes a, lanes b)
+{
+	const __m256i lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+	const __m256i set = _mm256_and_si256(_mm256_set1_epi32((int)bits), lane);
+
+	return _mm256_blendv_ps(b, a, _mm256_castsi256_ps(_mm256_cmpeq_epi32(set, lane)));
+}
+
+LANES_FUNCTION float lanes_first(lanes a) { return _mm256_cvtss_f32(a); }
+
 #elif LANES_LEVEL == LANES_SSE2
 
 #include <emmintrin.h>
@@ -88,6 +99,23 @@ LANES_FUNCTION unsigned lanes_reaching(lanes a, lanes b)
 	return (unsigned)(_mm_movemask_ps(_mm_cmpge_ps(a.low, b.low)) |
 			  _mm_movemask_ps(_mm_cmpge_ps(a.high, b.high)) << 4);
 }
+
+/* Four lanes of a or b; lane: the bit of each. */
+LANES_FUNCTION __m128 lanes_half_where(unsigned bits, __m128i lane, __m128 a, __m128 b)
+{
+	const __m128i set = _mm_and_si128(_mm_set1_epi32((int)bits), lane);
+	const __m128 from_a = _mm_castsi128_ps(_mm_cmpeq_epi32(set, lane));
+
+	return _mm_or_ps(_mm_and_ps(from_a, a), _mm_andnot_ps(from_a, b));
+}
+
+LANES_FUNCTION lanes lanes_where(unsigned bits, lanes a, lanes b)
+{
+	return (lanes){lanes_half_where(bits, _mm_setr_epi32(1, 2, 4, 8), a.low, b.low),
+		       lanes_half_where(bits, _mm_setr_epi32(16, 32, 64, 128), a.high, b.high)};
+}
+
+LANES_FUNCTION float lanes_first(lanes a) { return _mm_cvtss_f32(a.low); }
 
 LANES_FUNCTION void lanes_store(float *to, lanes a)
 {
@@ -132,6 +160,8 @@ LANES_FUNCTION lanes lanes_sqrt(lanes a) { LANES_EACH(sqrtf(a.v[i])); }
 LANES_FUNCTION lanes lanes_swap_halves(lanes a) { LANES_EACH(a.v[i ^ 4]); }
 LANES_FUNCTION lanes lanes_swap_quarters(lanes a) { LANES_EACH(a.v[i ^ 2]); }
 LANES_FUNCTION lanes lanes_swap_neighbours(lanes a) { LANES_EACH(a.v[i ^ 1]); }
+LANES_FUNCTION lanes lanes_where(unsigned bits, lanes a, lanes b) { LANES_EACH(bits >> i & 1 ? a.v[i] : b.v[i]); }
+LANES_FUNCTION float lanes_first(lanes a) { return a.v[0]; }
 
 LANES_FUNCTION bool lanes_above(lanes a, lanes b)
 {
@@ -157,5 +187,13 @@ LANES_FUNCTION void lanes_store(float *to, lanes a)
 }
 
 #endif
+
+/* The greatest lane, in every lane. */
+LANES_FUNCTION lanes lanes_greatest(lanes a)
+{
+	a = lanes_max(a, lanes_swap_halves(a));
+	a = lanes_max(a, lanes_swap_quarters(a));
+	return lanes_max(a, lanes_swap_neighbours(a));
+}
 
 #endif

@@ -6,13 +6,6 @@
 #include "geom/lanes.h"
 #include "geom/simd_kernels.h"
 
-/* Children that are not in use reach nowhere. */
-static inline void AT_LEVEL(close_unused)(const struct bvh_node *node, float reach[BVH_WIDTH])
-{
-	for (int i = node->used; i < BVH_WIDTH; i++)
-		reach[i] = -INFINITY;
-}
-
 static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, const float n[3], float reach[BVH_WIDTH])
 {
 	lanes all = lanes_all(0);
@@ -24,17 +17,13 @@ static LANES_TARGET void AT_LEVEL(boxes_reach)(const struct bvh_node *node, cons
 		all = lanes_add(all, lanes_add(middle, half));
 	}
 	lanes_store(reach, all);
-	AT_LEVEL(close_unused)(node, reach);
 }
 
-static LANES_TARGET int AT_LEVEL(greatest_of)(const float numbers[BVH_WIDTH])
+static LANES_TARGET int AT_LEVEL(greatest_of)(const float numbers[BVH_WIDTH], unsigned among)
 {
-	const lanes all = lanes_load(numbers);
-	lanes greatest = lanes_max(all, lanes_swap_halves(all));
+	const lanes all = lanes_where(among, lanes_load(numbers), lanes_all(-INFINITY));
 
-	greatest = lanes_max(greatest, lanes_swap_quarters(greatest));
-	greatest = lanes_max(greatest, lanes_swap_neighbours(greatest));
-	return __builtin_ctz(lanes_reaching(all, greatest));
+	return __builtin_ctz(lanes_reaching(all, lanes_greatest(all)) & among);
 }
 
 static LANES_TARGET void AT_LEVEL(caps_reach)(const struct bvh_node *node, const struct branch_caps *caps,
@@ -55,14 +44,12 @@ static LANES_TARGET void AT_LEVEL(caps_reach)(const struct bvh_node *node, const
 		cap = lanes_add(cap, lanes_add(lanes_mul(rest, middle), lanes_mul(lanes_abs(rest), half)));
 	}
 	lanes_store(reach, lanes_min(box, cap));
-	AT_LEVEL(close_unused)(node, reach);
 }
 
 static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t groups, const float n[3])
 {
 	const lanes all[3] = {lanes_all(n[0]), lanes_all(n[1]), lanes_all(n[2])};
 	lanes most = lanes_all(-INFINITY);
-	float each[LANES], greatest = -INFINITY;
 
 	for (; groups; groups--, points += 3 * LANES) {
 		lanes x = lanes_mul(all[0], lanes_load(points)), y = lanes_mul(all[1], lanes_load(points + LANES));
@@ -70,8 +57,5 @@ static LANES_TARGET float AT_LEVEL(points_reach)(const float *points, size_t gro
 
 		most = lanes_max(most, lanes_add(lanes_add(x, y), z));
 	}
-	lanes_store(each, most);
-	for (int i = 0; i < LANES; i++)
-		greatest = each[i] > greatest ? each[i] : greatest;
-	return greatest;
+	return lanes_first(lanes_greatest(most));
 }

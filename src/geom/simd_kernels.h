@@ -20,8 +20,8 @@ typedef void boxes_apart_fn(const struct box_motion *motion, int side, const str
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
 /*
- * reach[i] becomes the greatest n.p over the points p of the node's i-th box, relative to the tree's origin, or
- * -INFINITY if the child is not in use. The error is less than 8 roundings of float times |n| and the largest |p|.
+ * reach[i] becomes the greatest n.p over the points p of the node's i-th box, relative to the tree's origin;
+ * of children that are not in use, anything. The error is less than 8 roundings of float times |n| and the largest |p|.
  */
 typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float *reach);
 
@@ -33,8 +33,8 @@ typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float
  */
 typedef void caps_reach_fn(const struct bvh_node *node, const struct branch_caps *caps, const float n[3], float *reach);
 
-/* The index of the greatest of BVH_WIDTH numbers, none of them NaN; the first of equal ones. */
-typedef int greatest_of_fn(const float *numbers);
+/* The index of the greatest of those of BVH_WIDTH numbers, none of them NaN, whose bits are set; the first of equals. */
+typedef int greatest_of_fn(const float *numbers, unsigned among);
 
 /*
  * near2[i] becomes a lower bound of the squared distance in mm of p, relative to the tree's origin, from the node's

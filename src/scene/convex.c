@@ -123,6 +123,7 @@ static void try_node(struct farthest *f, uint32_t at)
 {
 	const struct bvh_node *node = &f->bvh->nodes[at];
 	const struct corner_run *run = &f->corners->runs[at];
+	unsigned closed = (1u << node->used) - 1;
 	float reach[BVH_WIDTH];
 
 	f->visits += node->used;
@@ -134,15 +135,15 @@ static void try_node(struct farthest *f, uint32_t at)
 		f->corners->kernels->caps_reach(node, &f->corners->caps[run->caps - 1], f->direction, reach);
 	else
 		f->corners->kernels->boxes_reach(node, f->direction, reach);
-	for (int turn = 0; turn < node->used; turn++) {
-		const int best = f->corners->kernels->greatest_of(reach);
+	while (closed) {
+		const int best = f->corners->kernels->greatest_of(reach, closed);
 
 		if (!(reach[best] > f->most + f->slack)) {
 			f->closed = larger(f->closed, reach[best]);
 			return;
 		}
+		closed &= ~(1u << best);
 		try_child(f, node, best);
-		reach[best] = -INFINITY;
 	}
 }
 
@@ -301,15 +302,18 @@ static bool nearest_of(const struct simplex *simplex, unsigned mask, vec3 *out)
 }
 
 /*
- * Reduces the simplex to the corners whose hull contains the point nearest to the origin; *nearest becomes this point.
+ * Reduces the simplex, to which a corner has just been added, to the corners whose hull contains the point nearest to
+ * the origin. *nearest is that point of the other corners, and becomes that of all. If the new corner brings the hull
+ * nearer, it is one of those that remain; otherwise the others remain.
  */
 static void reduce(struct simplex *simplex, vec3 *nearest)
 {
-	double least = INFINITY;
-	unsigned best = 1;
+	const unsigned newest = 1u << (simplex->count - 1);
+	double least = newest > 1 ? vec3_norm2(*nearest) : INFINITY;
+	unsigned best = newest > 1 ? newest - 1 : newest;
 	int kept = 0;
 
-	for (unsigned mask = 1; mask < 1u << simplex->count; mask++) {
+	for (unsigned mask = newest; mask < 2 * newest; mask++) {
 		vec3 p;
 
 		if (nearest_of(simplex, mask, &p) && vec3_norm2(p) < least) {
