@@ -17,18 +17,11 @@
 #define MEGABYTE (1024 * 1024)
 
 /* Bytes: the size and the alignment of a large page on most processors, and of the smallest block that gets some. */
-#define LARGE_PAGE (2 * (uintptr_t)MEGABYTE)
-#define LARGE_BLOCK (2 * LARGE_PAGE)
+#define LARGE_PAGE (2 * (size_t)MEGABYTE)
+#define LARGE_BLOCK (LARGE_PAGE / 2)
 
-void mem_keep_freed(void)
-{
-#ifdef __GLIBC__
-	/* Larger blocks come from the kernel: their memory can be used by all threads after they are freed. */
-	mallopt(M_MMAP_THRESHOLD, MEGABYTE);
-	mallopt(M_TOP_PAD, 8 * MEGABYTE);
-	mallopt(M_TRIM_THRESHOLD, 256 * MEGABYTE);
-#endif
-}
+/* Bytes: as much as most checks need in blocks that are smaller. */
+#define HEAP_START (16 * MEGABYTE)
 
 void mem_exhausted(void)
 {
@@ -37,21 +30,38 @@ void mem_exhausted(void)
 }
 
 /*
- * Asks the kernel for large pages inside the block. Many kernels give them only if asked.
- * Measured with 1,000,000 triangles: loading takes less than half, and checking two thirds of the time.
+ * Asks the kernel for large pages inside the block. Many kernels give them only if asked. Measured with 1,000,000
+ * triangles: loading takes less than half, and checking two thirds of the time; with 20,000 to 100,000 triangles, both
+ * together take a tenth to a fifth less.
  */
 static void ask_for_large_pages(void *block, size_t size)
 {
 #ifdef MADV_HUGEPAGE
-	/* Bytes before the first page; a block of LARGE_BLOCK has at least one. */
 	const size_t before = (LARGE_PAGE - (uintptr_t)block % LARGE_PAGE) % LARGE_PAGE;
 
 	/* If the kernel refuses, the pages are small. */
-	if (size >= LARGE_BLOCK)
+	if (size >= before + LARGE_PAGE)
 		(void)madvise((char *)block + before, (size - before) / LARGE_PAGE * LARGE_PAGE, MADV_HUGEPAGE);
 #else
 	(void)block;
 	(void)size;
+#endif
+}
+
+void mem_keep_freed(void)
+{
+#ifdef __GLIBC__
+	void *heap;
+
+	mallopt(M_TOP_PAD, 8 * MEGABYTE);
+	mallopt(M_TRIM_THRESHOLD, 256 * MEGABYTE);
+	/* The heap is made to grow once, and keeps the large pages of the block that it has grown for. */
+	mallopt(M_MMAP_THRESHOLD, 2 * HEAP_START);
+	heap = malloc(HEAP_START);
+	ask_for_large_pages(heap, heap ? HEAP_START : 0);
+	free(heap);
+	/* Larger blocks come from the kernel: their memory can be used by all threads after they are freed. */
+	mallopt(M_MMAP_THRESHOLD, MEGABYTE);
 #endif
 }
 
@@ -60,9 +70,12 @@ void *mem_alloc(size_t size)
 	void *block = NULL;
 
 #ifdef MADV_HUGEPAGE
-	/* A block that begins with a large page has more of them. */
-	if (size >= LARGE_BLOCK && posix_memalign(&block, LARGE_PAGE, size))
-		block = NULL;
+	if (size >= LARGE_BLOCK && size < SIZE_MAX - LARGE_PAGE) {
+		/* A block that begins with a large page and ends with one consists of them. */
+		size = (size + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+		if (posix_memalign(&block, LARGE_PAGE, size))
+			block = NULL;
+	}
 #endif
 	if (!block)
 		block = malloc(size ? size : 1);

@@ -16,7 +16,7 @@ char *mem_strndup(const char *text, size_t length);
 /*
  * For main, before any other thread starts: freed memory is kept for later allocations, and the heap of a thread grows
  * by megabytes. By default (glibc) the heaps of all threads but the first grow page by page, by system calls during
- * which the other threads cannot get pages either.
+ * which the other threads cannot get pages either. The first thread's heap begins with large pages.
  */
 void mem_keep_freed(void);
 

@@ -33,7 +33,7 @@ typedef void boxes_reach_fn(const struct bvh_node *node, const float n[3], float
  */
 typedef void caps_reach_fn(const struct bvh_node *node, const struct branch_caps *caps, const float n[3], float *reach);
 
-/* The index of the greatest of those of BVH_WIDTH numbers, none of them NaN, whose bits are set; the first of equals. */
+/* The index of the greatest of BVH_WIDTH numbers, none of them NaN, whose bits are set; the first of equal ones. */
 typedef int greatest_of_fn(const float *numbers, unsigned among);
 
 /*
