@@ -10,7 +10,9 @@ enum {
 	G0 = 0,
 	G1 = 10,
 	G2 = 20,
+	G2_4 = 24,	/* arcs in space of Fanuc */
 	G3 = 30,
+	G3_4 = 34,
 	G4 = 40,
 	G5 = 50,
 	G5_1 = 51,

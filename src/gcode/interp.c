@@ -9,6 +9,7 @@
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
+#include "gcode/execute/space_arc.h"
 #include "gcode/execute/spline_move.h"
 #include "gcode/fault_list.h"
 #include "gcode/read_on.h"
@@ -359,7 +360,7 @@ static bool run_program(struct interp *interp, FILE *in, const char *name)
 		interp->at.text = "";
 		good = corner_insert_end_block(interp) && cutter_comp_stop(interp);
 	}
-	good = good && spline_move_check_end(interp);
+	good = good && spline_move_check_end(interp) && space_arc_check_end(interp);
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);
 	else if (good)

@@ -262,6 +262,12 @@ struct spline_memory {
 	double *knots;	/* owned */
 };
 
+/* G2.4 and G3.4: execute/space_arc.h. */
+struct space_arc {
+	bool on;	/* the point is known, and the next block gives the end */
+	slot_values through;	/* straight position */
+};
+
 struct interp {
 	const struct gcode_config *config;
 	const struct kinematics *kinematics;
@@ -277,6 +283,7 @@ struct interp {
 	struct cutter_comp comp;
 	struct pending_corner corner;
 	struct spline_memory spline;
+	struct space_arc space_arc;
 	struct block_cautions cautions;
 	bool cautioned_feed, cautioned_order, cautioned_t;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear,

@@ -25,6 +25,7 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/scaling.h"
+#include "gcode/execute/space_arc.h"
 #include "gcode/execute/spline_move.h"
 #include "gcode/execute/straight_move.h"
 #include "gcode/execute/tool_change.h"
@@ -357,7 +358,8 @@ static bool execute_motion(struct interp *interp)
 	    {G31_3, feedback_moves_run}, {G5, spline_move_run},	      {G5_1, spline_move_run},
 	    {G5_2, spline_move_run},	 {G5_3, spline_move_run},     {G6_2, nurbs_move_run},
 	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
-	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
+	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run}, {G2_4, space_arc_run},
+	    {G3_4, space_arc_run},
 	};
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
@@ -395,7 +397,8 @@ static bool start_block(struct interp *interp)
 	probed_axes_forget_turned(state);
 	state->length_moves = false;
 	/* In nearly every block none of these modes is active. */
-	return (!state->cylinder.on || cylinder_check_block(interp)) &&
+	return (!interp->space_arc.on || space_arc_check_block(interp)) &&
+	       (!state->cylinder.on || cylinder_check_block(interp)) &&
 	       (!state->polar_interpolation.on || polar_interpolation_start_block(interp)) &&
 	       pocket_milling_start_block(interp) &&
 	       (!corner_insert_concerns(interp) || corner_insert_start_block(interp)) &&

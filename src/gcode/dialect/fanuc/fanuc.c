@@ -11,10 +11,10 @@
 static const struct code g_codes[] = {
 	{22, GROUP_NONE, CODE_REFUSED, "involute interpolation, clockwise"},
 	{23, GROUP_NONE, CODE_REFUSED, "exponential function interpolation, clockwise"},
-	{24, GROUP_NONE, CODE_REFUSED, "circular interpolation in space, clockwise"},
+	{G2_4, G_MOTION, CODE_READ, "circular interpolation in space, through a point"},
 	{32, GROUP_NONE, CODE_REFUSED, "involute interpolation, counter-clockwise"},
 	{33, GROUP_NONE, CODE_REFUSED, "exponential function interpolation, counter-clockwise"},
-	{34, GROUP_NONE, CODE_REFUSED, "circular interpolation in space, counter-clockwise"},
+	{G3_4, G_MOTION, CODE_READ, "circular interpolation in space, through a point, as G2.4"},
 	{G5, G_CONTOUR, CODE_READ, "high-speed machining (P10000) and smoothing"},
 	{G5_1, G_CONTOUR, CODE_READ, "AI contour control, smooth interpolation, nano smoothing"},
 	{54, GROUP_NONE, CODE_REFUSED, "high-speed high-precision contouring"},

@@ -75,7 +75,8 @@ static bool read_group(struct interp *interp, int number, int column, double *va
 	switch (number) {
 	case 4001:
 		*value = whole_code(state->motion);
-		return (state->motion >= G0 && state->motion <= G3) || fault_not_followed(interp, number, column);
+		return (state->motion >= G0 && state->motion <= G3 && state->motion != G2_4) ||
+		       fault_not_followed(interp, number, column);
 	case 4002:
 		*value = whole_code(state->plane);
 		return true;
