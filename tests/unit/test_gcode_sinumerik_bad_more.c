@@ -449,8 +449,6 @@ static const struct refused_program programs[] = {
 	{"G70 OFFN=1\n", 1, 5,
 	 "whether OFFN is in mm or inches where G70 or G71 differs from the control's own unit is not known here; write G700 "
 	 "or G710"},
-	{"G71 OFFN=-1\n", 1, 5,
-	 "OFFN that is negative is not supported: the tool would cut into the contour"},
 	{"T1 D1 M6 G500 G71 G17 F6 G0 X0 Y0 Z0\nG41 X10 Y0 OFFN=1\nY10 OFFN=2\n", 3, 5,
 	 "another OFFN while tool radius compensation is on; G40 first"},
 	{"RTLIOF\n", 1, 1,

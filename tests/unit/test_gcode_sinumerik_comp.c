@@ -56,6 +56,13 @@ static const struct program {
 	 "G41 OFFN=0 X10 Y0\nY20\nG40 X0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 5 0 0 0 0\nfeed 5 20 0 0 0\nfeed 0 20 0 0 0\nfeed 0 0 0 0 0\n"
 	 "feed 6 0 0 0 0\nfeed 6 20 0 0 0\nfeed 0 20 0 0 0\n"},
+	/* A negative OFFN takes away from the radius of 5; with all of it the tool is on the path. */
+	{TOOL "OFFN=-2\nG41 NORM G450 G1 X10 Y0\nY20\nX30\nG40 X30 Y0\n",
+	 "tool 1\nrapid 0 0 0 0 0\nfeed 7 0 0 0 0\nfeed 7 20 0 0 0\n"
+	 "arc 10 23 0 0 0 centre 10 20 0 normal 0 0 1 sweep -90\nfeed 30 23 0 0 0\nfeed 30 0 0 0 0\n"},
+	{TOOL "OFFN=-5\nG41 NORM G450 G1 X10 Y0\nY20\nG2 X30 Y40 I20 J0\nG40 G1 X30 Y0\nG42 X10\nG40 X0\n",
+	 "tool 1\nrapid 0 0 0 0 0\nfeed 10 0 0 0 0\nfeed 10 20 0 0 0\n"
+	 "arc 30 40 0 0 0 centre 30 20 0 normal 0 0 1 sweep -90\nfeed 30 0 0 0 0\nfeed 10 0 0 0 0\nfeed 0 0 0 0 0\n"},
 	/* Frames turn and mirror it; a mirror exchanges the sides. */
 	{TOOL "ROT Z90\nG41 NORM G450 G1 X10 Y0\nY20\nX30\nG40 Y0\n",
 	 "tool 1\nrapid 0 0 0 0 0\nfeed 0 5 0 0 0\nfeed -20 5 0 0 0\n"
@@ -130,6 +137,18 @@ static const struct refused_words bad[] = {
 	{"F6 G500 D1 OFFN=2\nG42 G1 X10\n",
 	 "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool away from the contour by "
 	 "OFFN alone is not known; write D1, or OFFN=0"},
+	/* G41 is in force with a radius of 0, and each of these would change the radius. */
+	{"F6 G500 T1 M6 D0 G17\nG0 X0 Y0 Z0\nG41 G1 X10 Y0\nY20\nD1\n",
+	 "another D while tool radius compensation is on; G40 first"},
+	{"F6 G500 T1 M6 D0 G17\nG0 X0 Y0 Z0\nG42 G1 X10 Y0\nD1 Y20\n",
+	 "another D while tool radius compensation is on; G40 first"},
+	{"F6 G500 T1 M6 D0 G17\nG0 X0 Y0 Z0\nG41 G1 X10 Y0\nT2 M6\n",
+	 "a tool change while tool radius compensation is on; G40 first"},
+	{"F6 G500 T1 M6 D0 G17\nG0 X0 Y0 Z0\nG41 G1 X10 Y0\nOFFN=2\n",
+	 "another OFFN while tool radius compensation is on; G40 first"},
+	{TOOL "OFFN=-5 G41 G1 X10 Y0\nOFFN=-4 Y20\n",
+	 "another OFFN while tool radius compensation is on; G40 first"},
+	{TOOL "OFFN=-5.01 G41 G1 X10 Y0\n", "OFFN is less than minus the tool's radius, which is not supported"},
 	{TOOL "SCALE X2 Y2 Z2\nG41 G1 X10\n",
 	 "tool radius compensation while SCALE is in force is not supported"},
 	{TOOL "ROT X30\nG41 G1 X10\n",

@@ -21,6 +21,12 @@ static bool refuse(struct interp *interp, int column, const char *what)
 	return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", what);
 }
 
+/* With a radius of 0 the tool is on the path (comp.side is 0), but another radius would move it aside. */
+static bool is_on(const struct interp *interp)
+{
+	return interp->comp.side != 0 || sinumerik_of(interp)->comp.selected > G40;
+}
+
 bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *block)
 {
 	static const struct {
@@ -33,7 +39,7 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 		      {SINUMERIK_SUPPRESSION, "a move in the machine's coordinates"}};
 	const int once = block->code[SINUMERIK_ONCE];
 
-	if (interp->comp.side == 0)
+	if (!is_on(interp))
 		return true;
 	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
 		if (block->code[groups[i].group] != CODE_NONE)
@@ -148,7 +154,7 @@ bool sinumerik_comp_rounds(const struct interp *interp)
 static bool switch_on(struct interp *interp, int column, int side)
 {
 	struct cutter_comp *comp = &interp->comp;
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const double aside = sinumerik_of(interp)->comp.allowance;
 	double radius;
 
 	if (comp->side == side)
@@ -157,11 +163,13 @@ static bool switch_on(struct interp *interp, int column, int side)
 		return refuse(interp, column, "the other side of the path");
 	if (!find_radius(interp, column, &radius) || !check_plane(interp, column))
 		return false;
-	if (!(radius > 0) && sinumerik->comp.allowance > 0)
+	if (!(radius > 0) && fabs(aside) > 0)
 		return fault(&interp->at, column,
 			     "OFFN while no edge of a tool is in force (T0 or D0): whether the control keeps the tool "
 			     "away from the contour by OFFN alone is not known; write D1, or OFFN=0");
-	radius += sinumerik->comp.allowance;
+	if (radius + aside < 0)
+		return fault(&interp->at, column, "OFFN is less than minus the tool's radius, which is not supported");
+	radius += aside;
 	/* The tool is on the path. */
 	if (!(radius > 0))
 		return true;
@@ -219,7 +227,8 @@ static bool switch_off(struct interp *interp, const struct sinumerik_block *bloc
 	return true;
 }
 
-/* 840D sl, "OFFN": the tool stays farther from the contour by this length, as if its radius were larger. */
+/* 840D sl, "OFFN": the tool stays farther from the contour by this length, as if its radius were larger. Posts write -R and
+ * the path of the tool's centre. */
 static bool set_allowance(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -228,11 +237,8 @@ static bool set_allowance(struct interp *interp, const struct sinumerik_block *b
 
 	if (!sinumerik_block_has_address(block, SINUMERIK_OFFN) || same_double(allowance, sinumerik->comp.allowance))
 		return true;
-	if (interp->comp.side != 0)
+	if (is_on(interp))
 		return refuse(interp, column, "another OFFN");
-	if (allowance < 0)
-		return fault(&interp->at, column, "OFFN that is negative is not supported: the tool would cut into "
-						  "the contour");
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column,
 			     "a parameter of the control decides whether OFFN is in mm or inches before any G70, "
