@@ -28,6 +28,13 @@ static const struct klartext_fault faults[] = {
 	 "post the path of the tool's centre with R0"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 M120 LA5\n",
 	 "p.nc:4:8: error: M120 under radius compensation is not supported; R0 comes first"},
+	/* RR with a radius of 0 leaves the tool on the path, but a TOOL CALL would give it a radius. */
+	{"TOOL CALL 1 Z DR-5\nL X+1 RR F100\nL X+20\nTOOL CALL DR+0\n",
+	 "p.nc:5:11: error: TOOL CALL under radius compensation, also with a radius of 0, is not supported; a block with R0 "
+	 "comes first"},
+	{"TOOL CALL 1 Z DR-5\nL X+1 RR F100\nL X+20\nTOOL CALL 1 Z\n",
+	 "p.nc:5:11: error: TOOL CALL under radius compensation, also with a radius of 0, is not supported; a block with R0 "
+	 "comes first"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 M98\n",
 	 "p.nc:4:8: error: M98 under radius compensation is not supported; R0 comes first"},
 	{"TOOL CALL 1 Z\nL X+1 RR F100\nL X+20 M128\n",

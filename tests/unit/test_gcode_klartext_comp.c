@@ -27,6 +27,12 @@ static const struct klartext_program paths[] = {
 	/* DR of TOOL CALL is added. */
 	{"TOOL CALL 1 Z DR+1\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RR F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 STARTED "feed 6 0 0 0 0\nfeed 6 44 0 0 0\nfeed 50 44 0 0 0\nfeed 50 -20 0 0 0\n"},
+	/* With a radius of 0 the tool is on the path; behind R0 a TOOL CALL may give another radius. */
+	{"TOOL CALL 1 Z DR-5\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RR F100\nL Y+50\nL X+50 Y-20 R0\nTOOL CALL DR+0\nL X+0 Y+0 RR\n"
+	 "L Y+50\nL X-20 R0\n",
+	 STARTED "feed 0 0 0 0 0\nfeed 0 50 0 0 0\nfeed 50 -20 0 0 0\nfeed 5 0 0 0 0\nfeed 5 50 0 0 0\nfeed -20 50 0 0 0\n"},
+	{"TOOL CALL 1 Z DR-5\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RR F100\nL Y+50\nL Z+5 R0\nTOOL CALL DR+0\nL X+1\n",
+	 STARTED "feed 0 0 0 0 0\nfeed 0 50 0 0 0\nfeed 0 50 105 0 0\nfeed 1 50 105 0 0\n"},
 	/* RND and CHF belong to the path that is compensated. */
 	{START "L X+0 Y+0 RL F100\nL Y+50\nRND R8\nL X+50\nCHF 10\nL Y+0\nL X+60 Y-20 R0\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 42 0 0 0\narc 8 55 0 0 0 centre 8 42 0 normal 0 0 1 sweep -90\n"

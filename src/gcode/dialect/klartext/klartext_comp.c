@@ -125,7 +125,8 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	if (!check_start(interp, column) || !find_radius(interp, column, &radius) ||
 	    (klartext_of(interp)->open.height && !klartext_comp_check_known(interp, column, "radius compensation")))
 		return false;
-	/* Without a radius there is no compensation. */
+	/* Without a radius there is no compensation, until a TOOL CALL gives one. */
+	klartext_of(interp)->crossing.on_path = !(radius > 0);
 	if (!(radius > 0))
 		return true;
 	if (path->arc || !moves_in_plane(path))
@@ -227,6 +228,8 @@ static bool check_side(struct interp *interp, const struct klartext_words *words
 
 bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
 {
+	if (words->comp == KLARTEXT_R0)
+		klartext_of(interp)->crossing.on_path = false;
 	if (words->comp == KLARTEXT_R_NONE || (words->comp == KLARTEXT_R0 && !klartext_comp_is_selected(interp)))
 		return true;
 	if (words->comp == KLARTEXT_R0)
@@ -236,6 +239,8 @@ bool klartext_comp_switch(struct interp *interp, const struct klartext_words *wo
 
 bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words)
 {
+	if (words->comp == KLARTEXT_R0)
+		klartext_of(interp)->crossing.on_path = false;
 	if (words->comp == KLARTEXT_R_NONE || (words->comp == KLARTEXT_R0 && !klartext_comp_is_selected(interp)))
 		return true;
 	if (words->comp == KLARTEXT_R0)

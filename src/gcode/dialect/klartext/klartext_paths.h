@@ -105,6 +105,7 @@ struct klartext_free {
 struct klartext_crossing {
 	bool looks_ahead; /* M120 LA: moves that the tool cannot reach are omitted */
 	bool open; /* M97 was in the last path block */
+	bool on_path; /* RL or RR is in force with a radius of 0: the tool is on the path */
 };
 
 /* Where the tool is after a cycle of which only the region is known. */

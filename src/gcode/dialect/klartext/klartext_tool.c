@@ -309,6 +309,10 @@ static bool take_tool(struct interp *interp, struct request *request)
 {
 	const bool gives_oversize = request->has_delta_length || request->has_delta_radius || request->oversize;
 
+	if ((request->has_tool || gives_oversize) && klartext_of(interp)->crossing.on_path)
+		return fault(&interp->at, request->column,
+			     "TOOL CALL under radius compensation, also with a radius of 0, is not supported; a block "
+			     "with R0 comes first");
 	if (request->has_tool)
 		return change(interp, request);
 	if (gives_oversize)

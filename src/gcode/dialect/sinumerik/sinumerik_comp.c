@@ -227,8 +227,10 @@ static bool switch_off(struct interp *interp, const struct sinumerik_block *bloc
 	return true;
 }
 
-/* 840D sl, "OFFN": the tool stays farther from the contour by this length, as if its radius were larger. Posts write -R and
- * the path of the tool's centre. */
+/*
+ * 840D sl, "OFFN": the tool stays farther from the contour by this length, as if its radius were larger. Posts write -R
+ * with the path of the tool's centre.
+ */
 static bool set_allowance(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
