@@ -99,9 +99,11 @@ struct rest_query {
 static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
 			 bool past_limits_only, long left_block)
 {
+	if (left_block == c->program.block)
+		return false;
 	/* Pairs that must stay apart while the spindle turns have just been checked. */
 	if (query->spindle_stops)
-		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING) && left_block != c->program.block;
+		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING);
 	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
 }
 

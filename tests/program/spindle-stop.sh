@@ -32,6 +32,8 @@ for end in M2 M30 M0 M1; do
 done
 cut 5 'T2 M6' M30
 run 'M6 at the bottom'
+cut 5 'T1 M6' M30
+run 'M6 of the same tool, with --all: one finding of the pair in the block' -a
 cut 5 M5 'G1 Z60' M30
 run 'M5, then out at feed: found where it stops'
 run 'and with --all once more on the way out' -a
