@@ -22,3 +22,16 @@ echo "exit $?"
 printf 'N1 G21 G90 G0 X1.\nGOTO 1\n' >c.nc
 fivecheck --dialect=fanuc --parse-only --max-blocks=500 m.xml c.nc >/dev/null
 echo "exit $?"
+# Of two programs with one number none is called, on a pipe neither.
+twice='O1\nG21 G90\nM98 P2\nM30\nO2\nM99\nO2\nG0 X5.\nM99\n'
+printf "$twice" >d.nc
+fivecheck --dialect=fanuc --parse-only m.xml d.nc >/dev/null
+echo "exit $?"
+printf "$twice" | fivecheck --dialect=fanuc --parse-only m.xml - >/dev/null
+echo "exit $?"
+# What a pipe brings after its window is not known.
+{
+	printf 'O1\nG21 G90\nM98 P2\nM30\nO2\nM99\n'
+	head -c 4500000 /dev/zero | tr '\0' ' ' | fold -w 100
+} | fivecheck --dialect=fanuc --parse-only m.xml - >/dev/null
+echo "exit $?"

@@ -23,7 +23,7 @@ enum aim { AIM_BLOCK, AIM_PROGRAM, AIM_ANY_PROGRAM, AIM_END };
 struct search {
 	enum aim aim;
 	long number;
-	long after;	/* lines up to this one are ignored, but not those of loops */
+	long after;	/* AIM_PROGRAM, AIM_BLOCK: lines up to this one are ignored */
 	int open[MACRO_B_LOOPS];	/* AIM_END: the loops in between */
 	int open_count;
 	bool own_line;	/* the search starts at the program's first line, which has the program's number */
@@ -365,16 +365,21 @@ static bool look_in_main(struct interp *interp, int number, int column, struct p
 	return false;
 }
 
-/* Which of two programs with one number a control keeps depends on a parameter (3201#2, REP). A pipe is not read on. */
+/* Which of two programs with one number a control keeps depends on a parameter (3201#2, REP). */
 static bool is_only(struct interp *interp, int number, int column, const struct position *found)
 {
 	struct search search = {.aim = AIM_PROGRAM, .number = number, .after = found->line};
 	struct position second;
 
-	if (found->source->reader.base < 0 || !look(interp, &search, found, 0, column, &second))
-		return true;
-	return fault(&interp->at, column, "O%d occurs in lines %ld and %ld of %s, so the call is ambiguous", number,
-		     found->line, second.line, found->source->name);
+	if (look(interp, &search, found, 0, column, &second))
+		return fault(&interp->at, column, "O%d occurs in lines %ld and %ld of %s, so the call is ambiguous",
+			     number, found->line, second.line, found->source->name);
+	if (search.unfinished)
+		return fault(&interp->at, column,
+			     "O%d may occur a second time more than %zu MiB after this line of the pipe; give the "
+			     "program as a file",
+			     number, READER_WINDOW >> 20);
+	return true;
 }
 
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found)
