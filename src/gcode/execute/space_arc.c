@@ -93,8 +93,10 @@ bool space_arc_run(struct interp *interp)
 	interp->state.motion = interp->state.path_motion = G2_4;
 	if (!check(interp))
 		return false;
-	if (!ends)
-		return waiting->on = endpoint_find(interp, false, &waiting->through);
+	if (!ends) {
+		waiting->on = endpoint_find(interp, false, &waiting->through);
+		return waiting->on;
+	}
 	if (!motion_commands_feed(interp, &move.feed) || !find_end(interp, &end))
 		return false;
 	/* Where the arc starts is not known since a fault: its end is reached all the same. */

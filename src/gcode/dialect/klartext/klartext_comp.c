@@ -226,11 +226,17 @@ static bool check_side(struct interp *interp, const struct klartext_words *words
 		     words->comp == KLARTEXT_RL ? "RL" : "RR");
 }
 
-bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
+/* Does the block begin, change or end radius compensation? R0 also ends a path that began with a radius of 0. */
+static bool switches(struct interp *interp, const struct klartext_words *words)
 {
 	if (words->comp == KLARTEXT_R0)
 		klartext_of(interp)->crossing.on_path = false;
-	if (words->comp == KLARTEXT_R_NONE || (words->comp == KLARTEXT_R0 && !klartext_comp_is_selected(interp)))
+	return words->comp != KLARTEXT_R_NONE && (words->comp != KLARTEXT_R0 || klartext_comp_is_selected(interp));
+}
+
+bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
+{
+	if (!switches(interp, words))
 		return true;
 	if (words->comp == KLARTEXT_R0)
 		return stop(interp, words, path);
@@ -239,9 +245,7 @@ bool klartext_comp_switch(struct interp *interp, const struct klartext_words *wo
 
 bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words)
 {
-	if (words->comp == KLARTEXT_R0)
-		klartext_of(interp)->crossing.on_path = false;
-	if (words->comp == KLARTEXT_R_NONE || (words->comp == KLARTEXT_R0 && !klartext_comp_is_selected(interp)))
+	if (!switches(interp, words))
 		return true;
 	if (words->comp == KLARTEXT_R0)
 		return stop_standing(interp, words->comp_column);
