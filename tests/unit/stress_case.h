@@ -159,11 +159,15 @@ static inline void stress_sweep(const struct stress_case *c, const char *name, c
 
 /* ---------------------------------------------------- through files, whole */
 
-static char stress_folder[] = "/tmp/fivecheck-stress-XXXXXX";
+static char stress_folder[sizeof("/tmp/fivecheck-stress-XXXXXX")];
 
-/* Fixtures of a test case: every test runs in a folder of its own, with the four files below at most. */
+/*
+ * Fixtures of a test case: every test runs in a folder of its own, with the four files below at most. Without forks one
+ * process enters a folder for each of its tests.
+ */
 static inline void stress_enter(void)
 {
+	strcpy(stress_folder, "/tmp/fivecheck-stress-XXXXXX");
 	require(mkdtemp(stress_folder) && !chdir(stress_folder), "cannot make a folder");
 }
 
