@@ -172,6 +172,26 @@ void checker_say_undecided(struct checker *c, size_t pair, long block, long orde
 	end_messages(c);
 }
 
+/* What to do about a step that needs too much effort, after the reason for it. */
+static const char *remedy_of(const struct checker *c, const struct motion_step *motion)
+{
+	if (!step_is_box(motion))
+		return "they stay close together for too long. The check stops here; give a larger --tolerance, or "
+		       "split the move";
+	switch (c->scene->machine->controller.rapid) {
+	case RAPID_ANY:
+		return "too many axes move at once in this rapid, whose path is not known (rapid=\"any\"); set the "
+		       "kind of rapid in the machine file, or move fewer axes at once";
+	case RAPID_DOGLEG:
+		return "too many axes move at once in this rapid, whose path is not known (rapid=\"dogleg\": with "
+		       "TCP each axis goes to the end by itself); move fewer axes at once, or set rapid=\"linear\" in "
+		       "the machine file if the control guides the tip";
+	case RAPID_LINEAR:
+		break;
+	}
+	return "too many axes move at once in this rapid, whose path is not known; move fewer axes at once";
+}
+
 static void say_exhausted(struct checker *c, const struct pair_check_result *result, const struct batch_step *step)
 {
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
@@ -180,12 +200,7 @@ static void say_exhausted(struct checker *c, const struct pair_check_result *res
 	begin_messages(c, step->block, 2 * step->number + 1);
 	diag_error(&c->log.diags.diag, (struct srcloc){motion->file, motion->line, 1},
 		   "'%s' and '%s' cannot be decided with reasonable effort: %s", c->scene->bodies[pair->a].body->name,
-		   c->scene->bodies[pair->b].body->name,
-		   step_is_box(motion)
-			   ? "too many axes move at once in this rapid, whose path is not known (rapid=\"any\"); set "
-			     "the kind of rapid in the machine file, or move fewer axes at once"
-			   : "they stay close together for too long. The check stops here; give a larger --tolerance, "
-			     "or split the move");
+		   c->scene->bodies[pair->b].body->name, remedy_of(c, motion));
 	end_messages(c);
 }
 

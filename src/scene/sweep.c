@@ -316,23 +316,31 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 	return answer_of(walk, run_part(walk, &whole, first, first));
 }
 
-/* The recursion ends: every half is halved once more, at most DEPTH_MAX times. */
+/*
+ * The recursion ends: every half is halved once more, at most depth_max times. Its intervals are not on the stack,
+ * which some threads have little of.
+ */
 static enum sweep_answer sweep_parts(struct walk *walk, const struct motion_interval *part)
 {
+	struct interval_pool *pool = &walk->sweep->intervals;
+	struct motion_interval *whole;
 	enum progress progress;
-	struct motion_interval first, second, whole = *part;
 	enum sweep_answer answer;
 
 	walk->contact->s = INFINITY;
 	progress = run(walk, part);
 	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
-	if (part->depth >= DEPTH_MAX)
+	if (part->depth >= walk->depth_max)
 		return SWEEP_UNDECIDED;
-	motion_interval_halve(&whole, walk->pair, &first, &second);
+	whole = interval_pool_copy(pool, part);
+	motion_interval_halve(whole, walk->pair, interval_pool_take(pool), interval_pool_take(pool));
 	walk->sweep->bisections++;
-	answer = sweep_parts(walk, &first);
-	return answer == SWEEP_APART ? sweep_parts(walk, &second) : answer;
+	answer = sweep_parts(walk, whole->halves[0]);
+	if (answer == SWEEP_APART)
+		answer = sweep_parts(walk, whole->halves[1]);
+	interval_pool_leave(pool, whole);
+	return answer;
 }
 
 /* The number of visits at which a query that may take `most` visits stops (0: the sweep's effort is the limit). */

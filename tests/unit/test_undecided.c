@@ -99,10 +99,71 @@ START_TEST(ends_with_its_step)
 }
 END_TEST
 
+/* A post (b0) that turns within a frame of four bars (b1), which moves with X and Z: no plane separates them. */
+static void place_frame(struct model *model)
+{
+	static const vec3 half[] = {{4, 20, 10}, {4, 20, 10}, {20, 4, 10}, {20, 4, 10}};
+	static const vec3 at[] = {{18.2, 0, 0}, {-18.2, 0, 0}, {0, 18.2, 0}, {0, -18.2, 0}};
+	struct mesh frame = {0};
+
+	model_init(model);
+	model_box(model, ROLE_MACHINE, LINK_C, (vec3){-10, -10, -100}, (vec3){10, 10, 100});
+	for (int i = 0; i < 4; i++) {
+		xform place = {mat3_identity(), at[i]};
+		struct mesh bar = {0};
+
+		solid_box(&bar, half[i]);
+		solid_place(&bar, &place);
+		for (size_t t = 0; t < bar.count; t++) {
+			const tri it = tri_of(&bar, t);
+
+			solid_add(&frame, it.p[0], it.p[1], it.p[2]);
+		}
+		mesh_release(&bar);
+	}
+	model_mesh(model, model_body(model, ROLE_MACHINE, LINK_Z), &frame);
+	pairs_derive(model->scene, 0, 1);
+}
+
+/*
+ * A rapid whose path is not known, and that needs too much effort: the message names its line, and why the path is not
+ * known. The check goes on after it.
+ */
+START_TEST(names_the_rapid)
+{
+	static const struct {
+		enum rapid rapid;
+		const char *text, *message;
+	} cases[] = {
+		{RAPID_ANY, "G21 G90 G94 F60000\nG1 X0.05\nG0 X-0.04 Z80 C90\nG1 X20\n",
+		 "a.nc:3:1: error: 'b0' and 'b1' cannot be decided with reasonable effort: too many axes move at once in "
+		 "this rapid, whose path is not known (rapid=\"any\"); "},
+		{RAPID_DOGLEG, "G21 G90 G94 F60000\nG43.4 H0\nG0 Z80 C90\nG1 X20\n",
+		 "a.nc:3:1: error: 'b0' and 'b1' cannot be decided with reasonable effort: too many axes move at once in "
+		 "this rapid, whose path is not known (rapid=\"dogleg\": with TCP each axis "},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+		const struct check_options options = {.tolerance = 0.001, .effort = EFFORT, .all = true};
+		struct strbuf heard = {0};
+		struct model model;
+
+		place_frame(&model);
+		model.machine.controller.rapid = cases[i].rapid;
+		run(&model, cases[i].text, &options, &heard);
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&heard), cases[i].message));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&heard), "\ncollision 4 b0 - b1"));
+		model_release(&model);
+		strbuf_release(&heard);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("undecided");
 
 	tcase_add_test(tcase, ends_with_its_step);
+	tcase_add_test(tcase, names_the_rapid);
 	return run_suite("undecided", tcase);
 }
