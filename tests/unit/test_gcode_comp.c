@@ -138,7 +138,7 @@ static const struct bad bads[] = {
     {ON, "G99", 1, "a change of the retract mode while cutter compensation is on; write G40 first"},
     {ON, "G49", 1, "a change of the tool length while cutter compensation is on; write G40 first"},
     {ON, "T1 M6", 4, "a tool change while cutter compensation is on; write G40 first"},
-    {ON, "G81 X1 Z-1 R1", 1, "a canned cycle, thread or probe while cutter compensation is on; write G40 first"},
+    {ON, "G81 X1 Z-1 R1", 1, "G81 while cutter compensation is on; write G40 first"},
     {ON, "G93 X20 F1", 5, "inverse time mode (G93) under cutter compensation is not supported"},
     {ON "\nX30\nM1", "Y20", 1,
      "an inside corner after a program stop under cutter compensation; the tool has already gone too far"},

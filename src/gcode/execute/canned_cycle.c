@@ -87,8 +87,8 @@ static bool find_repeats(struct canned_cycle *cycle)
 	if (!block_integer(block, &interp->at, letter, 0, CYCLE_COUNT_MAX, &cycle->repeats))
 		return false;
 	if (cycle->repeats == 0 && cycle->traits->zero_repeats_refused == ANSWER_YES)
-		return fault(&interp->at, block_column(block, letter), "G%d must not be repeated 0 times",
-			     cycle->code / 10);
+		return fault(&interp->at, block_column(block, letter), "G%g must not be repeated 0 times",
+			     cycle->code / 10.0);
 	/* The words are kept and nothing is drilled; controls differ in whether the tool moves to the position. */
 	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
 		return fault(&interp->at, block_column(block, letter),
@@ -248,8 +248,8 @@ bool canned_cycle_run(struct interp *interp)
 			return false;
 	}
 	if (state->feed_mode == FEED_INVERSE_TIME)
-		return fault(&interp->at, column, "G%d in inverse time mode (G93); write G94 or G95 first",
-			     cycle.code / 10);
+		return fault(&interp->at, column, "G%g in inverse time mode (G93); write G94 or G95 first",
+			     cycle.code / 10.0);
 	if (state->cycle.known && cycle.traits->words_outlive_cycle == ANSWER_YES &&
 	    (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;

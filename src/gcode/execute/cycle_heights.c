@@ -17,8 +17,8 @@ static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
 		memory->word['Z' - 'A'] = block_value(&interp->block, letter);
 		memory->known |= letter_bit('Z');
 	} else if (!kept || !(memory->known & letter_bit('Z'))) {
-		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c (depth)",
-			     cycle->code / 10, letter);
+		return fault(&interp->at, block_motion_column(&interp->block), "G%g needs %c (depth)",
+			     cycle->code / 10.0, letter);
 	}
 	*value = memory->word['Z' - 'A'];
 	return true;

@@ -7,7 +7,7 @@ bool cycle_words_take(struct canned_cycle *cycle, char letter, bool kept, double
 	bool given = block_has(&interp->block, letter);
 
 	if (!given && !(kept && (memory->known & letter_bit(letter))))
-		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c", cycle->code / 10,
+		return fault(&interp->at, block_motion_column(&interp->block), "G%g needs %c", cycle->code / 10.0,
 			     letter);
 	*value = given ? block_value(&interp->block, letter) : memory->word[letter - 'A'];
 	memory->known |= letter_bit(letter);

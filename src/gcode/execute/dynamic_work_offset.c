@@ -174,14 +174,14 @@ bool dynamic_work_offset_check_cut(struct interp *interp)
 
 		if (dynamic->unsure[slot] && dynamic->unsure_code == G254)
 			return fault(&interp->at, block_motion_column(block),
-				     "G%d after G254, but before G0 has moved %c to an absolute coordinate: the "
+				     "G%g after G254, but before G0 has moved %c to an absolute coordinate: the "
 				     "control needs this for each of X, Y and Z before it cuts",
-				     block->motion / 10, AXIS_LETTERS[slot]);
+				     block->motion / 10.0, AXIS_LETTERS[slot]);
 		if (dynamic->unsure[slot] && !led)
 			return fault(&interp->at, block_motion_column(block),
-				     "G%d after G255 without %c: it is not known whether the axis stays in place; "
+				     "G%g after G255 without %c: it is not known whether the axis stays in place; "
 				     "write its absolute coordinate",
-				     block->motion / 10, AXIS_LETTERS[slot]);
+				     block->motion / 10.0, AXIS_LETTERS[slot]);
 	}
 	return true;
 }

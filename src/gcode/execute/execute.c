@@ -188,7 +188,7 @@ static bool execute_path(struct interp *interp)
 	}
 	if (state->contour)
 		return fault(&interp->at, block->g_column[G_PATH],
-			     "G%d while G5.1, G8 or G5 P10000 is active is not supported", block->g[G_PATH] / 10);
+			     "G%g while G5.1, G8 or G5 P10000 is active is not supported", block->g[G_PATH] / 10.0);
 	state->blend = blends;
 	state->blend_tolerance = 0;
 	if (!state->blend || !block_has(block, 'P') || traits_of(interp)->g64_has_tolerance == ANSWER_NO)

@@ -255,13 +255,14 @@ bool motion_commands_dwell(struct interp *interp)
  */
 static bool keep_feed(struct interp *interp, struct canon_feed *feed)
 {
-	int column = block_motion_column(&interp->block), code = interp->block.motion / 10;
+	const int column = block_motion_column(&interp->block);
+	const double code = interp->block.motion / 10.0;
 
 	if (traits_of(interp)->feed_missing != FEED_MISSING_KEPT)
-		return fault(&interp->at, column, "G%d without a feed rate (F)", code);
+		return fault(&interp->at, column, "G%g without a feed rate (F)", code);
 	if (!interp->cautioned_feed)
 		caution(&interp->at, column,
-			"G%d without a feed rate (F): the control uses an earlier feed rate or stops with an alarm; "
+			"G%g without a feed rate (F): the control uses an earlier feed rate or stops with an alarm; "
 			"the path is checked at the largest speeds of the axes, here and further on",
 			code);
 	interp->cautioned_feed = true;
@@ -275,13 +276,14 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 {
 	const struct block *block = &interp->block;
 	const struct state *state = &interp->state;
-	int column = block_motion_column(block), code = block->motion / 10;
+	const int column = block_motion_column(block);
+	const double code = block->motion / 10.0;
 	double per_second = 1 / SECONDS_PER_MINUTE;
 
 	*feed = (struct canon_feed){0};
 	if (state->feed_mode == FEED_INVERSE_TIME) {
 		if (!block_has(block, 'F'))
-			return fault(&interp->at, column, "G%d without F in inverse time mode (G93)", code);
+			return fault(&interp->at, column, "G%g without F in inverse time mode (G93)", code);
 		feed->inverse_time = true;
 		feed->seconds = SECONDS_PER_MINUTE / block_value(block, 'F');
 		if (!(block_value(block, 'F') > 0) || !isfinite(feed->seconds))
@@ -294,7 +296,7 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 	if (state->feed_mode == FEED_PER_REVOLUTION) {
 		if (!(state->speed > 0))
 			return fault(&interp->at, column,
-				     "G%d in feed per revolution (G95) without a spindle speed (S)", code);
+				     "G%g in feed per revolution (G95) without a spindle speed (S)", code);
 		per_second *= state->speed;
 	}
 	feed->linear = state->feed_linear * per_second;

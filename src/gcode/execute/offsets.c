@@ -87,7 +87,7 @@ static bool refuse_incremental(struct interp *interp)
 	if (same)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
-		     "G%d in incremental mode (G91) is not supported", code / 10);
+		     "G%g in incremental mode (G91) is not supported", code / 10.0);
 }
 
 /*

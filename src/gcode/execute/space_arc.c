@@ -11,19 +11,36 @@
 /* The points are on one line if the sine of the angle between the two chords is less than this. */
 #define LEAST_BEND 1e-9
 
+/* What is active that these arcs are not followed under; NULL: nothing. */
+static const char *hindrance_of(const struct interp *interp)
+{
+	const struct state *state = &interp->state;
+
+	if (state->tcp == TCP_BY_LENGTH || state->tcp == TCP_BY_MCODE)
+		return "tool centre point control";
+	if (interp->comp.side != 0)
+		return "cutter compensation";
+	if (state->feed_mode == FEED_INVERSE_TIME)
+		return "inverse time feed (G93)";
+	if (state->polar.on)
+		return "polar coordinates (G16)";
+	if (state->frame.distorts)
+		return state->frame.scales ? "scaling (G51)" : "mirror image (G51.1)";
+	if (state->cylinder.on)
+		return "cylindrical interpolation (G7.1)";
+	return state->polar_interpolation.on ? "polar coordinate interpolation (G12.1)" : NULL;
+}
+
 static bool check(struct interp *interp)
 {
 	const struct state *state = &interp->state;
 	const struct block *block = &interp->block;
 	const int column = block_motion_column(block);
+	const char *hindrance = hindrance_of(interp);
 
-	if (state->tcp == TCP_BY_LENGTH || state->tcp == TCP_BY_MCODE || interp->comp.side != 0 ||
-	    state->feed_mode == FEED_INVERSE_TIME || state->polar.on || state->frame.distorts || state->cylinder.on ||
-	    state->polar_interpolation.on)
+	if (hindrance)
 		return fault(&interp->at, column,
-			     "G2.4 and G3.4 are not supported under tool centre point control, cutter compensation and "
-			     "G93, or in scaled, mirrored, polar or cylindrical coordinates; post lines or arcs in a "
-			     "plane");
+			     "G2.4 and G3.4 under %s are not supported; post lines or arcs in a plane", hindrance);
 	if (corner_insert_concerns(interp))
 		return fault(&interp->at, column, "a corner (,C or ,R) beside G2.4 or G3.4 is not supported");
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {

@@ -69,7 +69,8 @@ static bool belong_to_mode(struct block *block, const struct line_place *at, boo
 		block->motion = CODE_NONE;
 		*good = (given == CODE_NONE && other == CODE_NONE) ||
 			fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
-			      "G68 needs a block without motion, offsets or a dwell");
+			      "G%g needs a block without motion, offsets or a dwell",
+			      block->g[G_ROTATION] / 10.0);
 	} else {
 		return false;
 	}
@@ -87,7 +88,7 @@ static bool check_beside_nonmodal(struct block *block, const struct line_place *
 		block->motion = CODE_NONE;
 	else if (given != CODE_NONE && given != G80)
 		return fault(at, block->g_column[G_MOTION],
-			     "G%d and G%g both need the axis words of the block; write two blocks", given / 10,
+			     "G%g and G%g both need the axis words of the block; write two blocks", given / 10.0,
 			     other / 10.0);
 	if (!axes && (other == G52 || other == G92))
 		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);

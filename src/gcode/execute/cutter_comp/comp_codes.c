@@ -236,7 +236,8 @@ bool comp_codes_check_block(struct interp *interp)
 	if (code != CODE_NONE && code != G4 && !(code == G53 && !cutter_comp_is_on(interp)))
 		return refuse(interp, block->g_column[G_NONMODAL], "a code that moves or shifts the machine's axes");
 	if (!moves_as_compensated(block->motion))
-		return refuse(interp, block_motion_column(block), "a canned cycle, thread or probe");
+		return fault(&interp->at, block_motion_column(block),
+			     "G%g while cutter compensation is on; write G40 first", block->motion / 10.0);
 	if (cutter_comp_is_on(interp) && interp->state.feed_mode == FEED_INVERSE_TIME && block->motion >= G1)
 		return fault(&interp->at, block_motion_column(block),
 			     "inverse time mode (G93) under cutter compensation is not supported");
