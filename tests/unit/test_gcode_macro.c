@@ -316,15 +316,15 @@ START_TEST(pipes)
 	c.config.dialect = &dialect_fanuc;
 	ck_assert(!run_pipe(&c, "G0 X1.\nGOTO 3\n", 250000, "N3 M30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:6: error: N3 is not within 4 MiB before or after this line of the pipe; give the "
-			 "program as a file\n    GOTO 3\n         ^\n");
+			 "p.nc:2:6: error: N3 may be more than 4 MiB before or after this line of the pipe, where it "
+			 "is not looked for; give the program as a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 	case_init(&c);
 	c.config.dialect = &dialect_haas;
 	ck_assert(!run_pipe(&c, "N3 G0 X1.\n", 600000, "GOTO 3\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:600002:6: error: N3 is not within 4 MiB before or after this line of the pipe; give the "
-			 "program as a file\n    GOTO 3\n         ^\n");
+			 "p.nc:600002:6: error: N3 may be more than 4 MiB before or after this line of the pipe, where it "
+			 "is not looked for; give the program as a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 }
 END_TEST

@@ -6,6 +6,7 @@
 
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/program_files.h"
+#include "gcode/text/line_search.h"
 
 /* The start of a line for searches: without blanks and comments, in capitals. */
 #define GIST_MAX 256
@@ -164,6 +165,27 @@ static void keep_line(struct interp *interp)
 	interp->at.text = strbuf_text(line);
 }
 
+/* A line of a search. */
+struct judged {
+	struct interp *interp;
+	struct search *search;
+	int column;
+	bool first;	/* no line that matters has been met */
+};
+
+static enum line_sought judge(void *context, const char *text, long line)
+{
+	struct judged *judged = context;
+	bool over, met = meets(judged->interp, judged->search, text, line, judged->column, &over);
+
+	/* The program's own first line is not that of the next program. */
+	over = over && !judged->first;
+	judged->first = judged->first && !may_matter(text);
+	if (over || judged->search->failed)
+		return LINE_BEHIND;
+	return met ? LINE_SOUGHT : LINE_OTHER;
+}
+
 /*
  * Finds the first line of the search's target from `from` up to the line `to` (0: the end of the program, or of the
  * file). The position of the reader does not change.
@@ -171,36 +193,15 @@ static void keep_line(struct interp *interp)
 static bool look(struct interp *interp, struct search *search, const struct position *from, long to, int column,
 		 struct position *found)
 {
-	struct reader *reader = &from->source->reader;
-	const struct position next = source_next(from->source);
-	const long long start = reader->start;
-	const char *text;
-	bool over = false, met = false, first = search->own_line;
+	struct judged judged = {interp, search, column, search->own_line};
+	struct line_search lines = {.judge = judge, .context = &judged, .last = to, .most = 1};
 
 	keep_line(interp);
-	if (!reader_seek(reader, from->offset, from->line)) {
-		search->unfinished = true;
-		return false;
-	}
-	while (!met && !over && !search->failed) {
-		if (reader->base < 0 &&
-		    reader_position(reader) > next.offset + (long long)READER_WINDOW - LINE_LENGTH_MAX) {
-			search->unfinished = true;
-			break;
-		}
-		if (reader_next(reader, &text) != READER_LINE || (to > 0 && reader->line > to))
-			break;
-		met = meets(interp, search, text, reader->line, column, &over);
-		/* The program's own first line is not that of the next program. */
-		over = over && !first;
-		met = met && !over;
-		first = first && !may_matter(text);
-	}
-	if (met)
-		*found = source_here(from->source);
-	reader_seek(reader, next.offset, next.line);
-	reader->start = start;
-	return met;
+	line_search_run(&lines, from);
+	search->unfinished |= lines.unfinished;
+	if (lines.count)
+		*found = lines.first;
+	return lines.count > 0;
 }
 
 /* ------------------------------------------------------------ what was found */
@@ -224,11 +225,10 @@ static void remember(struct interp *interp, const char *key, const struct positi
 
 static bool fault_window(struct interp *interp, const char *what, int number, int column)
 {
-	return fault(&interp->at, column,
-		     "%s%d is not within %zu MiB before or after this line of the pipe; give the program as a file",
-		     what,
-			number,
-		     READER_WINDOW >> 20);
+	char name[24];
+
+	snprintf(name, sizeof(name), "%.8s%d", what, number);
+	return line_search_refuse_pipe(&interp->at, column, name);
 }
 
 static struct position program_start(struct interp *interp)
@@ -374,12 +374,7 @@ static bool is_only(struct interp *interp, int number, int column, const struct 
 	if (look(interp, &search, found, 0, column, &second))
 		return fault(&interp->at, column, "O%d occurs in lines %ld and %ld of %s, so the call is ambiguous",
 			     number, found->line, second.line, found->source->name);
-	if (search.unfinished)
-		return fault(&interp->at, column,
-			     "O%d may occur a second time more than %zu MiB after this line of the pipe; give the "
-			     "program as a file",
-			     number, READER_WINDOW >> 20);
-	return true;
+	return !search.unfinished || fault_window(interp, "O", number, column);
 }
 
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found)
