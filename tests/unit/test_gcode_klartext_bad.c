@@ -126,7 +126,7 @@ static const struct klartext_fault faults[] = {
 	{"CALL FOO\n",
 	 "p.nc:2:6: error: CALL needs LBL or PGM"},
 	{"LBL 1\nLBL 1\nCALL LBL 1\n",
-	 "p.nc:4:10: error: LBL 1 stands more than once in the program"},
+	 "p.nc:4:10: error: LBL 1 is in line 2 of p.nc and in line 3 of p.nc: which one is meant is not certain"},
 	{"CALL PGM nowhere.h\n",
 	 "p.nc:2:10: error: there is no file of the program nowhere.h; if the machine's builder made it and it "
 	 "moves no axis, set <macro program=\"NOWHERE\" action=\"none\"/> in the machine file's <controller>"},

@@ -15,11 +15,12 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/text/line_search.h"
 
 /* Bytes of the key of a label, which consists of its source and its name. */
 #define KEY (KLARTEXT_NAME + 24)
 
-enum { LABEL_FOUND, LABEL_TWICE };
+enum { LABEL_FOUND, LABEL_TWICE };	/* twice: `body` is the line of the second one */
 
 /* ------------------------------------------------------------------ labels */
 
@@ -73,10 +74,12 @@ static bool add_label(struct interp *interp, const char *name)
 
 	make_key(key, &interp->program.sources, source, name);
 	label = labels_find(&calls->labels, key);
-	if (label) {
-		label->kind = label->at.line == source->reader.line ? label->kind : LABEL_TWICE;
-		return true;
+	if (label && label->kind == LABEL_FOUND && label->at.line != source->reader.line) {
+		label->kind = LABEL_TWICE;
+		label->body = source_here(source);
 	}
+	if (label)
+		return true;
 	label = labels_add(&calls->labels, key, LABEL_FOUND);
 	if (!label)
 		return fault(&interp->at, 1, "more than %d labels", LABELS_MAX);
@@ -97,52 +100,50 @@ static void keep_line(struct interp *interp)
 	interp->at.text = strbuf_text(&lines->text);
 }
 
-/* Reads the whole current file once and notes its labels; the current line stays. False: reported. */
-static bool scan_labels(struct interp *interp, int column)
+static enum line_sought note_label(void *interp, const char *text, long line)
+{
+	char name[KLARTEXT_NAME];
+
+	(void)line;
+	return label_of_line(interp, text, name) && !add_label(interp, name) ? LINE_SOUGHT : LINE_OTHER;
+}
+
+/* Reads the whole current file once, for this label, and notes all its labels. False: reported. */
+static bool scan_labels(struct interp *interp, const char *title, int column)
 {
 	struct source *source = interp->program.source;
-	struct reader *reader = &source->reader;
-	const struct position next = source_next(source);
-	const long furthest = reader->furthest;
-	char name[KLARTEXT_NAME], key[KEY];
-	const char *text;
-	bool good = true;
+	const struct position first = {source, 0, 1};
+	struct line_search lines = {
+	    .judge = note_label, .context = interp, .cancel = interp->config->read.cancel, .most = 1};
+	char key[KEY];
 
 	make_key(key, &interp->program.sources, source, "");
 	if (labels_find(&klartext_of(interp)->calls.labels, key))
 		return true;
 	keep_line(interp);
-	if (!reader_seek(reader, source == interp->program.start.source ? interp->program.start.offset : 0, 1))
-		return fault(&interp->at, column,
-			     "labels are looked for in the whole program, which a pipe can no longer deliver; "
-			     "give the program as a file");
-	while (good && reader_next(reader, &text) == READER_LINE) {
-		if (label_of_line(interp, text, name))
-			good = add_label(interp, name);
-	}
-	reader->furthest = furthest;
-	if (!good || !labels_add(&klartext_of(interp)->calls.labels, key, LABEL_FOUND))
-		return false;
-	return program_jump(&interp->program, &next, &interp->at, column);
+	if (!line_search_run(&lines, source == interp->program.start.source ? &interp->program.start : &first))
+		return lines.unfinished && line_search_refuse_pipe(&interp->at, column, title);
+	return !lines.count && labels_add(&klartext_of(interp)->calls.labels, key, LABEL_FOUND);
 }
 
 static struct label *find_label(struct interp *interp, const char *name, int column)
 {
+	char key[KEY], title[KLARTEXT_NAME + 8];
 	struct label *label;
-	char key[KEY];
 
 	if (!strcmp(name, "0")) {
 		fault_report(&interp->at, column, "LBL 0 ends subprograms: nothing can call it or jump there");
 		return NULL;
 	}
-	if (!scan_labels(interp, column))
+	snprintf(title, sizeof(title), "LBL %s", name);
+	if (!scan_labels(interp, title, column))
 		return NULL;
 	make_key(key, &interp->program.sources, interp->program.source, name);
 	label = labels_find(&klartext_of(interp)->calls.labels, key);
 	if (!label)
-		fault_report(&interp->at, column, "the program has no LBL %s", name);
+		fault_report(&interp->at, column, "the program has no %s", title);
 	else if (label->kind == LABEL_TWICE)
-		fault_report(&interp->at, column, "LBL %s stands more than once in the program", name);
+		line_search_refuse(&interp->at, column, title, &label->at, &label->body);
 	return label && label->kind == LABEL_FOUND ? label : NULL;
 }
 
