@@ -69,8 +69,8 @@ echo "exit $?"
 printf 'R1=0\nWHILE R1<3\nR1=R1+1\nENDWHILE\nG500 G71 G90 G0 X=R1\nM30\n' | fivecheck --dump-path s.xml -
 echo "exit $?"
 printf 'X5\n' >OPEN.SPF
-printf 'G500 G71 G90 F100\nOPEN\nM30\n' >open.mpf
-fivecheck --parse-only s.xml open.mpf >/dev/null
+printf 'G500 G71 G90 F100\nOPEN\nM30\n' >main.mpf
+fivecheck --parse-only s.xml main.mpf >/dev/null
 echo "exit $?"
 # Programs of the builder and a measuring cycle, described by name in the machine file.
 sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program="CYCLE977" action="around" X="30" Z="20"/><macro program="L9" action="around" Z="3"/><macro program="H12" action="none"/>|' \

@@ -67,13 +67,13 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	const bool brackets = sinumerik_name_take_byte(lexer, '(');
 	const int column = expr_column(lexer);
 	struct sinumerik_text path;
-	char name[SINUMERIK_NAME + 1];
+	char name[SINUMERIK_NAME + 1], type;
 
 	if (!brackets && sinumerik_name_take(lexer, "BLOCK"))
 		return sinumerik_part_call(interp, lexer);
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
 	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
-	    !sinumerik_program_name(interp, path.bytes, column, name))
+	    !sinumerik_program_name(interp, path.bytes, column, name, &type))
 		return false;
 	if (sinumerik_name_take(lexer, "BLOCK"))
 		return fault(lexer->at, column,
@@ -82,14 +82,14 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	if (!ends_block(lexer))
 		return false;
 	sinumerik_of(interp)->passed.count = 0;
-	return sinumerik_call_run(interp, name, 1, column);
+	return sinumerik_call_run(interp, name, type, 1, column);
 }
 
 /* PCALL/_N_WKS_DIR/_N_PART_WPD/NAME(1,2): the path has no quotes. */
 static bool call_by_path(struct interp *interp, struct lexer *lexer)
 {
 	const int column = expr_column(lexer);
-	char path[SINUMERIK_TEXT + 1], name[SINUMERIK_NAME + 1];
+	char path[SINUMERIK_TEXT + 1], name[SINUMERIK_NAME + 1], type;
 	size_t length = 0;
 
 	if (lexer_peek(lexer) == '"')
@@ -100,8 +100,8 @@ static bool call_by_path(struct interp *interp, struct lexer *lexer)
 		path[length++] = lexer->at->text[lexer->position++];
 	}
 	path[length] = '\0';
-	return sinumerik_program_name(interp, path, column, name) && sinumerik_call_arguments(interp, lexer) &&
-	       ends_block(lexer) && sinumerik_call_run(interp, name, 1, column);
+	return sinumerik_program_name(interp, path, column, name, &type) && sinumerik_call_arguments(interp, lexer) &&
+	       ends_block(lexer) && sinumerik_call_run(interp, name, type, 1, column);
 }
 
 /* Declarations and calls. They are not words of a block. */
@@ -278,6 +278,7 @@ static void free_state(void *state)
 	free(sinumerik->variables.items);
 	free(sinumerik->tool.names);
 	strbuf_release(&sinumerik->search.line);
+	labels_release(&sinumerik->search.labels);
 	sinumerik_macro_release(sinumerik);
 	sinumerik_soft_release(sinumerik);
 	free(sinumerik);

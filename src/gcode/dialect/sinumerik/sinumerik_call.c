@@ -89,7 +89,7 @@ static bool enter(struct interp *interp, const struct position *entry, long last
 	return program_jump(&interp->program, entry, &interp->at, column);
 }
 
-bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column)
+bool sinumerik_call_run(struct interp *interp, const char *name, char type, int repeats, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct position entry;
@@ -101,7 +101,8 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 			return fault(&interp->at, column, "%s with P and a text among its arguments is not supported",
 				     name);
 	}
-	if (!sinumerik_program_find(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
+	if (!sinumerik_program_find(interp, name, type, column, &entry) ||
+	    !enter(interp, &entry, 0, repeats, name, column))
 		return false;
 	sinumerik_top_call(sinumerik)->argument_count = sinumerik->passed.count;
 	memcpy(sinumerik_top_call(sinumerik)->arguments, sinumerik->passed.numbers, sizeof(sinumerik->passed.numbers));
@@ -124,7 +125,7 @@ bool sinumerik_call_modal(struct interp *interp)
 	}
 	modal->running = true;
 	modal->depth = sinumerik->calls.depth;
-	return sinumerik_call_run(interp, modal->name, 1, 1);
+	return sinumerik_call_run(interp, modal->name, '\0', 1, 1);
 }
 
 bool sinumerik_call_is_inside(const struct interp *interp)

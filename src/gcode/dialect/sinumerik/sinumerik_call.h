@@ -8,9 +8,10 @@
 bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer);
 
 /*
- * Calls the subprogram with this upper-case name `repeats` times, with the arguments that were read. False: reported.
+ * Calls the subprogram with this upper-case name, of the type 'M' or 'S' if it is not 0, `repeats` times, with the
+ * arguments that were read. False: reported.
  */
-bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column);
+bool sinumerik_call_run(struct interp *interp, const char *name, char type, int repeats, int column);
 
 /* Calls the subprogram of MCALL with its arguments. False: reported. */
 bool sinumerik_call_modal(struct interp *interp);

@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_values.h"
 #include "gcode/state.h"
+#include "gcode/text/label.h"
 
 /* Nested loops in one program: the manual allows eight, but a loop that a jump has left may remain here. */
 #define SINUMERIK_LOOPS_MAX 64
@@ -39,6 +40,10 @@ struct sinumerik_jump {
 
 struct sinumerik_search {
 	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
+	/* The labels of a file from this offset on; the kind counts further labels of the same name. */
+	const struct source *labelled;
+	long long labelled_from;
+	struct labels labels;
 	struct strbuf line;	/* the text of the current line while the file is searched */
 };
 

@@ -94,7 +94,7 @@ static bool call_contour(struct interp *interp)
 	struct sinumerik_contour *contour = &sinumerik->contour;
 	const char *name = contour->name.bytes, *colon = strchr(name, ':');
 	const int column = contour->column;
-	char program[SINUMERIK_NAME + 1];
+	char program[SINUMERIK_NAME + 1], type;
 	struct position first, last;
 
 	sinumerik->passed.count = 0;
@@ -106,8 +106,8 @@ static bool call_contour(struct interp *interp)
 			return fault(&interp->at, column, "the contour ends before it begins");
 		if (!sinumerik_call_repeat(interp, &first, last.line, 1, column))
 			return false;
-	} else if (!sinumerik_program_name(interp, name, column, program) ||
-		   !sinumerik_call_run(interp, program, 1, column)) {
+	} else if (!sinumerik_program_name(interp, name, column, program, &type) ||
+		   !sinumerik_call_run(interp, program, type, 1, column)) {
 		return false;
 	}
 	if (sinumerik->calls.depth == contour->depth)

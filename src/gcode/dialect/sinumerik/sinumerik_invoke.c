@@ -125,7 +125,7 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 			return fault(&interp->at, block->column[index], "P must be a whole number from 1 to 9999");
 		repeats = (int)block->value[index];
 	}
-	return sinumerik_call_run(interp, name, repeats, column);
+	return sinumerik_call_run(interp, name, '\0', repeats, column);
 }
 
 bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)

@@ -33,23 +33,16 @@ static bool find_first(struct interp *interp, const char *name, int column, stru
  */
 static bool find_last(struct interp *interp, const struct position *first, const char *name, int column, long *last)
 {
-	struct position end, nearest;
+	struct position end;
 	bool found;
 
-	if (!sinumerik_seek_label_behind(interp, name, first, 0, column, &end, &found))
+	if (!sinumerik_seek_label_behind(interp, name, first, 0, false, column, &end, &found))
 		return false;
 	if (!found)
 		return fault(&interp->at, column, "there is no label %s behind the start of this part", name);
 	*last = end.line;
-	if (end.line >= interp->at.line)
-		return true;
-	if (!sinumerik_seek_label(interp, name, SINUMERIK_BACKWARD, column, &nearest, &found))
-		return false;
-	return nearest.line == end.line ||
-	       fault(&interp->at, column,
-		     "the label %s stands in lines %ld and %ld: which one ends the part is not certain; give them "
-		     "different names",
-		     name, end.line, nearest.line);
+	return end.line >= interp->at.line ||
+	       sinumerik_seek_label_behind(interp, name, first, interp->at.line, true, column, &end, &found);
 }
 
 /* Finds the end of a part that has only a start label: the first ENDLABEL after it, or this REPEAT. */
@@ -61,7 +54,7 @@ static bool find_own_end(struct interp *interp, const struct position *first, in
 	if (first->line >= interp->at.line)
 		return fault(&interp->at, column,
 			     "a part behind its REPEAT is not supported without a second label");
-	if (!sinumerik_seek_label_behind(interp, "ENDLABEL", first, interp->at.line, column, &end, &found))
+	if (!sinumerik_seek_label_behind(interp, "ENDLABEL", first, interp->at.line, false, column, &end, &found))
 		return false;
 	*last = found ? end.line : interp->at.line - 1;
 	return true;

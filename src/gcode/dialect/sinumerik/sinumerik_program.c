@@ -8,8 +8,10 @@
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/eval/expr.h"
 #include "gcode/program.h"
+#include "gcode/text/line_search.h"
 
-bool sinumerik_program_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1])
+bool sinumerik_program_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1],
+			    char *type)
 {
 	static const char *const types[] = {"_MPF", "_SPF", ".MPF", ".SPF"};
 	const char *base = path;
@@ -19,6 +21,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 		base = *at == '/' || *at == '\\' || *at == ':' ? at + 1 : base;
 	if (!strncmp(base, "_N_", 3))
 		base += 3;
+	*type = '\0';
 	length = strlen(base);
 	for (size_t i = 0; i < sizeof(types) / sizeof(types[0]) && length > 4; i++) {
 		bool same = true;
@@ -27,6 +30,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 			same = same && sinumerik_upper(base[length - 4 + k]) == types[i][k];
 		if (same) {
 			length -= 4;
+			*type = types[i][1];
 			break;
 		}
 	}
@@ -38,23 +42,40 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 	return true;
 }
 
-/* Controls store names in upper case; files on other computers have either case. */
-static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
+/*
+ * Controls store names in upper case; files on other computers have either case. Each folder comes before the next
+ * one. In one folder a control looks for an SPF first (NC programming, "Search path for subprogram call"), but it may
+ * keep the main programs in one of its folders and the subprograms in another one, and then the MPF comes first.
+ */
+static bool find_file(struct interp *interp, const char *name, char type, int column, struct position *entry)
 {
 	static const char *const ends[] = {".SPF", ".spf", ".MPF", ".mpf", "_SPF", "_MPF", ""};
+	const struct read_options *options = &interp->config->read;
+	struct sources *sources = &interp->program.sources;
+	struct position other = *entry;
 	char file[SINUMERIK_NAME + 16];
 
-	*source = NULL;
-	for (size_t i = 0; i < 2 * sizeof(ends) / sizeof(ends[0]) && !*source; i++) {
-		snprintf(file, sizeof(file), "%s%s", name, ends[i / 2]);
+	if (!sources_check_room(sources, &interp->at, column))
+		return false;
+	for (size_t i = 0; i < 14 * sources_folder_count(options); i++) {
+		const char *end = ends[i / 2 % 7];
+
+		if (i % 14 == 0 && entry->source)
+			break;
+		if (type && end[0] && type != sinumerik_upper(end[1]))
+			continue;
+		snprintf(file, sizeof(file), "%s%s", name, end);
 		for (char *at = file; *at && i % 2 && at < file + strlen(name); at++) {
 			if (*at >= 'A' && *at <= 'Z')
 				*at = (char)(*at - 'A' + 'a');
 		}
-		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
-			return false;
+		other.source = sources_open(sources, options, i / 14, file);
+		if (other.source && entry->source && other.source != entry->source)
+			return line_search_refuse(&interp->at, column, name, entry, &other);
+		if (other.source)
+			*entry = other;
 	}
-	return true;
+	return sources_check_root(sources, options, &interp->at, column);
 }
 
 static bool fault_missing(struct interp *interp, const char *name, int column)
@@ -74,15 +95,39 @@ static bool fault_missing(struct interp *interp, const char *name, int column)
 	    name, name, name, name);
 }
 
-bool sinumerik_program_find(struct interp *interp, const char *name, int column, struct position *entry)
+/* A program of this name in the main program's file, or in the current one, beside one that was found before. */
+static bool find_head(struct interp *interp, struct source *source, const char *name, char type, int column,
+		      struct position *entry)
 {
-	bool found = false;
+	struct position head;
+	bool found;
 
-	*entry = (struct position){.line = 1};
-	if (!find_file(interp, name, column, &entry->source))
+	if (!sinumerik_seek_program(interp, source, name, type, column, &head, &found))
 		return false;
-	if (entry->source)
+	if (!found || entry->source == source)
 		return true;
-	return sinumerik_seek_program(interp, name, column, entry, &found) &&
-	       (found || fault_missing(interp, name, column));
+	if (entry->source)
+		return line_search_refuse(&interp->at, column, name, &head, entry);
+	*entry = head;
+	return true;
+}
+
+bool sinumerik_program_find(struct interp *interp, const char *name, char type, int column, struct position *entry)
+{
+	struct source *main = interp->program.sources.items[0];
+	char key[SINUMERIK_NAME + 2];
+
+	key[0] = type ? type : '%';
+	strcpy(key + 1, name);
+	if (sinumerik_seek_recall(interp, key, 0, entry))
+		return true;
+	*entry = (struct position){.line = 1};
+	if (!find_file(interp, name, type, column, entry) ||
+	    !find_head(interp, main, name, type, column, entry) ||
+	    (interp->program.source != main && !find_head(interp, interp->program.source, name, type, column, entry)))
+		return false;
+	if (!entry->source)
+		return fault_missing(interp, name, column);
+	sinumerik_seek_remember(interp, key, 0, entry);
+	return true;
 }

@@ -2,12 +2,9 @@
 
 #include <string.h>
 
-#include "base/callbacks.h"
 #include "gcode/dialect/sinumerik/sinumerik_ahead.h"
 #include "gcode/program.h"
-
-/* Lines read between two queries of the cancel callback. */
-#define ASK_LINES 4096
+#include "gcode/text/line_search.h"
 
 static size_t skip_blanks(const char *text, size_t at)
 {
@@ -99,21 +96,24 @@ static bool is_head(const char *text)
 	return text[skip_blanks(text, 0)] == '%';
 }
 
-/* Is the line the head of the program with this upper-case name? */
-static bool heads(const char *text, const char *name)
+/* Reads the upper-case name in a head and returns its type, 'M' or 'S'; 0: the line is no head, or it has no type. */
+static char read_head(const char *text, char name[SINUMERIK_NAME + 1])
 {
 	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
-	char found[SINUMERIK_NAME + 1];
+	char *end;
 
+	name[0] = '\0';
 	if (!is_head(text))
-		return false;
-	if (!strncmp(text + at, "_N_", 3))
+		return '\0';
+	if (text[at] == '_' && sinumerik_upper(text[at + 1]) == 'N' && text[at + 2] == '_')
 		at += 3;
-	copy_name(text, at, found);
-	length = strlen(found);
-	if (length > 4 && (!strcmp(found + length - 4, "_SPF") || !strcmp(found + length - 4, "_MPF")))
-		found[length - 4] = '\0';
-	return found[0] && !strcmp(found, name);
+	copy_name(text, at, name);
+	length = strlen(name);
+	end = name + (length > 4 ? length - 4 : length);
+	if (strcmp(end, "_SPF") != 0 && strcmp(end, "_MPF") != 0)
+		return '\0';
+	*end = '\0';
+	return end[1];
 }
 
 struct position sinumerik_seek_top(struct interp *interp)
@@ -144,7 +144,7 @@ static struct sinumerik_jump *remembered(struct interp *interp, const char *targ
 	return &sinumerik_of(interp)->search.jumps[hash % SINUMERIK_JUMPS];
 }
 
-static bool recall(struct interp *interp, const char *target, long long from, struct position *to)
+bool sinumerik_seek_recall(struct interp *interp, const char *target, long long from, struct position *to)
 {
 	const struct sinumerik_jump *jump = remembered(interp, target, from);
 
@@ -154,7 +154,7 @@ static bool recall(struct interp *interp, const char *target, long long from, st
 	return true;
 }
 
-static void remember(struct interp *interp, const char *target, long long from, const struct position *to)
+void sinumerik_seek_remember(struct interp *interp, const char *target, long long from, const struct position *to)
 {
 	struct sinumerik_jump *jump = remembered(interp, target, from);
 
@@ -176,175 +176,191 @@ static void keep_line(struct interp *interp)
 	interp->at.text = strbuf_text(line);
 }
 
-/* Returns to the line after the current one. */
-static bool come_back(struct interp *interp, const struct position *next, int column)
+/* Searches for the name, or for what it describes, from this line on. False: reported, or cancelled. */
+static bool look(struct interp *interp, struct line_search *lines, const char *name, const struct position *from,
+		 int column)
 {
-	return program_jump(&interp->program, next, &interp->at, column);
+	keep_line(interp);
+	lines->cancel = interp->config->read.cancel;
+	return line_search_run(lines, from) ||
+	       (lines->unfinished && line_search_refuse_pipe(&interp->at, column, name));
 }
 
-static bool cancelled(struct interp *interp, const struct reader *reader)
+struct search {
+	const char *name;	/* of a label, a block number, or a program */
+	bool program;	/* heads of programs in the whole file; else labels and numbers of one program */
+	char type;	/* of the program: 'M', 'S', or 0 */
+	struct line_search lines;
+};
+
+static enum line_sought judge(void *context, const char *text, long line)
 {
-	return reader->line % ASK_LINES == 0 && cancel_asked(interp->config->read.cancel);
-}
+	const struct search *search = context;
+	struct sinumerik_head head;
 
-static bool label_matches(const struct sinumerik_head *head, const char *name)
-{
-	return !strcmp(head->label, name) || !strcmp(head->number, name);
-}
+	(void)line;
+	if (search->program) {
+		char name[SINUMERIK_NAME + 1], type = read_head(text, name);
 
-/* Searches from the reader's position to the line `last` (0: to the end); the first match, or the last one. */
-static bool scan(struct interp *interp, const char *name, long last, bool first, struct position *to, bool *found)
-{
-	struct source *source = interp->program.source;
-	struct reader *reader = &source->reader;
-	const char *text;
-
-	while ((!last || reader->line < last) && reader_next(reader, &text) == READER_LINE) {
-		const struct sinumerik_head head = sinumerik_seek_head(text);
-
-		if (cancelled(interp, reader))
-			return false;
-		/* Another program begins. */
-		if (!last && is_head(text))
-			return true;
-		if (!label_matches(&head, name))
-			continue;
-		*to = source_here(source);
-		*found = true;
-		if (first)
-			return true;
+		return !strcmp(name, search->name) && (!type || !search->type || type == search->type) ? LINE_SOUGHT
+											      : LINE_OTHER;
 	}
-	return true;
+	if (!search->lines.last && is_head(text))
+		return LINE_BEHIND;
+	head = sinumerik_seek_head(text);
+	return !strcmp(head.label, search->name) || !strcmp(head.number, search->name) ? LINE_SOUGHT : LINE_OTHER;
 }
 
-static bool search_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
-			 struct position *to, bool *found)
+static bool look_for(struct interp *interp, struct search *search, const struct position *from, int column)
 {
-	const struct position next = source_next(interp->program.source), top = sinumerik_seek_top(interp);
-	const long here = interp->at.line;
+	search->lines.judge = judge;
+	search->lines.context = search;
+	return look(interp, &search->lines, search->name, from, column);
+}
 
-	*found = false;
-	if (direction != SINUMERIK_BACKWARD && !scan(interp, name, 0, true, to, found))
-		return false;
-	if (!*found && direction != SINUMERIK_FORWARD) {
-		if (!program_jump(&interp->program, &top, &interp->at, column) ||
-		    !scan(interp, name, here, direction == SINUMERIK_ANYWHERE, to, found))
+/* Takes the only match. */
+static bool take(struct interp *interp, const struct search *search, int column, struct position *to, bool *found)
+{
+	*found = search->lines.count > 0;
+	*to = search->lines.first;
+	return search->lines.count <= 1 ||
+	       line_search_refuse(&interp->at, column, search->name, to, &search->lines.second);
+}
+
+static enum line_sought note_label(void *context, const char *text, long line)
+{
+	const struct sinumerik_head head = sinumerik_seek_head(text);
+	struct label *label = labels_find(context, head.label);
+
+	(void)line;
+	if (label)
+		label->kind++;
+	else if (head.label[0])
+		labels_add(context, head.label, 0);
+	return LINE_OTHER;
+}
+
+/*
+ * Has the file no second label of this name from the next line on? Otherwise, and where this is not known, the rest of
+ * the program has to be searched. The labels are read once: a program may have many jumps.
+ */
+static bool is_only(struct interp *interp, const char *name, const struct position *next)
+{
+	struct sinumerik_search *search = &sinumerik_of(interp)->search;
+	struct line_search lines = {
+	    .judge = note_label, .context = &search->labels, .cancel = interp->config->read.cancel, .most = 1};
+	const struct label *label;
+
+	if (search->labelled != next->source || next->offset < search->labelled_from) {
+		labels_release(&search->labels);
+		search->labelled = NULL;
+		if (!line_search_run(&lines, next))
 			return false;
+		search->labelled = next->source;
+		search->labelled_from = next->offset;
 	}
-	return come_back(interp, &next, column);
+	label = labels_find(&search->labels, name);
+	return label && label->kind == 0;
 }
 
 bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
 			  struct position *to, bool *found)
 {
+	const struct position next = source_next(interp->program.source), top = sinumerik_seek_top(interp);
 	const long long from = interp->program.source->reader.start;
+	struct search search = {.name = name};
 	char key[SINUMERIK_NAME + 2];
-	bool good;
 
 	key[0] = (char)('0' + direction);
 	strcpy(key + 1, name);
 	*found = true;
-	if (recall(interp, key, from, to))
+	if (sinumerik_seek_recall(interp, key, from, to))
 		return true;
 	keep_line(interp);
-	good = search_label(interp, name, direction, column, to, found);
-	if (good && *found)
-		remember(interp, key, from, to);
-	return good;
+	if (direction != SINUMERIK_BACKWARD) {
+		search.lines.most = is_only(interp, name, &next) ? 1 : 2;
+		if (!look_for(interp, &search, &next, column))
+			return false;
+	}
+	search.lines.most = 2;
+	search.lines.last = interp->at.line;
+	if (!search.lines.count && direction != SINUMERIK_FORWARD && !look_for(interp, &search, &top, column))
+		return false;
+	if (!take(interp, &search, column, to, found))
+		return false;
+	if (*found)
+		sinumerik_seek_remember(interp, key, from, to);
+	return true;
 }
 
 bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, long last,
-				 int column, struct position *to, bool *found)
+				 bool only, int column, struct position *to, bool *found)
 {
-	const struct position next = source_next(interp->program.source);
+	struct search search = {.name = name, .lines = {.last = last, .most = only ? 2 : 1}};
 
-	keep_line(interp);
-	*found = false;
-	return program_jump(&interp->program, start, &interp->at, column) &&
-	       scan(interp, name, last, true, to, found) && come_back(interp, &next, column);
+	return look_for(interp, &search, start, column) && take(interp, &search, column, to, found);
 }
 
-bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found)
+bool sinumerik_seek_program(struct interp *interp, struct source *source, const char *name, char type, int column,
+			    struct position *head, bool *found)
 {
-	struct source *source = interp->program.source;
-	const struct position next = source_next(source), top = {source, 0, 1};
-	const char *text;
-	char key[SINUMERIK_NAME + 2] = "%";
+	const struct position top = {source, 0, 1};
+	struct search search = {.name = name, .program = true, .type = type, .lines = {.most = 2}};
 
-	strcat(key, name);
-	*found = true;
-	if (recall(interp, key, 0, to))
-		return true;
-	*found = false;
-	keep_line(interp);
-	if (!program_jump(&interp->program, &top, &interp->at, column))
-		return false;
-	while (!*found && reader_next(&source->reader, &text) == READER_LINE) {
-		if (cancelled(interp, &source->reader))
-			return false;
-		*found = heads(text, name);
-	}
-	if (*found) {
-		*to = source_next(source);
-		remember(interp, key, 0, to);
-	}
-	return come_back(interp, &next, column);
-}
-
-/* Is the line the head of a program of this type, "_MPF" or "_SPF"? */
-static bool is_head_of(const char *text, const char *type)
-{
-	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
-	char name[SINUMERIK_NAME + 1];
-
-	if (!is_head(text) || strncmp(text + at, "_N_", 3) != 0)
-		return false;
-	copy_name(text, at, name);
-	length = strlen(name);
-	return length > 4 && !strcmp(name + length - 4, type);
+	return look_for(interp, &search, &top, column) && take(interp, &search, column, head, found);
 }
 
 bool sinumerik_seek_heads_main(const char *text)
 {
-	return is_head_of(text, "_MPF");
+	char name[SINUMERIK_NAME + 1];
+
+	return read_head(text, name) == 'M';
+}
+
+static enum line_sought judge_main(void *context, const char *text, long line)
+{
+	(void)context;
+	(void)line;
+	return sinumerik_seek_heads_main(text) ? LINE_SOUGHT : LINE_OTHER;
 }
 
 bool sinumerik_seek_main(struct interp *interp)
 {
-	struct source *source = interp->program.source;
-	const struct position next = source_next(source);
-	const char *text;
+	const struct position next = source_next(interp->program.source);
+	struct line_search lines = {.judge = judge_main, .most = 1};
+	char name[SINUMERIK_NAME + 1];
 
-	if (!is_head_of(line_start(&interp->at), "_SPF"))
+	if (read_head(line_start(&interp->at), name) != 'S')
 		return true;
-	keep_line(interp);
-	while (reader_next(&source->reader, &text) == READER_LINE) {
-		if (cancelled(interp, &source->reader))
-			return false;
-		if (!sinumerik_seek_heads_main(text))
-			continue;
-		interp->program.start = source_next(source);
+	if (!look(interp, &lines, "the main program", &next, 1))
+		return false;
+	if (!lines.count)
 		return true;
-	}
-	return come_back(interp, &next, 1);
+	interp->program.start = lines.behind;
+	return program_jump(&interp->program, &lines.behind, &interp->at, 1);
+}
+
+static enum line_sought judge_change(void *context, const char *text, long line)
+{
+	const enum sinumerik_ahead ahead = sinumerik_ahead_of_line(text + sinumerik_seek_head(text).rest);
+
+	(void)context;
+	(void)line;
+	if (is_head(text))
+		return LINE_BEHIND;
+	return ahead == SINUMERIK_AHEAD_CHANGE    ? LINE_SOUGHT
+	       : ahead == SINUMERIK_AHEAD_NOTHING ? LINE_OTHER
+						  : LINE_BEHIND;
 }
 
 bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found)
 {
-	struct source *source = interp->program.source;
-	const struct position next = source_next(source);
-	enum sinumerik_ahead ahead = SINUMERIK_AHEAD_NOTHING;
-	const char *text;
+	const struct position next = source_next(interp->program.source);
+	struct line_search lines = {.judge = judge_change, .most = 1};
+	const bool good = look(interp, &lines, "M6", &next, column);
 
-	keep_line(interp);
-	while (ahead == SINUMERIK_AHEAD_NOTHING && reader_next(&source->reader, &text) == READER_LINE &&
-	       !is_head(text)) {
-		if (cancelled(interp, &source->reader))
-			return false;
-		ahead = sinumerik_ahead_of_line(text + sinumerik_seek_head(text).rest);
-	}
-	*found = ahead == SINUMERIK_AHEAD_CHANGE;
-	return come_back(interp, &next, column);
+	*found = lines.count > 0;
+	return good;
 }
 
 /* -------------------------------------------------------------- structures */
@@ -372,58 +388,49 @@ static bool opens(const char *words, const struct structure *structure)
 	return structure->open[0] != 'I' || !has_jump(words);
 }
 
-/* Searches from the reader's position on, which is inside the structure. */
-static bool scan_close(struct interp *interp, enum sinumerik_close close, struct position *behind, bool *found)
+struct close_search {
+	enum sinumerik_close close;
+	int depth;	/* 0: the line that opens the structure has not been read */
+};
+
+static enum line_sought judge_close(void *context, const char *text, long line)
 {
-	struct source *source = interp->program.source;
-	const struct structure *structure = &structures[close];
-	const char *text;
-	int depth = 1;
+	struct close_search *search = context;
+	const char *words = text + sinumerik_seek_head(text).rest;
+	const struct structure *structure = &structures[search->close];
 
-	*found = false;
-	while (reader_next(&source->reader, &text) == READER_LINE) {
-		const struct sinumerik_head head = sinumerik_seek_head(text);
-		const char *words = text + head.rest;
-
-		if (cancelled(interp, &source->reader))
-			return false;
-		if (is_head(text))
-			return true;
-		if (opens(words, structure))
-			depth++;
-		else if (is_word(words, 0, structure->close))
-			depth--;
-		else if (!(close == SINUMERIK_ELSE && depth == 1 && is_word(words, 0, "ELSE")))
-			continue;
-		if (depth > 0 && !(close == SINUMERIK_ELSE && depth == 1 && is_word(words, 0, "ELSE")))
-			continue;
-		*behind = source_next(source);
-		*found = true;
-		return true;
+	(void)line;
+	if (search->depth == 0) {
+		search->depth++;
+		return LINE_OTHER;
 	}
-	return true;
+	if (is_head(text))
+		return LINE_BEHIND;
+	if (opens(words, structure))
+		search->depth++;
+	else if (is_word(words, 0, structure->close))
+		search->depth--;
+	else if (search->close == SINUMERIK_ELSE && search->depth == 1 && is_word(words, 0, "ELSE"))
+		search->depth = 0;
+	return search->depth ? LINE_OTHER : LINE_SOUGHT;
 }
 
 bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, const struct position *start,
 			     int column, struct position *behind)
 {
-	const struct position next = source_next(interp->program.source);
-	const char *key = close == SINUMERIK_ELSE ? "ELSE" : structures[close].close, *text;
-	const long line = start->line;
-	bool found = true, good;
+	const char *key = close == SINUMERIK_ELSE ? "ELSE" : structures[close].close;
+	struct close_search search = {.close = close};
+	struct line_search lines = {.judge = judge_close, .context = &search, .most = 1};
 
-	if (recall(interp, key, start->offset, behind))
+	if (sinumerik_seek_recall(interp, key, start->offset, behind))
 		return true;
-	keep_line(interp);
-	good = program_jump(&interp->program, start, &interp->at, column) &&
-	       reader_next(&interp->program.source->reader, &text) == READER_LINE &&
-	       scan_close(interp, close, behind, &found) && come_back(interp, &next, column);
-	if (!good)
+	if (!look(interp, &lines, key, start, column))
 		return false;
-	if (!found)
-		return fault(&interp->at, column, "%s in line %ld has no %s", structures[close].open, line,
+	if (!lines.count)
+		return fault(&interp->at, column, "%s in line %ld has no %s", structures[close].open, start->line,
 			     structures[close].close);
-	remember(interp, key, start->offset, behind);
+	*behind = lines.behind;
+	sinumerik_seek_remember(interp, key, start->offset, behind);
 	return true;
 }
 

@@ -18,14 +18,18 @@ enum sinumerik_direction { SINUMERIK_FORWARD, SINUMERIK_BACKWARD, SINUMERIK_ANYW
 
 /*
  * Finds the label or block number, seen from the current line. *found: there is one. False: the file could not be
- * read, which was reported at the column.
+ * read, or there are several in this direction, which was reported at the column. SINUMERIK_ANYWHERE looks backward
+ * only if there is none forward. On a pipe, the search ends READER_WINDOW after the current line with an error.
  */
 bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
 			  struct position *to, bool *found);
 
-/* The same for the first match from the line `start` on, up to the line `last`; 0: up to the end of the program. */
+/*
+ * The same from the line `start` on, up to the line `last`; 0: up to the end of the program. only: there must not be
+ * a second one; else the first one counts.
+ */
 bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, long last,
-				 int column, struct position *to, bool *found);
+				 bool only, int column, struct position *to, bool *found);
 
 /* The statement that closes a structure. */
 enum sinumerik_close {
@@ -48,10 +52,18 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
 			     int column, struct position *behind);
 
 /*
- * Finds the program with this upper-case name in a file with several programs; *to is the line after its head. False:
- * reported, or cancelled.
+ * Finds the head of the program with this upper-case name, and of the type 'M' or 'S' if it is not 0, in a file with
+ * several programs. False: there are two, or the file could not be read, which was reported; or cancelled.
  */
-bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found);
+bool sinumerik_seek_program(struct interp *interp, struct source *source, const char *name, char type, int column,
+			    struct position *head, bool *found);
+
+/*
+ * The result of an earlier search for the target, made in the current file at the offset `from`. False: there is none,
+ * and a result can be remembered. The target has at most SINUMERIK_NAME + 1 bytes.
+ */
+bool sinumerik_seek_recall(struct interp *interp, const char *target, long long from, struct position *to);
+void sinumerik_seek_remember(struct interp *interp, const char *target, long long from, const struct position *to);
 
 /*
  * An archive may have subprograms before its main program. If the current head is that of a subprogram
