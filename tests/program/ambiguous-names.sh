@@ -58,9 +58,13 @@ printf "$head"'OTHER\nM30\n' | three s.xml
 printf "$head"'EXTCALL "OTHER.MPF"\nCALL "_N_OTHER_SPF"\nM30\n' | three s.xml
 printf 'X9\nM17\n' >lib/other.spf
 printf "$head"'CALL "OTHER_SPF"\nM30\n' | three s.xml
+printf 'X9\nM17\n' >lib/THIRD.SPF
+# Paths of two folders of the control, for which there is only one file here.
+for path in /_N_WKS_DIR/_N_B_WPD/THIRD /_n_wks_dir/_n_a_wpd/third THIRD; do
+	printf "$head"'CALL "/_N_WKS_DIR/_N_A_WPD/_N_THIRD_SPF"\nPCALL %s\nM30\n' $path | three s.xml
+done
 # The folder of the program comes before the folders of --include, whatever the type.
 printf 'X8\nM17\n' >THIRD.MPF
-printf 'X9\nM17\n' >lib/THIRD.SPF
 printf "$head"'THIRD\nM30\n' >q.mpf
 fivecheck --include=lib --dump-path s.xml q.mpf | cut -f 1,4
 rm THIRD.MPF

@@ -279,6 +279,7 @@ static void free_state(void *state)
 	free(sinumerik->tool.names);
 	strbuf_release(&sinumerik->search.line);
 	labels_release(&sinumerik->search.labels);
+	labels_release(&sinumerik->calls.folders);
 	sinumerik_macro_release(sinumerik);
 	sinumerik_soft_release(sinumerik);
 	free(sinumerik);

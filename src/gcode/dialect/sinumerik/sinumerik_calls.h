@@ -75,6 +75,7 @@ struct sinumerik_calls {
 	int depth;	/* of calls */
 	int level;	/* the number of subprograms among them, to which variables belong; 0: the main program */
 	bool entering;	/* the next line may be the PROC of the subprogram that is called */
+	struct labels folders;	/* "NAME" and "NAME FOLDER" of each program that a path has named */
 };
 
 /*

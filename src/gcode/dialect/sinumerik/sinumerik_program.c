@@ -10,15 +10,37 @@
 #include "gcode/program.h"
 #include "gcode/text/line_search.h"
 
+/* Programs of one name in two folders of the control are two programs, but only one of them can be found here. */
+static bool check_folder(struct interp *interp, const char *path, size_t length, const char *name, int column)
+{
+	struct labels *folders = &sinumerik_of(interp)->calls.folders;
+	char key[SINUMERIK_NAME + SINUMERIK_TEXT + 2];
+
+	snprintf(key, sizeof(key), "%s %.*s", name, (int)length, path);
+	for (char *at = key; *at; at++)
+		*at = sinumerik_upper(*at);
+	if (length == 0 || labels_find(folders, key))
+		return true;
+	if (labels_find(folders, name))
+		return fault(&interp->at, column,
+			     "%s may be another program than the %s of another folder that was called before: give "
+			     "them different names",
+			     path, name);
+	labels_add(folders, name, 0);
+	labels_add(folders, key, 0);
+	return true;
+}
+
 bool sinumerik_program_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1],
 			    char *type)
 {
 	static const char *const types[] = {"_MPF", "_SPF", ".MPF", ".SPF"};
 	const char *base = path;
-	size_t length;
+	size_t length, folder;
 
 	for (const char *at = path; *at; at++)
 		base = *at == '/' || *at == '\\' || *at == ':' ? at + 1 : base;
+	folder = (size_t)(base - path);
 	if (!strncmp(base, "_N_", 3))
 		base += 3;
 	*type = '\0';
@@ -39,7 +61,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 	for (size_t i = 0; i < length; i++)
 		name[i] = sinumerik_upper(base[i]);
 	name[length] = '\0';
-	return true;
+	return check_folder(interp, path, folder, name, column);
 }
 
 /*

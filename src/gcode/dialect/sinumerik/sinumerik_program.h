@@ -6,7 +6,7 @@
 
 /*
  * The upper-case name of the program in a path of CALL or EXTCALL, without folders, _N_ and its type. *type: 'M' of
- * MPF, 'S' of SPF, or 0. False: reported.
+ * MPF, 'S' of SPF, or 0. False: the path names no program, or it and an earlier one have different folders; reported.
  */
 bool sinumerik_program_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1],
 			    char *type);
