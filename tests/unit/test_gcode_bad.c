@@ -162,7 +162,7 @@ static const struct bad blocks[] = {
     {"G10 L2 P10 X1\n", 1, 8, "P10 must be a whole number from 0 to 9"},
     {"G10 L2 P1.5 X1\n", 1, 8, "P1.5 must be a whole number from 0 to 9"},
     {"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported"},
-    {"G43.4 H0\nG43\n", 2, 1, "G43 while G43.4 is active; write G49 first"},
+    {"G43.4 H0\nG43\n", 2, 1, "G43 while tool centre point control is on; write G49 first"},
 };
 
 static const struct bad motions[] = {

@@ -89,7 +89,7 @@ static const struct bad {
     {TURN, "G91 G28 Z0.", "G28 while G68 is active; write G69 first"},
     {TURN, "G0 G43 H1 X0. Y0. Z0.", "controls differ in the direction in which the tool length acts"},
     {"G43 H1 G0 Z0.", TURN, "controls differ in the direction in which the tool length acts"},
-    {TURN, "G43.4 H1", "tool centre point control while G68 is active; write G69 first"},
+    {TURN, "G43.4 H1", "G43.4 (tool centre point control) while G68 is active is not supported; write G69 first"},
 };
 
 START_TEST(refused)

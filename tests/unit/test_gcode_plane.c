@@ -338,7 +338,8 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G68 R5.", "G55", 1, "a change of offsets while G68 is active is not supported; write G69 first"},
     {&dialect_fanuc, "G68 R5.", "G92 X0.", 1,
      "a change of offsets while G68 is active is not supported; write G69 first"},
-    {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is active; write G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1,
+     "G43.4 (tool centre point control) while G68 is active is not supported; write G69 first"},
     {&dialect_fanuc, "", "G0 G68 X0. R5.", 1, "G68 needs a block without motion, offsets or a dwell"},
     {&dialect_fanuc, "", "G53.1", 1, "G53.1 needs a plane of G68.2 directly before it"},
     {&dialect_fanuc, TILT, "G53.1 X1.", 7,
@@ -369,7 +370,11 @@ static const struct bad bads[] = {
      "the machine file has no reference position 3: set <reference number=\"3\" X=\"\" .../> in its <controller>"},
     {&dialect_fanuc, TILT "\nG53.1", "G54", 1,
      "a change of offsets while G68.2 is active is not supported; write G69 first"},
-    {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is active; write G69 first"},
+    {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1,
+     "G43.4 (tool centre point control) while G68.2 is active is not supported; for moves without rotary axes write G43 "
+     "instead, else write G69 first"},
+    {&dialect_fanuc, TILT, "G43.5 H1", 1, "G43.5 (tool centre point control) while G68.2 is active is not supported; "
+     "for moves without rotary axes write G43 instead, else write G69 first"},
     {&dialect_fanuc, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is given by X, Y and Z"},
     {&dialect_fanuc, "", "G68.2 I5. R3.", 11, "R does not belong to this form of G68.2"},
     {&dialect_fanuc, "", "G68.2 P1 Q131 I5.", 10,

@@ -309,7 +309,8 @@ bool coordinate_rotation_start_block(struct interp *interp)
 {
 	const struct rotated_frame *frame = &interp->state.frame;
 	const struct block *block = &interp->block;
-	const char *name = interp->state.tcp == TCP_BY_PLANE || frame->waits_for_tool ? "G68.2" : "G68";
+	const bool tilted = interp->state.tcp == TCP_BY_PLANE || frame->waits_for_tool;
+	const char *name = tilted ? "G68.2" : "G68";
 	int column = block->g_column[G_NONMODAL];
 
 	if (!tilted_plane_check_block(interp))
@@ -325,11 +326,13 @@ bool coordinate_rotation_start_block(struct interp *interp)
 			     "a change of offsets while %s is active is not supported; write G69 first", name);
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
-			     "tool centre point control while %s is active; write G69 first", name);
+			     "G%g (tool centre point control) while %s is active is not supported; %swrite G69 first",
+			     block->g[G_LENGTH] / 10.0, name,
+			     tilted ? "for moves without rotary axes write G43 instead, else " : "");
 	if (block->m[M_TCP] == MCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
 		return fault(&interp->at, block->m_column[M_TCP],
 			     "tool centre point control while %s is active; write G69 first", name);
-	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
+	if (!tilted) {
 		if (!check_by_machine(interp))
 			return false;
 		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)

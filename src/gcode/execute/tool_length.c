@@ -354,7 +354,7 @@ bool tool_length_select(struct interp *interp)
 	if (code == G43 && !check_length_axis(interp, column, length))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
-		return fault(&interp->at, column, "G43 while G43.4 is active; write G49 first");
+		return fault(&interp->at, column, "G43 while tool centre point control is on; write G49 first");
 	if (code == G43_4 && source == TCP_BY_MCODE)
 		return fault(&interp->at, column, "G43.4 while an M-code has TCP on; cancel TCP first");
 	if (code == G43_4)
