@@ -19,7 +19,7 @@ static const struct refused_program programs[] = {
 	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nSUPA X0\n", 3, 1,
 	 "SUPA, G53 and G153 while CYCLE81 is called behind each motion; MCALL first"},
 	{"TOFFL=0.1\n", 1, 1,
-	 "TOFFL: online change of the tool's length or radius is not supported, only TOFFL=0"},
+	 "TOFFL: programmed offset of the tool (put it into its data) is not supported, only TOFFL=0"},
 	{"TRAORI(2)\n", 1, 7,
 	 "TRAORI(2): the axes of any transformation but the first are not known; only TRAORI(1) is supported"},
 	{"TRAORI(1,1,0,0)\n", 1, 7,

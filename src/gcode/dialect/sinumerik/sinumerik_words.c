@@ -80,14 +80,14 @@
 	REFUSED_ROW(ROW, "FZ", "feed per tooth (F can say it)") \
 	PLAIN_ROW(ROW, "SF", IGNORED_VALUE, "angle at which a thread starts") \
 	PLAIN_ROW(ROW, "IPOBRKA", IGNORED_VALUE, "when an axis begins to brake") \
-	ZERO_ROW(ROW, "TOFFL", "online change of the tool's length or radius") \
-	ZERO_ROW(ROW, "TOFFR", "online change of the tool's length or radius") \
-	ZERO_ROW(ROW, "TOFFLR", "online change of the tool's length or radius") \
-	ZERO_ROW(ROW, "TOFF", "online change of the tool's length or radius") \
+	ZERO_ROW(ROW, "TOFFL", "programmed offset of the tool (put it into its data)") \
+	ZERO_ROW(ROW, "TOFFR", "programmed offset of the tool (put it into its data)") \
+	ZERO_ROW(ROW, "TOFFLR", "programmed offset of the tool (put it into its data)") \
+	ZERO_ROW(ROW, "TOFF", "programmed offset of the tool (put it into its data)") \
 	ZERO_ROW(ROW, "CUTMOD", "change of the tool's data with its orientation") \
 	ZERO_ROW(ROW, "CUTMODK", "change of the tool's data with its orientation") \
-	REFUSED_ROW(ROW, "TOFFON", "change of the tool's data with its orientation") \
-	PLAIN_ROW(ROW, "TOFFOF", IGNORED_CALL, "no online change of the tool") \
+	REFUSED_ROW(ROW, "TOFFON", "online change of the tool's length") \
+	PLAIN_ROW(ROW, "TOFFOF", IGNORED_CALL, "no online change of the tool's length") \
 	PLAIN_ROW(ROW, "ORIS", IGNORED_VALUE, "velocity of the orientation") \
 	PLAIN_ROW(ROW, "OVRRAP", IGNORED_VALUE, "override of rapids") \
 	PLAIN_ROW(ROW, "IPOENDA", IGNORED_VALUE, "condition under which a positioning axis has arrived") \
