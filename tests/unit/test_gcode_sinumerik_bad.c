@@ -120,7 +120,7 @@ static const struct refused_program programs[] = {
 	{"X=LN(0)\n", 1, 3,
 	 "LN of 0: the value must be greater than 0"},
 	{"X=FOO\n", 1, 3,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "FOO is neither an axis of the machine nor a variable of this program; if the machine's "
 	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\" value=\"\"/> in the machine "
 	 "file's <controller>"},
 	{"X=FOO(1)\n", 1, 3,
@@ -165,11 +165,11 @@ static const struct refused_program programs[] = {
 	 "$MC_X: what this changes on the control is not known here; if no axis moves otherwise for it, set <macro "
 	 "program=\"$MC_X\" action=\"none\"/> in the machine file's <controller>"},
 	{"FOO=1\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "FOO is neither an axis of the machine nor a variable of this program; if the machine's "
 	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\"/> in the machine file's "
 	 "<controller>"},
 	{"FOO[1]=2\n", 1, 1,
-	 "FOO is neither an axis of the machine nor a variable that this program makes by DEF; if the machine's "
+	 "FOO is neither an axis of the machine nor a variable of this program; if the machine's "
 	 "maker or a user has defined it (GUD), set <variable name=\"FOO\" type=\"\" size=\"\"/> in the machine "
 	 "file's <controller>"},
 	{"DEF FOO X\n", 1, 5,

@@ -49,9 +49,9 @@ static const struct refused_program programs[] = {
 	 "upper or lower case) lies beside the program or in a folder of --include; if NOSUCH is the builder's and "
 	 "moves no axis, set <macro program=\"NOSUCH\" action=\"none\"/> in the machine file's <controller>"},
 	{"L100 P2\n", 1, 1,
-	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
-	 "folder of --include; if L100 is the builder's and moves no axis, set <macro program=\"100\" "
-	 "action=\"none\"/> in the machine file's <controller>"},
+	 "L100 is neither a word that is known nor a subprogram: no file L100.SPF (or .spf, .MPF, .mpf, in upper "
+	 "or lower case) lies beside the program or in a folder of --include; if L100 is the builder's and moves "
+	 "no axis, set <macro program=\"100\" action=\"none\"/> in the machine file's <controller>"},
 	/* Another program than L9. */
 	{"L009\n", 1, 1,
 	 "L009 is neither a word that is known nor a subprogram: no file L009.SPF (or .spf, .MPF, .mpf, in upper "
@@ -124,12 +124,24 @@ static const struct refused_program programs[] = {
 	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in "
 	 "upper or lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's "
 	 "and moves no axis, set <macro program=\"CYCLE207\" action=\"none\"/> in the machine file's <controller>"},
+	/* The parameters of measuring cycles are variables of each control: the fault is in the cycle. */
+	{"_PRNUM=1 _VMS=0 _NMSP=1 _FA=5 _TSA=2\n_TNAME=\"PROBE\" _SETV[7]=5\n_MVAR=100 _SETVAL=20 _MA=1\nCYCLE978\n",
+	 4, 1,
+	 "CYCLE978: where a probe stops is not known before the program runs; if it stays near its place, set "
+	 "<macro program=\"CYCLE978\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's <controller> "
+	 "to say how far it moves"},
+	{"R1=_SETVAL\n", 1, 4,
+	 "_SETVAL keeps its value from one program to the next, and this program has not set it: set <variable "
+	 "name=\"_SETVAL\" value=\"\"/> in the machine file's <controller>"},
+	{"_SETVAL=20\nR1=_SETVAL\nDEF INT _MVAR=3\nR1=_MVAR\n_FOO=1\n", 5, 1,
+	 "_FOO is neither an axis of the machine nor a variable of this program; if the machine's maker or a user "
+	 "has defined it (GUD), set <variable name=\"_FOO\" type=\"\"/> in the machine file's <controller>"},
 	{"CYCLE977(1)\n", 1, 1,
 	 "CYCLE977: where a probe stops is not known before the program runs; if it stays near its place, set "
 	 "<macro program=\"CYCLE977\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine file's <controller> "
 	 "to say how far it moves"},
 	{"CYCLE951(1)\n", 1, 1,
-	 "CYCLE951: turning or measuring is not supported; lines and circles (G1, G2, G3) can say "
+	 "CYCLE951: turning is not supported; lines and circles (G1, G2, G3) can say "
 	 "its moves"},
 	{"CYCLE899(1)\n", 1, 1,
 	 "CYCLE899: milling of an open slot, from how far outside is not published, is not supported; lines and circles (G1, G2, G3) can say "

@@ -20,7 +20,7 @@ const char *sinumerik_cycle_refused(const char *name)
 		{"CYCLE79", "milling round a polygon, from how far outside is not published,"},
 		{"CYCLE899", "milling of an open slot, from how far outside is not published,"},
 		{"CYCLE8", "cycle of the control"},
-		{"CYCLE9", "turning or measuring"},
+		{"CYCLE9", "turning"},
 		{"CYCLE1", "measuring with a probe"},
 		{"CYCLE4", "grinding"},
 		{"CYCLE7", "cycle of the control"},

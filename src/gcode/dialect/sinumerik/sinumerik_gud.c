@@ -60,6 +60,18 @@ static bool may_be_variable(const char *name)
 	       !sinumerik_functions_is(name);
 }
 
+/* NULL: there is no room, which was reported. */
+static struct sinumerik_variable *add(struct interp *interp, const struct sinumerik_variable *made)
+{
+	struct sinumerik_variable *variable = sinumerik_variables_add(interp, made, 0);
+
+	if (variable) {
+		variable->level = SINUMERIK_LEVEL_OF_CONTROL;
+		variable->given = mem_zalloc(variable->count, sizeof(*variable->given));
+	}
+	return variable;
+}
+
 static bool make_one(struct interp *interp, const struct control_variable *from)
 {
 	static const enum sinumerik_type types[] = {
@@ -79,13 +91,35 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
 			     from->name, SINUMERIK_NAME);
 	memcpy(made.name, from->name, length + 1);
 	memcpy(made.size, from->size, sizeof(made.size));
-	variable = sinumerik_variables_add(interp, &made, 0);
+	variable = add(interp, &made);
 	if (!variable)
 		return false;
-	variable->level = SINUMERIK_LEVEL_OF_CONTROL;
-	variable->given = mem_zalloc(variable->count, sizeof(*variable->given));
 	for (size_t i = 0; i < variable->count && from->text; i++) {
 		if (!set_value(interp, variable, i, from))
+			return false;
+	}
+	return true;
+}
+
+/*
+ * 840D sl, measuring cycles, "Parameter description": every control has the parameters of its measuring cycles. Their
+ * values are not known before the program assigns them. Those that the machine file has keep its type.
+ */
+static bool make_measuring(struct interp *interp)
+{
+	/* Behind a number is a blank, behind a text $, and behind an array [. */
+	static const char names[] = "_CALNUM _CORA _CPA _CPO _EVNUM _FA _ID _INCA _K _KNUM _MA _MD _MVAR _NMSP _PRNUM "
+				    "_RA _RF _SETV[_SETVAL _STA1 _SZA _SZO _TDIF _TLL _TMV _TNAME$_TNUM _TSA _TUL _TZL "
+				    "_VMS ";
+
+	for (const char *name = names, *end; *name; name = end + 1) {
+		struct sinumerik_variable made = {.size = {8}, .refers_to = -1};
+
+		end = name + strcspn(name, " $[");
+		made.type = *end == '$' ? SINUMERIK_STRING : SINUMERIK_REAL;
+		made.dimensions = *end == '[';
+		memcpy(made.name, name, (size_t)(end - name));
+		if (sinumerik_variables_find(sinumerik_of(interp), made.name) < 0 && !add(interp, &made))
 			return false;
 	}
 	return true;
@@ -184,6 +218,8 @@ bool sinumerik_gud_make(struct interp *interp)
 	 * elements.
 	 */
 	for (int typed = 1; typed >= 0; typed--) {
+		if (!typed && good)
+			good = make_measuring(interp);
 		for (size_t i = 0; i < controller->variable_count && good; i++) {
 			const struct control_variable *variable = &controller->variables[i];
 
@@ -251,7 +287,7 @@ bool sinumerik_gud_ask(struct lexer *lexer, const char *name, bool reads, int co
 		return fault(lexer->at, column, "%s is neither an axis of the machine nor a variable of this program",
 			     name);
 	return fault(lexer->at, column,
-		     "%s is neither an axis of the machine nor a variable that this program makes by DEF; if the "
+		     "%s is neither an axis of the machine nor a variable of this program; if the "
 		     "machine's maker or a user has defined it (GUD), set <variable name=\"%s\" type=\"%s\"%s%s/> "
 		     "in the machine file's <controller>",
 		     name, name, type_of(lexer), sizes[dimensions],

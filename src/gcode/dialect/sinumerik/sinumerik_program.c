@@ -102,19 +102,12 @@ static bool find_file(struct interp *interp, const char *name, char type, int co
 
 static bool fault_missing(struct interp *interp, const char *name, int column)
 {
-	if (sinumerik_builder_number(name) > 0)
-		return fault(
-		    &interp->at, column,
-		    "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or "
-		    "in a folder of --include; if %s is the builder's and moves no axis, set <macro "
-		    "program=\"%ld\" action=\"none\"/> in the machine file's <controller>",
-		    name, name, sinumerik_builder_number(name));
 	return fault(
 	    &interp->at, column,
 	    "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
 	    "lower case) lies beside the program or in a folder of --include; if %s is the builder's and moves no "
 	    "axis, set <macro program=\"%s\" action=\"none\"/> in the machine file's <controller>",
-	    name, name, name, name);
+	    name, name, name, sinumerik_builder_number(name) > 0 ? name + 1 : name);
 }
 
 /* A program of this name in the main program's file, or in the current one, beside one that was found before. */
