@@ -50,3 +50,11 @@ for macro in 'program="A-B" action="none"' 'program="PROBE" action="none"/><macr
 	sed "s|<!-- -->|<macro $macro/>|; s/dialect=\"fanuc\"/dialect=\"sinumerik\"/; s/least_input=\"1\"//" bare.xml >a.xml
 	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
 done
+# A probing macro may leave its results in common variables, which are vacant on other Fanuc programs: one that the
+# program has not set is a question after it, but not before it, and not after a macro that does nothing.
+printf '%%\nG90 G21 F500\nG65 P9832\n#101=#138\n#100=7\nG65 P9811\nG0 X#100\nIF[#138GT0.1]GOTO9\nG0 X1.\nN9M30\n' >a.nc
+status fivecheck -q --parse-only m.xml a.nc 2>&1 | grep -v '^ '
+sed 's|<macro program="9832"|<variable name="#138" value="0"/>&|' m.xml >a.xml
+status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
+printf '%%\nG90 G21 F500\nG65 P9810 X5. F300.\nG0 X#500\nG0 X[#101+1.]\nM30\n' >a.nc
+status fivecheck -q -a --parse-only m.xml a.nc 2>&1 | grep -v '^ '

@@ -43,6 +43,7 @@ void builder_macro_begin(struct interp *interp)
 	const double *arguments = call->arguments;
 	struct block *block = &interp->block;
 
+	macro_b_of(interp)->vars.builder_ran = true;
 	block_clear(block);
 	block->words = 1;
 	call->motion = interp->state.motion;
@@ -80,6 +81,7 @@ bool builder_macro_around(struct interp *interp, const struct builder_macro *mac
 {
 	const struct state *state = &interp->state;
 
+	macro_b_of(interp)->vars.builder_ran = true;
 	if (state->tcp != TCP_OFF || interp->comp.side != 0)
 		return fault(&interp->at, column,
 			     "%c%g with action=\"around\" is not supported under tool centre point control or cutter "

@@ -24,6 +24,7 @@ struct macro_b_vars {
 	double local[MACRO_B_CALLS_MAX + 1][MACRO_B_LOCALS + 1];
 	double common[MACRO_B_COMMON];	/* #100 to #199, #500 to #999, and their other names */
 	bool given[MACRO_B_COMMON];	/* this program has assigned a value */
+	bool builder_ran;	/* a program of the machine builder that moves, and so may have set others */
 	int level;	/* of G65 and G66 */
 };
 

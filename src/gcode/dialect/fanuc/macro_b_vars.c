@@ -37,9 +37,11 @@ static bool read_common(struct interp *interp, int index, int column, double *va
 	const struct macro_b_vars *vars = &macro_b_of(interp)->vars;
 	bool kept = macro_b_of(interp)->rules->common_all_kept || index >= 500;
 
-	if (!vars->given[index] && (kept || macro_b_kept_tells(interp, index)))
+	if (!vars->given[index] && (kept || vars->builder_ran || macro_b_kept_tells(interp, index)))
 		return macro_b_kept_read(interp, index, column,
-					 "keeps its value from earlier programs, and this program has not set it",
+					 vars->builder_ran
+					     ? "may be a result of a macro of the machine builder, which is not known"
+					     : "keeps its value from earlier programs, and this program has not set it",
 					 value);
 	*value = vars->common[index];
 	return true;
