@@ -119,14 +119,14 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 220 POLAR PATTERN Q200=2\n",
 	 "p.nc:2:10: error: CYCL DEF 220 lacks Q216"},
 	{"CYCL DEF 259 FOO\n",
-	 "p.nc:2:10: error: CYCL DEF 259 is not known: it may be a cycle of the machine's builder; if it moves no "
+	 "p.nc:2:10: error: cycle 259 is not known: it may be a cycle of the machine's builder; if it moves no "
 	 "axis, set <macro program=\"259\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF 413 DATUM\n",
 	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the program runs; if "
 	 "it stays near its place, set <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
 	 "machine file's <controller> to say how far it moves"},
 	{"CYCL DEF 385 OEM\n",
-	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder; if it moves no "
+	 "p.nc:2:10: error: cycle 385 is not known: it may be a cycle of the machine's builder; if it moves no "
 	 "axis, set <macro program=\"385\" action=\"none\"/> in the machine file's <controller>"},
 	{"CYCL DEF X\n",
 	 "p.nc:2:10: error: CYCL DEF needs the number of a cycle"},

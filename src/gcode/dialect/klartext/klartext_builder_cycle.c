@@ -84,7 +84,7 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 			     "<controller> to say how far it moves",
 			     number, find_called(number), number);
 	return fault(lexer->at, column,
-		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+		     "cycle %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
 		     "set <macro program=\"%d\" action=\"none\"/> in the machine file's <controller>",
 		     number, number);
 }
