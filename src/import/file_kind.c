@@ -131,6 +131,10 @@ static const char *advice(const char *path, const struct file_bytes *file)
 		       "imported";
 	if (strstr(text, "(tool_number)"))
 		return "this is a table of Fusion 360: export the library as JSON, which can be imported";
+	if (has_ending(path, ".csv") || has_ending(path, ".tsv"))
+		return "a table of tools needs a first line with the names of its columns: number, with length and "
+		       "diameter for tools, or with length_offset and radius_offset for offsets; "
+		       "fivecheck-machine(5) lists all names";
 	if (has_ending(path, ".step") || has_ending(path, ".stp") || has_ending(path, ".igs") ||
 	    has_ending(path, ".iges"))
 		return "this is a CAD solid without axes: export each body that moves as STL, with all axes at 0, and "

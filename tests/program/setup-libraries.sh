@@ -113,7 +113,20 @@ bad 'number,type,length,diameter,corner_radius\n1,flat,70,10,2\n'
 bad 'number,type,length,diameter,corner_radius\n1,ball,70,10,2\n'
 bad 'number,type,length,diameter,flute_length,point_angle\n1,flat,70,10,20,118\n'
 bad 'number,length,diameter,Holder diameter (mm)\n1,70,10,50\n'
-printf 'number,length,diameter,Unit\n1,2,0.5,inch\n' >t.csv
+# A decimal comma between commas shifts the cells: the length would be 120 and the diameter 5.
+bad 'number,type,length,diameter\n1,flat,120,5,10\n'
+bad 'number,length,diameter,stickout,holder_diameter\n1,70,10,80,40\n'
+bad 'number,length,diameter\r1,70,10\r2,70,ten\r'
+echo "a table of Excel, with the separator in its first line:"
+printf 'sep=;\r\nnumber;length;diameter;name\r\n1;70,5;10;"a, b"\r\n' >t.csv
+fivecheck import -o excel t.csv
+grep '<tool ' excel/setup.xml
+echo "tables with other column names:"
+printf 'Nummer;L\303\244nge;Durchmesser\n1;70;10\n' >german.csv
+fivecheck import -o german german.csv
+sed 's/t.csv/german.csv/' t.xml >german.xml
+"$FIVECHECK" --parse-only -s german.xml m.xml cut.nc
+printf 'number,length,diameter,Unit,\n1,2,0.5,inch,,\n' >t.csv
 fivecheck import -o unit t.csv 2>/dev/null
 grep '<tool ' unit/setup.xml
 

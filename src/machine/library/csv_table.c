@@ -1,28 +1,50 @@
 #include "machine/library/csv_table.h"
 
 #include <string.h>
+#include <strings.h>
+
+/* Moves past the end of a line: LF, CR LF, or CR. */
+static void skip_line_end(struct csv_table *table)
+{
+	if (!*table->next)
+		return;
+	table->next += *table->next == '\r' && table->next[1] == '\n';
+	table->next++;
+	table->next_line++;
+}
+
+/* The separator that occurs in the first line. */
+static char find_separator(const char *text)
+{
+	const size_t length = strcspn(text, "\r\n");
+
+	if (memchr(text, '\t', length))
+		return '\t';
+	return memchr(text, ';', length) ? ';' : ',';
+}
+
+/* Excel reads and writes a line "sep=;" before the column names. */
+static bool is_separator_line(const char *line)
+{
+	return !strncasecmp(line, "sep=", 4) && line[4] && strchr(",;\t", line[4]) && line[5] &&
+	       strchr("\r\n", line[5]);
+}
 
 void csv_table_begin(struct csv_table *table, const char *text, const char *path, struct diag *diag)
 {
-	size_t length, tabs = 0, semicolons = 0;
-
 	if (!strncmp(text, "\xef\xbb\xbf", 3))
 		text += 3;
-	length = strcspn(text, "\r\n");
-	for (size_t i = 0; i < length; i++) {
-		tabs += text[i] == '\t';
-		semicolons += text[i] == ';';
-	}
 	table->next = text;
 	table->at = (struct srcloc){.file = path};
 	table->diag = diag;
-	table->separator = ',';
-	if (tabs)
-		table->separator = '\t';
-	else if (semicolons)
-		table->separator = ';';
 	table->next_line = 1;
-	table->count = 0;
+	table->columns = table->count = 0;
+	table->separator = find_separator(text);
+	if (!is_separator_line(text))
+		return;
+	table->separator = text[4];
+	table->next += 5;
+	skip_line_end(table);
 }
 
 static bool fault(const struct csv_table *table, const char *what)
@@ -93,6 +115,16 @@ static bool is_blank(const struct csv_table *table)
 	return true;
 }
 
+/* Without this, a decimal comma between commas would shift the cells of its row. */
+static bool fits_columns(const struct csv_table *table)
+{
+	for (size_t i = table->columns; table->columns && i < table->count; i++)
+		if (table->cells[i][0])
+			return fault(table, "the row has more cells than the table has columns; a table with decimal "
+					    "commas needs semicolons between its cells");
+	return true;
+}
+
 int csv_table_next(struct csv_table *table)
 {
 	while (*table->next) {
@@ -103,11 +135,14 @@ int csv_table_next(struct csv_table *table)
 			if (!read_cell(table))
 				return -1;
 		} while (*table->next == table->separator);
-		table->next += *table->next == '\r';
-		table->next_line += *table->next == '\n';
-		table->next += *table->next == '\n';
-		if (!is_blank(table))
-			return 1;
+		skip_line_end(table);
+		if (is_blank(table))
+			continue;
+		if (!fits_columns(table))
+			return -1;
+		if (!table->columns)
+			table->columns = table->count;
+		return 1;
 	}
 	return 0;
 }

@@ -16,14 +16,18 @@ struct csv_table {
 	struct diag *diag;
 	char separator;
 	long next_line;
+	size_t columns;	/* of the first row; 0 before it is read */
 	size_t count;	/* of the cells of the current row */
 	char cells[CSV_COLUMNS_MAX][CSV_CELL_MAX + 1];
 };
 
-/* Finds the separator in the first line. */
+/* Finds the separator in the first line, which may also be Excel's line "sep=;". */
 void csv_table_begin(struct csv_table *table, const char *text, const char *path, struct diag *diag);
 
-/* Reads the next row that is not empty. 0: there is none; -1, reported: it is faulty. */
+/*
+ * Reads the next row that is not empty. 0: there is none; -1, reported: it is faulty, or it has more cells than the first
+ * row.
+ */
 int csv_table_next(struct csv_table *table);
 
 #endif

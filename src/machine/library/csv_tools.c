@@ -277,6 +277,9 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	const double flutes = fmin(or_else(row->value[COLUMN_FLUTES], stickout), stickout);
 	const double shank = or_else(row->value[COLUMN_SHANK], tool->diameter);
 
+	if (row->value[COLUMN_STICKOUT] > tool->length + TOOL_SUM_TOLERANCE)
+		return fault(r,
+			     "the stickout is larger than the length, so the holder would begin above the gauge line");
 	/* A thin stem of a probe may be as thick as its ball: it cuts nothing. */
 	if (isnan(row->value[COLUMN_FLUTES]) &&
 	    row->value[COLUMN_SHANK] > (tool->kind == TOOL_PROBES ? tool->diameter : 0))
