@@ -117,6 +117,7 @@ struct cycle_traits {
  */
 struct power_on {
 	int units;	/* G20, G21 */
+	bool units_of_control;	/* G20 instead if the control's own unit is the inch */
 	int distance;	/* G90, G91 */
 	int plane;	/* G17, G18, G19 */
 	int feed_mode;	/* G93, G94, G95 */

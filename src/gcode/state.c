@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 
 /* Steps per degree: values without finer digits are restored from radians exactly as in the file. */
@@ -144,6 +145,8 @@ static struct power_on power_on_of(const struct gcode_config *config)
 	static const int units[] = {0, G21, G20}, distances[] = {0, G90, G91}, planes[] = {0, G17, G18, G19};
 	struct power_on on = config->dialect->traits.power_on;
 
+	if (on.units_of_control && same_double(config->controller.unit, MM_PER_INCH))
+		on.units = G20;
 	on.units = on.units ? on.units : units[config->controller.power_on_units];
 	on.distance = on.distance ? on.distance : distances[config->controller.power_on_distance];
 	on.plane = on.plane ? on.plane : planes[config->controller.power_on_plane];

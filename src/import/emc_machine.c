@@ -28,6 +28,9 @@ struct reading {
 
 static const double linear_limit = 1e6;
 
+/* Units per mm: LINEAR_UNITS that differ from those of an inch by less count as inches (2.9 emccanon.cc, INIT_CANON). */
+static const double rounded_units = 1e-3;
+
 static struct srcloc place(const struct reading *r)
 {
 	return (struct srcloc){.file = r->path};
@@ -431,7 +434,10 @@ static bool read_machine(struct reading *r)
 		return false;
 	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
 	machine->dialect_known = machine->rapid_known = true;
-	import_machine_todo(machine, "The ini file has no bodies: add <body> elements, drawn with every axis at 0.");
+	/* Numbered parameters, and programs before any G20 or G21, are in the units of the control. */
+	machine->inch = fabs(1 / r->unit - 1 / MM_PER_INCH) < rounded_units;
+	import_machine_todo(machine, "The ini file has no bodies: add <body> elements, drawn with every axis at 0%s.",
+			    machine->inch ? "; if their meshes are in mm, with units=\"mm\"" : "");
 	import_machine_todo(machine,
 			    "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
 	if (module && !r->options->table)

@@ -26,6 +26,7 @@ struct import_machine {
 	struct mesh *meshes;	/* the n-th belongs to the n-th body; owned */
 	size_t mesh_capacity, body_capacity, pair_capacity;
 	bool dialect_known, rapid_known;	/* else the file does not contain it */
+	bool inch;	/* the control's own unit is the inch, so machine.xml is written in inches */
 	const char *tool_name, *work_name;	/* of the components that carry tools and the work; or NULL */
 	const struct import_machine *beside;	/* whose bodies must have other names; or NULL */
 	const char *folder;	/* of the meshes, beside the file; NULL: stl */

@@ -8,6 +8,7 @@
 #include "base/axes.h"
 #include "base/math/math_functions.h"
 #include "base/mem.h"
+#include "base/units.h"
 #include "base/utf8.h"
 #include "base/xml_text.h"
 #include "control/dialects.h"
@@ -20,9 +21,10 @@
 /* A value below this, mm or degrees, is the rounding of 0. */
 #define NOTHING 1e-9
 
-static double degrees(double radians)
+/* mm per unit of the file that is written. */
+static double unit_of(const struct import_machine *machine)
 {
-	return radians * 180 / math_acos(-1);
+	return machine->inch ? MM_PER_INCH : 1;
 }
 
 /* Rounds values that were meant to be round: the difference is far below any tolerance. */
@@ -88,10 +90,19 @@ static void indent(struct strbuf *out, int depth)
 	strbuf_addf(out, "%*s", 2 * depth, "");
 }
 
-static void add_bodies(struct strbuf *out, const struct machine_description *d, int link, int depth)
+/* A frame with its translation in the units of the file. */
+static xform frame_in(const struct import_machine *machine, const xform *frame)
 {
+	return (xform){frame->rotation, vec3_scale(1 / unit_of(machine), frame->translation)};
+}
+
+static void add_bodies(struct strbuf *out, const struct import_machine *machine, int link, int depth)
+{
+	const struct machine_description *d = &machine->description;
+
 	for (size_t i = 0; i < d->body_count; i++) {
 		const struct body_description *body = &d->bodies[i];
+		const xform frame = frame_in(machine, &body->frame);
 
 		if (body->link != link)
 			continue;
@@ -99,35 +110,43 @@ static void add_bodies(struct strbuf *out, const struct machine_description *d, 
 		strbuf_addf(out, "<body");
 		xml_text_attribute(out, "name", body->name);
 		xml_text_attribute(out, "mesh", body->mesh_path);
-		machine_writer_frame(out, &body->frame, false);
+		if (machine->inch)
+			xml_text_attribute(out, "units", "mm");
+		machine_writer_frame(out, &frame, false);
 		strbuf_addf(out, "/>\n");
 	}
 }
 
-static void add_mounts(struct strbuf *out, const struct machine_description *d, int link, int depth)
+static void add_mounts(struct strbuf *out, const struct import_machine *machine, int link, int depth)
 {
+	const struct machine_description *d = &machine->description;
+
 	for (size_t i = 0; i < d->spindle_count; i++) {
 		if (d->spindles[i].link != link)
 			continue;
 		indent(out, depth);
 		strbuf_addf(out, "<spindle");
-		add_vector(out, "location", d->spindles[i].location);
+		add_vector(out, "location", vec3_scale(1 / unit_of(machine), d->spindles[i].location));
 		add_direction(out, d->spindles[i].direction);
 		strbuf_addf(out, "/>\n");
 	}
 	for (size_t i = 0; i < d->workholding_count; i++) {
+		const xform frame = frame_in(machine, &d->workholdings[i].frame);
+
 		if (d->workholdings[i].link != link)
 			continue;
 		indent(out, depth);
 		strbuf_addf(out, "<workholding");
-		machine_writer_frame(out, &d->workholdings[i].frame, true);
+		machine_writer_frame(out, &frame, true);
 		strbuf_addf(out, "/>\n");
 	}
 }
 
-static void add_axis_tag(struct strbuf *out, const struct axis_description *axis, int depth)
+static void add_axis_tag(struct strbuf *out, const struct import_machine *machine, const struct axis_description *axis,
+			 int depth)
 {
-	const double scale = axis->rotary ? degrees(1) : 1;
+	const double unit = unit_of(machine), scale = axis->rotary ? degrees(1) : 1 / unit;
+	const double rate = axis->rate_max > 0 ? axis->rate_max : axis->rotary ? ROTARY_RATE : LINEAR_RATE;
 
 	if (!(axis->rate_max > 0)) {
 		indent(out, depth);
@@ -140,37 +159,40 @@ static void add_axis_tag(struct strbuf *out, const struct axis_description *axis
 	xml_text_attribute(out, "type", axis->rotary ? "rotary" : "linear");
 	add_direction(out, axis->direction);
 	if (axis->has_location)
-		add_vector(out, "location", axis->location);
+		add_vector(out, "location", vec3_scale(1 / unit, axis->location));
 	if (isfinite(axis->limit_min))
 		add_number(out, "limit_min", scale * axis->limit_min);
 	if (isfinite(axis->limit_max))
 		add_number(out, "limit_max", scale * axis->limit_max);
-	add_number(out, "rate_max",
-		   axis->rate_max > 0 ? axis->rate_max : axis->rotary ? ROTARY_RATE : LINEAR_RATE);
+	add_number(out, "rate_max", axis->rotary ? rate : rate / unit);
 	if (axis->home.given)
 		add_number(out, "home", scale * axis->home.value);
 	strbuf_addf(out, ">\n");
 }
 
-static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth);
+static void add_link(struct strbuf *out, const struct import_machine *machine, int link, int depth);
 
 /* The recursion is at most nine axes deep. NOLINTNEXTLINE(misc-no-recursion) */
-static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth)
+static void add_link(struct strbuf *out, const struct import_machine *machine, int link, int depth)
 {
-	add_bodies(out, d, link, depth);
-	add_mounts(out, d, link, depth);
+	const struct machine_description *d = &machine->description;
+
+	add_bodies(out, machine, link, depth);
+	add_mounts(out, machine, link, depth);
 	for (size_t i = 0; i < d->axis_count; i++) {
 		if (d->axes[i].parent != link)
 			continue;
-		add_axis_tag(out, &d->axes[i], depth);
-		add_link(out, d, 1 + (int)i, depth + 1);
+		add_axis_tag(out, machine, &d->axes[i], depth);
+		add_link(out, machine, 1 + (int)i, depth + 1);
 		indent(out, depth);
 		strbuf_addf(out, "</axis>\n");
 	}
 }
 
-static void add_pairs(struct strbuf *out, const struct machine_description *d)
+static void add_pairs(struct strbuf *out, const struct import_machine *machine)
 {
+	const struct machine_description *d = &machine->description;
+
 	if (!d->pair_count)
 		return;
 	strbuf_addf(out,
@@ -184,7 +206,7 @@ static void add_pairs(struct strbuf *out, const struct machine_description *d)
 		xml_text_attribute(out, "b", pair->b);
 		xml_text_attribute(out, "check", "always");
 		if (pair->clearance.value > 0)
-			add_number(out, "clearance", pair->clearance.value);
+			add_number(out, "clearance", pair->clearance.value / unit_of(machine));
 		strbuf_addf(out, "/>\n");
 	}
 	strbuf_addf(out, "  </pairs>\n");
@@ -248,13 +270,14 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 	strbuf_addf(out, "<machine version=\"1\"");
 	if (d->name)
 		add_name(out, d->name);
-	strbuf_addf(out, " units=\"mm\">\n");
+	xml_text_attribute(out, "units", machine->inch ? "inch" : "mm");
+	strbuf_addf(out, ">\n");
 	add_controller(out, machine);
 	machine_writer_todo(out, machine);
 	strbuf_addf(out, "  <base>\n");
-	add_link(out, d, 0, 2);
+	add_link(out, machine, 0, 2);
 	strbuf_addf(out, "  </base>\n");
-	add_pairs(out, d);
+	add_pairs(out, machine);
 	strbuf_addf(out, "</machine>\n");
 }
 

@@ -35,7 +35,12 @@ def frame(element):
 
 class Machine:
     def __init__(self, path):
-        self.base = ET.parse(path).getroot().find("base")
+        root = ET.parse(path).getroot()
+        unit = 25.4 if root.get("units") == "inch" else 1
+        self.base = root.find("base")
+        for element in self.base.iter():
+            if "location" in element.attrib:
+                element.set("location", " ".join(str(unit * float(v)) for v in element.get("location").split()))
         self.axes = list(self.base.iter("axis"))
 
     def poses(self, values, node=None, pose=None):

@@ -44,6 +44,7 @@ python3 "$truth" xyzac-trt-kins x-rot-point=3,y-rot-point=7,y-offset=20.5,z-offs
 echo 'setp xyzbc-trt-kins.x-offset 0.5' | units=inch ini 'xyzbc-trt-kins coordinates=xyzcb' XYZBC >bc.ini
 fivecheck import -o bc bc.ini 2>/dev/null
 python3 "$truth" xyzbc-trt-kins x-offset=12.7 bc/machine.xml
+grep 'units=\|"[XB]" type' bc/machine.xml
 ini '5axiskins coordinates=xyzbcwy' XYZBCWY >head.ini </dev/null
 fivecheck import -o head head.ini 2>/dev/null
 python3 "$truth" 5axiskins '' head/machine.xml

@@ -13,6 +13,11 @@ for machine in m body file; do
 	done
 done
 fivecheck --check-machine file.xml | grep ' Z '
+# Before any G20 or G21 a program is in the unit of the control.
+echo 'G1 X1 F50' >own.nc
+for machine in m file; do
+	"$FIVECHECK" --dump-path $machine.xml own.nc
+done
 # A clearance in a message: what is left, and what is required.
 status fivecheck -q --clearance 2 body.xml down.nc
 # Too large to be true.

@@ -145,8 +145,9 @@ const struct dialect dialect_linuxcnc = {
 	.words = {&(const struct word_set){words, sizeof(words) / sizeof(*words)}},
 	.traits = {
 		.last_of_group = ANSWER_NO,
-		/* "G-code defaults". */
-		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94, .path = G64},
+		/* "G-code defaults"; the unit is that of the axes: INIT_CANON of the 2.9 emccanon.cc. */
+		.power_on = {.units = G21, .units_of_control = true, .distance = G90, .plane = G17, .feed_mode = G94,
+			     .path = G64},
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
 		/* "Order of Execution". */
 		.known_order = ANSWER_YES,
