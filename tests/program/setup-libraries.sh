@@ -148,6 +148,14 @@ sed -i 's/T12 P2 D6.35/T12 P2 D6/' tool.tbl
 "$FIVECHECK" --parse-only -s tbl.xml m.xml cut.nc 2>&1 | grep warning:
 sed -i 's/X0 Q0/X0.1/' tool.tbl
 "$FIVECHECK" -q --parse-only -s tbl.xml m.xml cut.nc
+# A line of a tool that the setup does not take, and T0, the empty spindle.
+sed 's/tool.tbl"/tool.tbl" numbers="1 99"/' tbl.xml >some.xml
+printf 'T0 P0 Z0 D0 ; no tool\n' >>tool.tbl
+"$FIVECHECK" --parse-only -s some.xml m.xml cut.nc
+printf 'T0 P0 Z5 ; no tool\n' >tool.tbl
+"$FIVECHECK" -q --parse-only -s tbl.xml m.xml cut.nc
+printf 'P1 Z1\nT1 P2 Z2\n' >tool.tbl
+"$FIVECHECK" -q --parse-only -s tbl.xml m.xml cut.nc
 printf 'T1 P1 Z1\nT1 P2 Z2\n' >tool.tbl
 "$FIVECHECK" -q --parse-only -s tbl.xml m.xml cut.nc
 printf 'T1 P1 Z1 D\n' >tool.tbl

@@ -13,6 +13,12 @@ struct reading {
 	struct srcloc at;
 };
 
+/* A line of the table. */
+struct line {
+	struct length_offset_description offset;
+	char beside;	/* an axis with an offset other than Z; 0: none */
+};
+
 bool tool_table_file_is(const char *text)
 {
 	struct text_lines lines = {.next = text};
@@ -40,19 +46,19 @@ static bool fault(const struct reading *r, const char *what)
 }
 
 /* Reads one word of a line. */
-static bool take(const struct reading *r, const struct letter_word *word, struct length_offset_description *offset)
+static bool take(const struct reading *r, const struct letter_word *word, struct line *line)
 {
 	switch (word->letter) {
 	case 'T':
-		if (!(word->value >= 1 && word->value <= TOOL_NUMBER_MAX) || floor(word->value) < word->value)
-			return fault(r, "T must be a tool number, 1 or more");
-		offset->number = (long)word->value;
+		if (!(word->value >= 0 && word->value <= TOOL_NUMBER_MAX) || floor(word->value) < word->value)
+			return fault(r, "T must be a tool number, or 0 for no tool");
+		line->offset.number = (long)word->value;
 		return true;
 	case 'Z':
-		offset->length = (struct optional_number){true, r->unit * word->value};
+		line->offset.length = (struct optional_number){true, r->unit * word->value};
 		return true;
 	case 'D':
-		offset->radius = (struct optional_number){true, r->unit * word->value / 2};
+		line->offset.radius = (struct optional_number){true, r->unit * word->value / 2};
 		return true;
 	case 'P':
 	case 'I':
@@ -64,19 +70,32 @@ static bool take(const struct reading *r, const struct letter_word *word, struct
 	}
 	if (!strchr("XYABCUVW", word->letter))
 		return fault(r, "a line of a tool table can have only T, P, D, I, J, Q and axis letters");
-	if (fabs(word->value) > 0) {
-		diag_error(r->diag, r->at,
-			   "the tool has an offset in %c, but a setup can have only offsets along the tool (Z)",
-			   word->letter);
-		return false;
-	}
+	if (fabs(word->value) > 0)
+		line->beside = word->letter;
 	return true;
+}
+
+static bool add_line(const struct reading *r, const struct line *line)
+{
+	const struct length_offset_description *offset = &line->offset;
+
+	/* T0 is the empty spindle. */
+	if (!offset->number)
+		return (!line->beside && !(fabs(offset->length.value) > 0) && !(fabs(offset->radius.value) > 0)) ||
+		       fault(r, "T0 is no tool, so a setup cannot have its length or diameter: remove the line");
+	if (!line->beside || !tool_library_wants(r->tools, offset->number))
+		return tool_library_add_offset(r->tools, offset, r->at, r->diag);
+	diag_error(r->diag, r->at,
+		   "tool %ld has an offset in %c, but a setup can have only offsets along the tool (Z): remove the "
+		   "line, or leave the tool out with numbers=\"\" of <tools>",
+		   offset->number, line->beside);
+	return false;
 }
 
 static bool read_line(const struct reading *r, const struct text_lines *lines)
 {
 	const char *at = lines->line, *end = lines->line + lines->length;
-	struct length_offset_description offset = {.of_tool = true, .length = {true, 0}};
+	struct line line = {.offset = {.of_tool = true, .length = {true, 0}}};
 	struct letter_word word;
 	char letters[32] = "";
 	size_t count = 0;
@@ -85,7 +104,7 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 	while ((found = letter_word_next(&at, end, &word)) > 0) {
 		if (strchr(letters, word.letter))
 			return fault(r, "a letter occurs twice in this line");
-		if (!take(r, &word, &offset))
+		if (!take(r, &word, &line))
 			return false;
 		/* There are fewer letters than places. */
 		letters[count++] = word.letter;
@@ -96,9 +115,7 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 			     "after a semicolon");
 	if (!count)
 		return true;
-	if (!offset.number)
-		return fault(r, "T is missing in this line");
-	return tool_library_add_offset(r->tools, &offset, r->at, r->diag);
+	return strchr(letters, 'T') ? add_line(r, &line) : fault(r, "T is missing in this line");
 }
 
 bool tool_table_file_read(struct tool_library *tools, const char *text, const char *path, double unit,
