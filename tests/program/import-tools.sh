@@ -85,6 +85,10 @@ cat >fusion.json <<'EOF'
  {"type": "face mill", "geometry": {"DC": 40, "DCX": 50, "LB": 40, "LCF": 10, "TA": 45}, "post-process": {"number": 19}},
  {"type": "face mill", "unit": "millimeters", "geometry": {"DC": 40, "DCX": 50, "LB": 40, "LCF": 5, "TA": 45, "SFDM": 22, "RE": 0.8},
   "post-process": {"number": 20}},
+ {"type": "flat end mill", "unit": "millimeters", "geometry": {"DC": 2, "LB": 50, "LCF": 6, "SFDM": 6, "shoulder-length": 16,
+  "shoulder-diameter": 1.9}, "post-process": {"number": 21, "length-offset": 71}, "shaft": {"segments": [
+   {"height": 10, "lower-diameter": 1.9, "upper-diameter": 4}, {"height": 4, "lower-diameter": 4, "upper-diameter": 5}]},
+  "holder": {"unit": "millimeters", "segments": [{"height": 20, "lower-diameter": 20, "upper-diameter": 30}]}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6, "LB": 25}, "post-process": {}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6}, "post-process": {"number": 7}}
 ]}

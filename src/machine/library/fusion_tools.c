@@ -56,6 +56,7 @@ struct reading {
 	struct diag *diag;
 	const char *path;
 	size_t index;	/* of the tool in the list, from 1 */
+	size_t bare, ungauged;	/* tools without a holder; tools whose holder has no gauge line */
 };
 
 static bool fault(const struct reading *r, const char *what)
@@ -266,18 +267,35 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 	return NULL;
 }
 
+/*
+ * The shoulder, and the segments of "shaft" above it. Libraries do not say whether these begin at the end of the flutes or
+ * of the shoulder: the outline has both, so that it encloses the tool. Above the segments the shank goes on to the holder.
+ */
+static bool add_shaft(struct tool_outline *tool, const json_t *shaft, const struct geometry *g, double unit)
+{
+	const double cutter = tool_profile_top(&tool->cutter), flutes = g->flutes > 0 ? g->flutes : cutter;
+	const double shoulder = fmax(g->shoulder, flutes), neck = g->shoulder_diameter / 2;
+	const json_t *segments = json_object_get(shaft, "segments");
+	const json_t *last = json_array_get(segments, json_array_size(segments) - 1);
+	double low = flutes, high = shoulder, end;
+
+	tool_profile_add(&tool->shank, cutter, neck, fmax(shoulder, cutter), neck);
+	if (!add_segments(shaft, unit, &tool->shank, &low) || !add_segments(shaft, unit, &tool->shank, &high) ||
+	    !read_number(last, "upper-diameter", unit, 0, &end))
+		return false;
+	end = fmax(end, g->shank_diameter) / 2;
+	if (high < g->below_holder)
+		tool_profile_add(&tool->shank, high, end, g->below_holder, end);
+	return true;
+}
+
 /* Above the flutes: the shoulder and the shank, or the segments of "shaft". */
 static bool add_shank(struct tool_outline *tool, const json_t *shaft, const struct geometry *g, double unit)
 {
 	double top = tool_profile_top(&tool->cutter), shoulder = fmax(g->shoulder, top);
 
-	if (json_array_size(json_object_get(shaft, "segments"))) {
-		double from = g->flutes > 0 ? g->flutes : top;
-
-		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, fmax(from, top),
-				 g->shoulder_diameter / 2);
-		return add_segments(shaft, unit, &tool->shank, &from);
-	}
+	if (json_array_size(json_object_get(shaft, "segments")))
+		return add_shaft(tool, shaft, g, unit);
 	if (shoulder < g->below_holder) {
 		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, shoulder, g->shoulder_diameter / 2);
 		tool_profile_add(&tool->shank, shoulder, g->shank_diameter / 2, g->below_holder, g->shank_diameter / 2);
@@ -337,6 +355,35 @@ static const char *judge(const struct geometry *g, enum shape shape, const struc
 		       "the length up to the gauge line is not between 0.01 and 5000 mm";
 }
 
+/* What the library does not say of the holder; *known_to as in add_holder. */
+static void tell_holder(struct reading *r, const json_t *holder, const struct geometry *g,
+			const struct tool_outline *tool, double known_to)
+{
+	if (known_to < tool->length - TOOL_SECTION_MIN)
+		diag_warning(
+		    r->diag, (struct srcloc){.file = r->path},
+		    "tool %ld: the holder between %g and %g mm above the tip is not known; it is assumed to be as "
+		    "thick as the cutter; add the holder",
+		    tool->number, known_to, tool->length);
+	else if (!tool->holder.count)
+		r->bare++;
+	else if (!(g->gauge > 0) && !json_is_number(json_object_get(holder, "gaugeLength")))
+		r->ungauged++;
+}
+
+/* H of a number that is not the tool's is another register of the control. */
+static void tell_offset(const struct reading *r, const json_t *item, long number, double length)
+{
+	const json_t *offset = json_object_get(json_object_get(item, "post-process"), "length-offset");
+
+	if (r->tools->counts_left_out || json_integer_value(offset) < 1 || json_integer_value(offset) == number)
+		return;
+	diag_warning(r->diag, (struct srcloc){.file = r->path},
+		     "tool %ld: programs from this library use the length offset H%ld: add <offset number=\"%ld\" "
+		     "length=\"%.9g\"/> to the setup, or give the tool the offset %ld in the library",
+		     number, (long)json_integer_value(offset), (long)json_integer_value(offset), length, number);
+}
+
 static bool add_tool(struct reading *r, const json_t *item, const struct type_row *type, const char *name, long number)
 {
 	struct tool_outline tool = {.number = number, .name = name, .kind = type->kind, .hand = type->hand};
@@ -364,12 +411,10 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 		leave_out(r, name, why);
 	else
 		good = tool_library_add(r->tools, &tool, (struct srcloc){.file = r->path}, r->diag);
-	if (good && !why && known_to < tool.length - TOOL_SECTION_MIN)
-		diag_warning(
-		    r->diag, (struct srcloc){.file = r->path},
-		    "tool %ld: the holder between %g and %g mm above the tip is not known; it is assumed to be as "
-		    "thick as the cutter; add the holder",
-		    number, known_to, tool.length);
+	if (good && !why) {
+		tell_holder(r, json_object_get(item, "holder"), &g, &tool, known_to);
+		tell_offset(r, item, number, tool.length);
+	}
 	tool_outline_release(&tool);
 	return good;
 }
@@ -412,6 +457,23 @@ static bool read_list(struct reading *r, const json_t *root)
 	return true;
 }
 
+/* The checker itself doubts tools without a holder. */
+static void tell_holders(const struct reading *r)
+{
+	const struct srcloc at = {.file = r->path};
+
+	if (r->bare && !r->tools->counts_left_out)
+		diag_warning(r->diag, at,
+			     "tools without a holder: %zu; the length of each ends where its holder would begin: add the "
+			     "holders and correct the lengths",
+			     r->bare);
+	if (r->ungauged && !r->tools->counts_left_out)
+		diag_warning(r->diag, at,
+			     "tools whose holder has no gauge length: %zu; the top of the holder counts as the gauge "
+			     "line: compare the lengths with those of the machine",
+			     r->ungauged);
+}
+
 bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag *diag)
 {
 	struct reading r = {.tools = tools, .diag = diag, .path = path};
@@ -421,6 +483,8 @@ bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag
 	if (!root)
 		return false;
 	good = read_list(&r, root);
+	if (good)
+		tell_holders(&r);
 	json_decref(root);
 	return good;
 }
