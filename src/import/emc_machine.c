@@ -28,7 +28,7 @@ struct reading {
 
 static const double linear_limit = 1e6;
 
-/* Units per mm: LINEAR_UNITS that differ from those of an inch by less count as inches (2.9 emccanon.cc, INIT_CANON). */
+/* Units per mm: LINEAR_UNITS within this of those of an inch count as inches (INIT_CANON of the 2.9 emccanon.cc). */
 static const double rounded_units = 1e-3;
 
 static struct srcloc place(const struct reading *r)

@@ -245,7 +245,9 @@ static void count_triangles(struct tool_builder *builder, const void *at, const 
 	size_t triangles = tool_solid_triangles(solid);
 
 	if (triangles > TOOL_TRIANGLES_MAX - builder->triangles)
-		description_fault(builder->file, at, NULL, "the sections of the tools make more than %zu triangles",
+		description_fault(builder->file, at, NULL,
+				  "the sections of the tools make more than %zu triangles: leave out the tools that "
+				  "the job does not need",
 				  TOOL_TRIANGLES_MAX);
 	else
 		builder->triangles += triangles;

@@ -104,8 +104,12 @@ START_TEST(parameters_of_an_inch_machine)
 
 	case_init(&c);
 	c.config.controller.unit = 25.4;
-	case_expect(&c, "G10 L2 P2 X25.4 C30\nG0 X#5241 C#5246\n#5242=2 G55 G0 X0 Y0\nG28.1 G0 X0\nG0 Y#5162\nM2\n",
+	case_expect(&c, "G21 G10 L2 P2 X25.4 C30\nG0 X#5241 C#5246\n#5242=2 G55 G0 X0 Y0\nG28.1 G0 X0\nG0 Y#5162\nM2\n",
 		    "rapid 1 0 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 52.8 0 0 30\n");
+	/* Before any G20 or G21, coordinates are in the unit of the control, too. */
+	case_init(&c);
+	c.config.controller.unit = 25.4;
+	case_expect(&c, "G0 X1 C30\nG21 Y1\nM2\n", "rapid 25.4 0 0 0 30\nrapid 25.4 1 0 0 30\n");
 }
 END_TEST
 

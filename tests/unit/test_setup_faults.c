@@ -164,7 +164,8 @@ START_TEST(bounds_the_triangles)
 	messages_init(&messages);
 	ck_assert_ptr_null(setup_load("s.xml", machine, &messages.diag));
 	ck_assert_str_eq(strbuf_text(&messages.text),
-			 "s.xml:1: error: the sections of the tools make more than 10000000 triangles\n");
+			 "s.xml:1: error: the sections of the tools make more than 10000000 triangles: leave out the "
+			 "tools that the job does not need\n");
 	strbuf_release(&messages.text);
 	strbuf_release(&text);
 }

@@ -222,6 +222,14 @@ static bool read_tools(const struct request *request, struct tool_library *tools
 	return false;
 }
 
+static void warn_unit(const struct request *request)
+{
+	if (request->unit == UNIT_UNKNOWN)
+		diag_warning(request->diag, (struct srcloc){.file = request->file},
+			     "this file does not give its unit: its lengths count as mm; with --units=inch they count "
+			     "as inches");
+}
+
 static void note_tools(const char *path, const struct tool_library *tools, struct diag *diag)
 {
 	const size_t count = tools->setup.tool_count, offsets = tools->setup.length_count + tools->setup.offset_count;
@@ -241,8 +249,10 @@ static bool import_tools(const struct request *request)
 	bool good;
 
 	strbuf_addf(&path, "%s/setup.xml", request->output);
-	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, &tools) &&
-	       import_output_write_tools(&tools, request->output, request->file, request->diag);
+	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, &tools);
+	if (good && tools.unit_is_assumed)
+		warn_unit(request);
+	good = good && import_output_write_tools(&tools, request->output, request->file, request->diag);
 	if (good)
 		note_tools(strbuf_text(&path), &tools, request->diag);
 	tool_library_release(&tools);
@@ -267,6 +277,8 @@ static bool read_parts(const struct request *request, struct import_machine *mac
 	good = (format != MESH_PLY || ply_check(request->file, request->diag)) &&
 	       (format != MESH_3MF || zip_check(request->file, request->diag)) &&
 	       mesh_helper_read(&parts, request->file, unit, format == MESH_GLTF, request->diag);
+	if (good && (format == MESH_OBJ || format == MESH_PLY))
+		warn_unit(request);
 	for (size_t i = 0; good && i < parts.count; i++) {
 		struct mesh mesh = {0};
 

@@ -25,8 +25,8 @@ struct csv_table {
 void csv_table_begin(struct csv_table *table, const char *text, const char *path, struct diag *diag);
 
 /*
- * Reads the next row that is not empty. 0: there is none; -1, reported: it is faulty, or it has more cells than the first
- * row.
+ * Reads the next row that is not empty. 0: there is none; -1, reported: it is faulty, or it has more cells than the
+ * first row.
  */
 int csv_table_next(struct csv_table *table);
 

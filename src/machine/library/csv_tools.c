@@ -166,8 +166,10 @@ static bool read_unit(struct reading *r, double fallback)
 	const char *unit = cell_of(r, COLUMN_UNITS);
 
 	r->unit = fallback;
-	if (!*unit)
+	if (!*unit) {
+		r->tools->unit_is_assumed = true;
 		return true;
+	}
 	if (!strcasecmp(unit, "mm") || !strcasecmp(unit, "millimeters"))
 		r->unit = 1;
 	else if (!strcasecmp(unit, "inch") || !strcasecmp(unit, "in") || !strcasecmp(unit, "inches"))

@@ -268,8 +268,9 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 }
 
 /*
- * The shoulder, and the segments of "shaft" above it. Libraries do not say whether these begin at the end of the flutes or
- * of the shoulder: the outline has both, so that it encloses the tool. Above the segments the shank goes on to the holder.
+ * The shoulder, and the segments of "shaft" above it. Libraries do not say whether these begin at the end of the flutes
+ * or of the shoulder: the outline has both, so that it encloses the tool. Above the segments the shank goes on to the
+ * holder.
  */
 static bool add_shaft(struct tool_outline *tool, const json_t *shaft, const struct geometry *g, double unit)
 {
@@ -464,8 +465,8 @@ static void tell_holders(const struct reading *r)
 
 	if (r->bare && !r->tools->counts_left_out)
 		diag_warning(r->diag, at,
-			     "tools without a holder: %zu; the length of each ends where its holder would begin: add the "
-			     "holders and correct the lengths",
+			     "tools without a holder: %zu; the length of each ends where its holder would begin: add "
+			     "the holders and correct the lengths",
 			     r->bare);
 	if (r->ungauged && !r->tools->counts_left_out)
 		diag_warning(r->diag, at,

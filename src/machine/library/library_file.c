@@ -80,8 +80,8 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 		return false;
 	diag_error(diag, (struct srcloc){.file = path},
 		   "this is not a tool library. Supported are libraries of Fusion 360 (.json) and VERICUT (.tls), a "
-		   "table with a first line of column names (number, length, diameter), a tool table (T1 P1 Z0 D6) and a "
-		   "listing of offsets (G10 L10 P1 R0.)");
+		   "table with a first line of column names (number, length, diameter), a tool table (T1 P1 Z0 D6) "
+		   "and a listing of offsets (G10 L10 P1 R0.)");
 	return false;
 }
 

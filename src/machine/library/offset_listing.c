@@ -25,6 +25,7 @@ struct reading {
 	struct tool_library *tools;
 	struct diag *diag;
 	double unit;
+	bool unit_is_given;	/* by G20 or G21 */
 	struct srcloc at;
 	struct registers *rows;
 	size_t count, capacity;
@@ -203,14 +204,20 @@ static bool take_work_offset(struct reading *r, const struct line *line, bool ex
 
 /* --------------------------------------------------------------- lines */
 
+static void set_unit(struct reading *r, double unit)
+{
+	r->unit = unit;
+	r->unit_is_given = true;
+}
+
 static bool take_g(struct reading *r, struct line *line, double code)
 {
 	if (code > 9.5 && code < 10.5)
 		line->writes = true;
 	else if (code > 19.5 && code < 20.5)
-		r->unit = MM_PER_INCH;
+		set_unit(r, MM_PER_INCH);
 	else if (code > 20.5 && code < 21.5)
-		r->unit = 1;
+		set_unit(r, 1);
 	else if (!(code > 89.5 && code < 90.5))
 		return fault(r, "a listing of offsets can have only the codes G10, G20, G21 and G90");
 	return true;
@@ -269,6 +276,7 @@ static bool read_line(struct reading *r, const struct text_lines *lines)
 		return false;
 	if (!line.writes)
 		return is_empty(&line) || fault(r, "G10 is missing in this line");
+	r->tools->unit_is_assumed |= !r->unit_is_given;
 	mode = whole(&line, 'L', 1, 20);
 	if (mode == 2 || mode == 20)
 		return take_work_offset(r, &line, mode == 20);

@@ -21,6 +21,7 @@ struct tool_library {
 	size_t tool_capacity, length_capacity, offset_capacity;
 	size_t left_out;	/* tools of the library that were left out */
 	bool counts_left_out;	/* without a warning for each */
+	bool unit_is_assumed;	/* the file does not give the unit of a length, so that of the options was used */
 	struct number_range *wanted;	/* only these numbers are added; NULL: all */
 	size_t wanted_count;
 };

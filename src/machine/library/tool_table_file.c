@@ -124,6 +124,7 @@ bool tool_table_file_read(struct tool_library *tools, const char *text, const ch
 	struct reading r = {.tools = tools, .diag = diag, .unit = unit, .at = {.file = path}};
 	struct text_lines lines = {.next = text};
 
+	tools->unit_is_assumed = true;
 	while (text_lines_next(&lines)) {
 		r.at.line = lines.number;
 		if (!read_line(&r, &lines))
