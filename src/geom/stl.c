@@ -368,9 +368,15 @@ static bool is_text(const struct reader *r)
 	return !memchr(r->buffer, '\0', r->end);
 }
 
+/* The bytes of a byte order mark, which some programs put before text; 0: there is none. */
+static size_t byte_order_mark(const struct reader *r)
+{
+	return strncmp(r->buffer, "\xef\xbb\xbf", 3) ? 0 : 3;
+}
+
 static bool starts_with_solid(const struct reader *r)
 {
-	const char *at = r->buffer;
+	const char *at = r->buffer + byte_order_mark(r);
 
 	while (is_space(*at))
 		at++;
@@ -412,7 +418,10 @@ static bool read_either(struct reader *r, struct soup *soup)
 		if (r->file_size == HEADER_SIZE + (uint64_t)count * RECORD_SIZE)
 			return read_binary(r, &soup->mesh, count);
 	}
-	return starts_with_solid(r) && is_text(r) ? read_ascii(r, soup) : fail_unfitting(r);
+	if (!starts_with_solid(r) || !is_text(r))
+		return fail_unfitting(r);
+	r->at = byte_order_mark(r);
+	return read_ascii(r, soup);
 }
 
 /* Opening must not wait for the writer of a FIFO, nor block on a device. */

@@ -214,6 +214,7 @@ START_TEST(ascii_in_its_variants)
 
 	expect_mesh("solid\n" GOOD "endsolid\n", 1, unit);
 	expect_mesh("solid a name, of facet normal\n" GOOD GOOD "endsolid a name", 2, unit);
+	expect_mesh("\xef\xbb\xbfsolid marked\n" GOOD "endsolid marked\n", 1, unit);
 	expect_mesh("  \n\tSOLID X\r\nFACET NORMAL 0 0 1\r\nOUTER LOOP\r\nVERTEX 0 0 0\r\nVERTEX 1 0 0\r\n"
 		    "VERTEX 0 1 0\r\nENDLOOP\r\nENDFACET\r\nENDSOLID X\r\n", 1, unit);
 	expect_mesh("solid\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\r"
