@@ -414,7 +414,7 @@ static const struct bad bads[] = {
     {&dialect_linuxcnc, "M3 S9 G33 Z-1 K0", 15, "the pitch is 0"},
     {&dialect_linuxcnc, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves only X, Y and Z"},
     {&dialect_linuxcnc, "G38.2", 1, "G38.2 without an axis word"},
-    {&dialect_linuxcnc, "G38.2 X0", 1, "the end point of G38.2 is the position of the probe"},
+    {&dialect_linuxcnc, "G38.2 X0", 1, "G38.2 ends where the probe already stands, and does not move it"},
     {&dialect_linuxcnc, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); write G94 first"},
     /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
     {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,

@@ -67,7 +67,7 @@ static const struct refused_program programs[] = {
 	{"G999\n", 1, 1,
 	 "G999 is not known"},
 	{"G5.5\n", 1, 1,
-	 "5.5 is no G-code"},
+	 "G5.5 is no G-code"},
 	{"G34 X1\n", 1, 1,
 	 "G34: thread cutting with a pitch that changes is not supported"},
 	{"G291\n", 1, 1,
@@ -78,7 +78,7 @@ static const struct refused_program programs[] = {
 	 "M77 is not known; if it moves no axis, set <mcode number=\"77\" action=\"ignore\"/> in the machine "
 	 "file's <controller>"},
 	{"M1.5\n", 1, 1,
-	 "1.5 is no M-code"},
+	 "M1.5 is no M-code"},
 	{"M3 M4 M5 M6 M7 M8 M9 M10 M11 M12 M0\n", 1, 34,
 	 "a block can have at most 10 M-codes"},
 	{"N10 N20 X1\n", 1, 5,

@@ -75,7 +75,8 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 		if (!same_double(target->v[slot], start.v[slot]))
 			return true;
 	}
-	return fault(&interp->at, column, "the end point of G38.%d is the position of the probe", block->motion % 10);
+	return fault(&interp->at, column, "G38.%d ends where the probe already stands, and does not move it",
+		     block->motion % 10);
 }
 
 /* The probe stops where it finds something, or at the end of its path. */

@@ -92,7 +92,7 @@ static bool read_g(struct reading *r, double value, int column)
 	const struct code *code;
 
 	if (!(value >= 0 && value <= 999) || floor(value) < value)
-		return fault(r->lexer->at, column, "%g is no G-code", value);
+		return fault(r->lexer->at, column, "G%g is no G-code", value);
 	if (value >= 505 && value <= 599)
 		return set_code(r, SINUMERIK_SYSTEM, (int)tenths, column);
 	code = block_find_g(&r->interp->block, r->interp->config->dialect, (int)tenths);
@@ -113,7 +113,7 @@ static bool read_m(struct reading *r, double value, int column)
 	struct sinumerik_block *block = r->block;
 
 	if (!(value >= 0 && value <= 99999999) || floor(value) < value)
-		return fault(r->lexer->at, column, "%g is no M-code", value);
+		return fault(r->lexer->at, column, "M%g is no M-code", value);
 	if (block->m_count == SINUMERIK_M_MAX)
 		return fault(r->lexer->at, column, "a block can have at most %d M-codes", SINUMERIK_M_MAX);
 	block->m[block->m_count] = (int)value;

@@ -315,9 +315,8 @@ bool sinumerik_comp_stop(struct interp *interp, int column, bool ends)
 	if (comp->side == 0 || comp->queue.count == 0)
 		return true;
 	if (comp->starting || !ends)
-		return fault(
-		    &interp->at, column,
-		    "the program stops under tool radius compensation: where the tool waits depends on the control; "
-		    "G40 first");
+		return fault(&interp->at, column,
+			     "the program stops under cutter compensation: controls differ in where the tool waits; "
+			     "write G40 first");
 	return comp_send_to(interp, comp->current);
 }
