@@ -124,6 +124,11 @@ static const struct refused_program programs[] = {
 	 "CYCLE207 is neither a word that is known nor a subprogram: no file CYCLE207.SPF (or .spf, .MPF, .mpf, in "
 	 "upper or lower case) lies beside the program or in a folder of --include; if CYCLE207 is the builder's "
 	 "and moves no axis, set <macro program=\"CYCLE207\" action=\"none\"/> in the machine file's <controller>"},
+	/* The log of measuring: it moves no axis. */
+	{"CYCLE150(10,1001)\n", 1, 1,
+	 "CYCLE150 is neither a word that is known nor a subprogram: no file CYCLE150.SPF (or .spf, .MPF, .mpf, in "
+	 "upper or lower case) lies beside the program or in a folder of --include; if CYCLE150 is the builder's "
+	 "and moves no axis, set <macro program=\"CYCLE150\" action=\"none\"/> in the machine file's <controller>"},
 	/* The parameters of measuring cycles are variables of each control: the fault is in the cycle. */
 	{"_PRNUM=1 _VMS=0 _NMSP=1 _FA=5 _TSA=2\n_TNAME=\"PROBE\" _SETV[7]=5\n_MVAR=100 _SETVAL=20 _MA=1\nCYCLE978\n",
 	 4, 1,

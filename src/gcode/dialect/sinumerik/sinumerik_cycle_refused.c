@@ -21,7 +21,6 @@ const char *sinumerik_cycle_refused(const char *name)
 		{"CYCLE899", "milling of an open slot, from how far outside is not published,"},
 		{"CYCLE8", "cycle of the control"},
 		{"CYCLE9", "turning"},
-		{"CYCLE1", "measuring with a probe"},
 		{"CYCLE4", "grinding"},
 		{"CYCLE7", "cycle of the control"},
 	};
