@@ -8,7 +8,10 @@
 #include "machine/setup.h"
 #include "report/tables/stats.h"
 
-static const char why[] = "there is an error in the machine file, the setup, or a file that they use";
+static const char *const reasons[] = {
+	[FAILURE_OF_INPUT] = "there is an error in the machine file, the setup, or a file that they use",
+	[FAILURE_OF_OUTPUT] = "a file beside the results cannot be written",
+};
 
 /* May the file of the sink be replaced? Yes if it does not exist, is empty, or was written by the same writer. */
 static bool is_replaceable(const struct sink *sink)
@@ -48,10 +51,10 @@ static void drop_channels(struct sinks *sinks, struct diag *diag)
 }
 
 /* The first program gets the errors; the others only say that nothing was checked. */
-static void tell_program(struct sinks *sinks, const struct report_run *run, const char *name,
+static void tell_program(struct sinks *sinks, const struct report_run *run, const char *name, const char *why,
 			 const struct error_list *errors)
 {
-	char text[sizeof(why) + 32];
+	char text[128];
 	const struct report_error one = {.text = text};
 	const struct report_program about = {
 		.name = strcmp(name, "-") ? name : "<stdin>", .unread = why, .waived = "", .first_kind = -1,
@@ -67,8 +70,8 @@ static void tell_program(struct sinks *sinks, const struct report_run *run, cons
 	strbuf_release(&out);
 }
 
-bool failure_report_write(const struct options *options, const struct error_list *errors, struct sinks *sinks,
-		   struct diag *diag)
+bool failure_report_write(const struct options *options, enum failure_place place, const struct error_list *errors,
+			  struct sinks *sinks, struct diag *diag)
 {
 	const struct machine machine = {.path = options->machine};
 	const struct setup setup = {.path = options->setup};
@@ -92,7 +95,7 @@ bool failure_report_write(const struct options *options, const struct error_list
 	drop_channels(sinks, diag);
 	sinks_begin(sinks, &run);
 	for (size_t i = 0; i < options->program_count; i++)
-		tell_program(sinks, &run, options->programs[i], i ? NULL : errors);
+		tell_program(sinks, &run, options->programs[i], reasons[place], i ? NULL : errors);
 	sinks_end(sinks, &run, &end);
 	return sinks_commit(sinks, diag);
 }

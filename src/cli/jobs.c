@@ -68,6 +68,21 @@ static bool check_names(const struct options *options, struct diag *diag)
 	return good;
 }
 
+/* --stock-out writes one file for each job. False: reported. */
+static bool check_stock_out(const struct options *options, const struct job_list *list, struct diag *diag)
+{
+	for (const struct job_item *job = list->items; options->stock_out && job < list->items + list->count; job++) {
+		if (job->program_count < 2)
+			continue;
+		diag_error(diag, (struct srcloc){.file = list->path, .line = job->line},
+			   "--stock-out takes one program for each job, because each begins with the blank of the "
+			   "setup, but the job \"%s\" has %zu",
+			   job->name, job->program_count);
+		return false;
+	}
+	return true;
+}
+
 /* "op10-part" for the program part.nc of the job op10, which has several. */
 static void add_file_name(struct strbuf *out, const struct job_item *job, size_t program)
 {
@@ -170,8 +185,9 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 
 	if (!check_options(options, &ui->diag) || !job_list_load(&list, options->machine, &ui->diag))
 		return RUN_INCOMPLETE;
-	good = list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
-				   check_reports(options, &list, &ui->diag));
+	good = check_stock_out(options, &list, &ui->diag) &&
+	       (list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
+				    check_reports(options, &list, &ui->diag)));
 	for (size_t i = 0; good && i < list.count; i++) {
 		enum run_status one = run_job(options, &list.items[i], ui);
 

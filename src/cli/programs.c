@@ -8,8 +8,9 @@
 #include "base/mem.h"
 #include "base/parallel_for.h"
 #include "base/spare_threads.h"
-#include "cli/path_checks.h"
+#include "cli/failure_report.h"
 #include "cli/interrupt.h"
+#include "cli/path_checks.h"
 #include "cli/program.h"
 #include "cli/program_queue.h"
 #include "report/output.h"
@@ -73,17 +74,34 @@ static void tell_end(const struct session *session, double seconds, const struct
 }
 
 /* A missing folder is reported at once, not after hours and only with a finding. The file is not changed. */
-static bool can_write_pose(const struct options *options, struct diag *diag)
+static bool can_write(const char *path, struct diag *diag)
 {
 	struct stat status;
 	struct output out;
 
 	/* A pipe may be opened only once. */
-	if (!options->pose || (!stat(options->pose, &status) && !S_ISREG(status.st_mode)))
+	if (!path || (!stat(path, &status) && !S_ISREG(status.st_mode)))
 		return true;
-	if (!output_open(&out, options->pose, diag))
+	if (!output_open(&out, path, diag))
 		return false;
 	output_discard(&out);
+	return true;
+}
+
+/* Can the files beside the results be written? Errors go to the tee. */
+static bool prepare_files(const struct programs_run *run, struct session *session, struct program_reports *reports)
+{
+	const struct options *options = run->options;
+	struct diag *diag = &run->tee->diag;
+
+	if (!can_write(options->pose, diag) || !can_write(options->stock_out, diag))
+		return false;
+	if (!options_want_visual(options))
+		return true;
+	if (!program_reports_init(reports, options, session->context.scene, run->inputs->items, run->inputs->count,
+				  diag))
+		return false;
+	session->context.reports = reports;
 	return true;
 }
 
@@ -130,8 +148,7 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 /* --stock-out. False: reported. */
 static bool write_stock(const struct session *session)
 {
-	return stock_file_write(session->options->stock_out, &session->remainder,
-				scene_stock(session->context.scene) >= 0, &session->order.ui->diag);
+	return stock_file_write(session->options->stock_out, &session->remainder, &session->order.ui->diag);
 }
 
 /* The greatest status of the programs, of --pose, of --stock-out, and of errors without a program. */
@@ -254,13 +271,9 @@ enum run_status programs_check(const struct programs_run *run)
 	struct program_reports reports = {0};
 	enum run_status status;
 
-	if (!can_write_pose(options, &run->ui->diag))
+	if (!prepare_files(run, &session, &reports)) {
+		failure_report_write(options, FAILURE_OF_OUTPUT, &run->tee->errors, run->sinks, &run->ui->diag);
 		return RUN_INCOMPLETE;
-	if (options_want_visual(options)) {
-		if (!program_reports_init(&reports, options, session.context.scene, run->inputs->items,
-					  run->inputs->count, &run->ui->diag))
-			return RUN_INCOMPLETE;
-		session.context.reports = &reports;
 	}
 	if (options->stock_out)
 		session.context.check.remainder = &session.remainder;

@@ -3,6 +3,7 @@
 #define FIVECHECK_CLI_PROGRAMS_H
 
 #include "check/model.h"
+#include "cli/diag_tee.h"
 #include "cli/input_files.h"
 #include "cli/options.h"
 #include "cli/ordered_output.h"
@@ -15,6 +16,7 @@ struct programs_run {
 	struct model *model;
 	double seconds;	/* duration of loading */
 	struct stderr_ui *ui;
+	struct diag_tee *tee;	/* of ui->diag: receives the errors before the first program */
 	struct sinks *sinks;
 	struct input_files *inputs;	/* those read so far; the files of subprograms are added */
 	const struct waiver_match *waiving;
@@ -23,7 +25,8 @@ struct programs_run {
 
 /*
  * Checks the programs in the options, with as many threads as the options permit, and reports them in the order of the
- * command line. Sorts the inputs. If an output turns out to be an input, reports that and discards the sinks.
+ * command line. Sorts the inputs. If an output turns out to be an input, reports that and discards the sinks. If a file
+ * beside the results cannot be written, no program is checked, and the sinks are closed with a report that says so.
  */
 enum run_status programs_check(const struct programs_run *run);
 

@@ -191,6 +191,15 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 	return true;
 }
 
+/* --stock-out. False: reported. */
+static bool check_stock(const struct options *options, const struct scene *scene, struct diag *diag)
+{
+	if (!options->stock_out || scene_stock(scene) >= 0)
+		return true;
+	diag_error(diag, nowhere, "--stock-out needs a <stock> in the setup");
+	return false;
+}
+
 /* From now on changes of these files are detected. */
 static void add_inputs(struct job *job, const struct options *options, struct input_files *inputs)
 {
@@ -211,12 +220,14 @@ static bool load_all(struct job *job, const struct options *options, struct inpu
 	if (!job_read(job, options, diag))
 		return false;
 	add_inputs(job, options, inputs);
-	return job_prepare(job, options, diag) && check_kinds(options, job->model->scene, diag);
+	return job_prepare(job, options, diag) && check_kinds(options, job->model->scene, diag) &&
+	       check_stock(options, job->model->scene, diag);
 }
 
 /* Checks the programs. Reports are kept even if the check is incomplete, because they say so. */
 static enum run_status check_programs(struct job *job, const struct options *options, struct stderr_ui *ui,
-				      struct sinks *sinks, struct block_tables *tables, struct input_files *inputs)
+				      struct diag_tee *tee, struct sinks *sinks, struct block_tables *tables,
+				      struct input_files *inputs)
 {
 	struct diag *diag = &ui->diag;
 	enum run_status status;
@@ -225,7 +236,8 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	if (job->known)
 		input_files_remember(inputs, job->known);
 	status = programs_check(&(struct programs_run){
-		.options = options, .model = job->model, .seconds = job->seconds, .ui = ui, .sinks = sinks,
+		.options = options, .model = job->model, .seconds = job->seconds, .ui = ui, .tee = tee,
+		.sinks = sinks,
 		.inputs = inputs, .waiving = &job->waiving, .tables = block_tables_are_wanted(tables) ? tables : NULL});
 	/* Without a sink nothing may be written: programs_check has discarded the sinks. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
@@ -253,9 +265,9 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	    !block_tables_open(&tables, options->clearance_report, options->timing, diag)) {
 		/* No report can be written. */
 	} else if (!load_all(job, options, &inputs, &tee.diag)) {
-		failure_report_write(options, &tee.errors, &sinks, diag);
+		failure_report_write(options, FAILURE_OF_INPUT, &tee.errors, &sinks, diag);
 	} else if (path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
-		status = check_programs(job, options, ui, &sinks, &tables, &inputs);
+		status = check_programs(job, options, ui, &tee, &sinks, &tables, &inputs);
 	}
 	digesting_end(&job->digesting);
 	block_tables_discard(&tables);

@@ -8,14 +8,11 @@
 static const struct srcloc nowhere;
 
 /* False: no file is written, and a note or an error gives the reason. After an error *good is false. */
-static bool is_writable(const char *path, const struct stock_remainder *remainder, bool stock, bool *good,
-			struct diag *diag)
+static bool is_writable(const char *path, const struct stock_remainder *remainder, bool *good, struct diag *diag)
 {
 	const struct mesh *mesh = &remainder->mesh;
 
-	if (!stock)
-		diag_note(diag, nowhere, "the setup has no stock, so %s was not written", path);
-	else if (!remainder->known)
+	if (!remainder->known)
 		diag_note(
 		    diag, nowhere,
 		    "the program was not checked to its end, so %s was not written (--all goes on after a finding)",
@@ -28,7 +25,7 @@ static bool is_writable(const char *path, const struct stock_remainder *remainde
 	return *good && mesh->count;
 }
 
-bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag)
+bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag)
 {
 	const struct mesh *mesh = &remainder->mesh;
 	/* Rounded up: with a smaller excess, findings of the next setup would wrongly count as certain. */
@@ -37,7 +34,7 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 	struct output out;
 	bool good;
 
-	if (!is_writable(path, remainder, stock, &good, diag))
+	if (!is_writable(path, remainder, &good, diag))
 		return good;
 	if (!output_open(&out, path, diag))
 		return false;

@@ -7,10 +7,7 @@
 #include "base/diag.h"
 #include "stock/stock_mesh.h"
 
-/*
- * A note gives the accuracy of the file, or the reason why there is none. `stock`: the setup has a stock. False,
- * reported: the file is not changed.
- */
-bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag);
+/* A note gives the accuracy of the file, or the reason why there is none. False, reported: the file is not changed. */
+bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag);
 
 #endif

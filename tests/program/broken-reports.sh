@@ -24,6 +24,17 @@ sed -i 's/rate="3600"/rate_max="3600"/' m.xml
 for option in -s --waivers; do
 	status fivecheck -q $option nowhere.xml m.xml a.nc 2>/dev/null
 done
+echo "a file beside the reports cannot be written, or needs a stock:"
+fivecheck -q -f text=old.txt -f junit=old.xml m.xml a.nc
+cp old.txt before.txt
+echo 'no report' >other
+for option in --pose=none/a.stl --report=none/a.html --picture=none/a.svg --report=other --stock-out=a.stl; do
+	status fivecheck -q "$option" -f text=old.txt -f junit=old.xml --depfile=a.d m.xml a.nc 2>&1
+	cmp before.txt old.txt
+	grep -o '<error message="[^"]*"' old.xml
+done
+ls a.d 2>&1 | grep -c '^a.d'
+rm old.txt old.xml before.txt other
 echo "subprograms and lists are inputs, too:"
 printf 'o<sub> sub\nG0 X1\no<sub> endsub\n' >sub.ngc
 echo 'o<sub> call' >c.nc

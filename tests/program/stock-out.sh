@@ -40,15 +40,28 @@ sed 's|location="0 5 20" rotation="90 0 0"|location="0 -5 20" rotation="90 0 180
 echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note
-"$FIVECHECK" --stock-out=none.stl m.xml slot.nc 2>&1 | grep note
+sed '/<stock/d' first.xml >bare.xml
+"$FIVECHECK" -q --stock-out=none.stl -s bare.xml m.xml slot.nc
+echo "exit status $?"
 "$FIVECHECK" --method=interpolated --stock-out=none.stl -s first.xml m.xml slot.nc 2>&1 | grep note
 "$FIVECHECK" -q --stock-out=none.stl -s first.xml m.xml slot.nc rapid.nc
 echo "exit status $?"
 "$FIVECHECK" -q --stock-out=slot.nc -s first.xml m.xml slot.nc
 echo "exit status $?"
+cat >jobs.xml <<'XML'
+<jobs version="1">
+  <job name="one" machine="m.xml" setup="first.xml"><program file="slot.nc"/><program file="rapid.nc"/></job>
+</jobs>
+XML
+"$FIVECHECK" -q --stock-out=none.stl jobs.xml
+echo "exit status $?"
 ls none.stl 2>&1 | grep -c '^none'
 "$FIVECHECK" -q --stock-out=missing/rest.stl -s first.xml m.xml slot.nc
 echo "exit status $?"
+
+echo '== --sensitivity tries other cuts, but they are not those of the program'
+"$FIVECHECK" -q --stock-out=again.stl --sensitivity 0,0,1,0 -s first.xml m.xml slot.nc | head -n 1
+cmp rest.stl again.stl
 
 echo '== the disk is full for the cuts of a long program: an error, and nothing is left behind'
 awk 'BEGIN { for (i = 0; i < 300000; i++) printf "G1 X%.3f Y%.3f Z%.3f\n", 15 * sin(i), 10 * cos(i), 9 + sin(i * i) }' >cuts

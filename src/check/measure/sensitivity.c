@@ -383,6 +383,8 @@ size_t sensitivity_run(const struct sensitivity_study *study, const struct check
 	}
 	search.options.all = search.options.block_clearances = search.options.times = false;
 	search.options.record = &search.path;
+	/* The remaining stock is that of the program without a change. */
+	search.options.remainder = NULL;
 	search.proven = mem_zalloc(pair_count, sizeof(*search.proven));
 	proven = mem_zalloc(pair_count, sizeof(*proven));
 	probe = run(&search, 0, largest_of(study->range));
