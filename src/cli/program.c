@@ -233,7 +233,7 @@ static void report(struct program *program, const struct verdict *verdict, const
 	const struct report_program about = {
 	    .name = program->name,
 	    .verdict = verdict,
-	    .unread = "the program could not be opened",
+	    .unread = program->stream ? "the program cannot be read twice" : "the program could not be opened",
 	    .proven = proven,
 	    .sensitivity = program->sensitivity,
 	    .sensitivity_count = program->sensitivity_count,
@@ -418,9 +418,11 @@ void program_check(const struct program_context *context, const char *path, stru
 		program.recorder = &recorder;
 	}
 	opened = program_open(&file, path, &output->diag);
-	if (opened && find_start(&program, &file, &start)) {
+	if (opened) {
 		program.name = file.name;
 		program.stream = file.stream;
+	}
+	if (opened && find_start(&program, &file, &start)) {
 		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
 			program.size = status.st_size;
 		run(&program, &file, path, start);

@@ -80,7 +80,7 @@ static bool can_write(const char *path, struct diag *diag)
 	struct output out;
 
 	/* A pipe may be opened only once. */
-	if (!path || (!stat(path, &status) && !S_ISREG(status.st_mode)))
+	if (!path || (!stat(path, &status) && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
 		return true;
 	if (!output_open(&out, path, diag))
 		return false;
