@@ -25,7 +25,6 @@ static const struct subcommand subcommand = {
 	.option_count = MERGE_OPTION_COUNT,
 };
 
-/* The file gets its name only when it is complete, so it may be one of the inputs. */
 static enum run_status merge(const struct request *request, const struct operands *files, struct diag *diag)
 {
 	struct strbuf text = {0};

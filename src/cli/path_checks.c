@@ -83,6 +83,11 @@ static bool spares_results(const struct options *options, const struct written *
 	return false;
 }
 
+bool path_checks_differ(const char *option, const char *path, const char *input, struct diag *diag)
+{
+	return !path || is_free(&(struct written){option, path}, input, diag);
+}
+
 bool path_checks_outputs(const struct options *options, struct diag *diag)
 {
 	struct written list[OUTPUT_OPTIONS];

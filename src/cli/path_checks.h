@@ -24,6 +24,9 @@ bool path_checks_outputs(const struct options *options, struct diag *diag);
 bool path_checks_derived(const struct options *options, const char *option, const char *path,
 			 const struct report_file *files, size_t file_count, struct diag *diag);
 
+/* False, reported: the file of the option, which may be NULL, is this input file. */
+bool path_checks_differ(const char *option, const char *path, const char *input, struct diag *diag);
+
 /* False, reported: an output is a mesh of the machine or of the setup, which may be NULL. */
 bool path_checks_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);

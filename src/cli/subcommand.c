@@ -5,6 +5,7 @@
 #include "base/mem.h"
 #include "cli/argv_parser.h"
 #include "cli/option_value.h"
+#include "cli/path_checks.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -45,6 +46,24 @@ static enum run_status print_help(const struct subcommand *subcommand, struct di
 	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
+/* An operand is a file that is read. False: reported. */
+static bool spares_operands(const struct subcommand *subcommand, const void *request, const struct operands *operands,
+			    struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < subcommand->option_count; i++) {
+		const struct option_row *row = &subcommand->options[i];
+
+		if (row->kind != VALUE_OUTPUT)
+			continue;
+		for (size_t k = 0; good && k < operands->count; k++)
+			good = path_checks_differ(row->name, *(const char *const *)((const char *)request + row->field),
+						  operands->items[k], diag);
+	}
+	return good;
+}
+
 bool subcommand_read(const struct subcommand *subcommand, void *request, struct operands *operands, int argc,
 		     char **argv, struct diag *diag, enum run_status *status)
 {
@@ -56,6 +75,8 @@ bool subcommand_read(const struct subcommand *subcommand, void *request, struct 
 		*status = subcommand_refuse(subcommand, diag);
 	else if (reading.help)
 		*status = print_help(subcommand, diag);
+	else if (!spares_operands(subcommand, request, operands, diag))
+		*status = RUN_INCOMPLETE;
 	else
 		return true;
 	return false;

@@ -1,8 +1,11 @@
 #include "cli/scan/scan.h"
 
+#include <string.h>
+#include <sys/stat.h>
 
 #include "base/open_file.h"
 #include "cli/dialect_choice.h"
+#include "cli/path_checks.h"
 #include "cli/scan/scan_codes.h"
 #include "cli/scan/scan_questions.h"
 #include "cli/scan/scan_setup.h"
@@ -57,25 +60,50 @@ struct scan {
 	struct scan_questions *questions;
 	struct scan_setup setup;
 	size_t read;	/* programs that can be read to their ends */
+	const char *output;	/* or NULL */
+	bool overwrites;	/* the output is a subprogram, which was reported */
+	struct diag *diag;
 };
 
-/* False, reported: the program could not be opened, or cannot be read to its end. */
-static bool scan_program(struct scan *scan, const char *name, struct diag *diag)
+/* Is the file of a subprogram that of --output? */
+static void on_opened(void *context, const char *path)
 {
-	FILE *in = open_file(name, diag);
+	struct scan *scan = context;
+
+	scan->overwrites = scan->overwrites || !path_checks_differ("output", scan->output, path, scan->diag);
+}
+
+/* A program is read several times. False, reported: it is a pipe or standard input. */
+static bool can_repeat(const char *name, struct diag *diag)
+{
+	const bool standard = !strcmp(name, "-");
+	struct stat status;
+
+	if (!standard && (stat(name, &status) || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)))
+		return true;
+	diag_error(diag, nowhere,
+		   "scan reads a program several times, but %s cannot be read twice: give a regular file",
+		   standard ? "standard input" : name);
+	return false;
+}
+
+/* False, reported: the program could not be opened, or cannot be read to its end. */
+static bool scan_program(struct scan *scan, const char *name)
+{
+	FILE *in = open_file(name, scan->diag);
 	bool good;
 
 	if (!in)
 		return false;
 	scan_codes_read(&scan->codes, in);
-	good = scan_questions_read(scan->questions, in, name, diag);
+	good = scan_questions_read(scan->questions, in, name, scan->diag);
 	scan->read += good;
 	scan_setup_read(&scan->setup, scan_questions_config(scan->questions), in, name);
 	fclose(in);
 	return good;
 }
 
-static bool write_all(struct scan *scan, size_t programs, const char *path, struct diag *diag)
+static bool write_all(struct scan *scan, size_t programs)
 {
 	struct strbuf text = {0};
 	struct output out;
@@ -90,10 +118,10 @@ static bool write_all(struct scan *scan, size_t programs, const char *path, stru
 		    "\n%zu of %zu %s can be read to the end in the %s dialect, with these answers\n",
 		    scan->read, programs, format_units_noun(programs, "program", "programs"),
 		    scan->codes.dialect->name);
-	good = output_open(&out, path, diag);
+	good = output_open(&out, scan->output, scan->diag);
 	if (good) {
 		output_text(&out, &text);
-		good = output_commit(&out, diag);
+		good = output_commit(&out, scan->diag);
 	}
 	strbuf_release(&text);
 	return good;
@@ -101,17 +129,20 @@ static bool write_all(struct scan *scan, size_t programs, const char *path, stru
 
 static bool scan_all(const struct request *request, const struct operands *programs, struct diag *diag)
 {
-	struct scan scan = {.read = 0};
+	struct scan scan = {.output = request->output, .diag = diag};
+	const struct file_opened opened = {&scan, on_opened};
 	const struct dialect *dialect;
 	bool good = true;
 
-	if (!find_dialect(request, programs, diag, &dialect))
+	for (size_t i = 0; i < programs->count; i++)
+		good = good && can_repeat(programs->items[i], diag);
+	if (!good || !find_dialect(request, programs, diag, &dialect))
 		return false;
 	scan.codes.dialect = dialect;
-	scan.questions = scan_questions_new(dialect, request->max_blocks);
+	scan.questions = scan_questions_new(dialect, request->max_blocks, &opened);
 	for (size_t i = 0; i < programs->count; i++)
-		good = scan_program(&scan, programs->items[i], diag) && good;
-	good = write_all(&scan, programs->count, request->output, diag) && good;
+		good = scan_program(&scan, programs->items[i]) && good;
+	good = !scan.overwrites && write_all(&scan, programs->count) && good;
 	scan_questions_free(scan.questions);
 	scan_setup_release(&scan.setup);
 	scan_codes_release(&scan.codes);

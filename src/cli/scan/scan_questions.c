@@ -76,12 +76,14 @@ static void fill_tables(struct scan_questions *questions)
 	config->work_offset_count = OFFSETS;
 }
 
-struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks)
+struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks,
+					  const struct file_opened *opened)
 {
 	struct scan_questions *questions = mem_zalloc(1, sizeof(*questions));
 
 	questions->config.dialect = dialect;
 	questions->config.read.max_blocks = max_blocks ? max_blocks : BLOCKS_MAX;
+	questions->config.read.opened = opened;
 	questions->config.controller.mcodes = questions->mcodes;
 	questions->config.controller.macros = questions->macros;
 	questions->config.controller.variables = questions->variables;

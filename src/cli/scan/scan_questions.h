@@ -6,14 +6,19 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "base/callbacks.h"
 #include "base/diag.h"
 #include "base/strbuf.h"
 #include "gcode/dialect.h"
 
 struct scan_questions;
 
-/* max_blocks: of loops and subprograms, as in read_options.h; 0: a number that takes a few seconds. */
-struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks);
+/*
+ * max_blocks: of loops and subprograms, as in read_options.h; 0: a number that takes a few seconds. `opened` is
+ * borrowed, and called for each file of a subprogram, also repeatedly.
+ */
+struct scan_questions *scan_questions_new(const struct dialect *dialect, int max_blocks,
+					  const struct file_opened *opened);
 void scan_questions_free(struct scan_questions *questions);
 
 /*
