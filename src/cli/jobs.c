@@ -2,9 +2,11 @@
 
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "base/arena.h"
 #include "base/strbuf.h"
+#include "cli/path_checks.h"
 #include "cli/report_paths.h"
 #include "cli/run.h"
 #include "machine/job_list.h"
@@ -153,16 +155,53 @@ static const char *name_for(struct arena *arena, const char *name, const char *j
 	return kept;
 }
 
+/* Gives the output files in the options the name of the job. */
+static void name_outputs(struct options *one, const struct job_item *job, struct arena *arena)
+{
+	struct output_option outputs[OUTPUT_OPTIONS];
+
+	options_list_outputs(one, outputs);
+	for (int i = 0; i < OUTPUT_OPTIONS; i++)
+		*outputs[i].path = name_for(arena, *outputs[i].path, job->name);
+}
+
+/* No output of the job may be a file of any job. False: reported. */
+static bool spares_jobs(const struct options *options, const struct job_list *list, const struct job_item *job,
+			struct diag *diag)
+{
+	struct options one = *options;
+	struct output_option outputs[OUTPUT_OPTIONS];
+	struct arena arena = {0};
+	bool good = true;
+
+	name_outputs(&one, job, &arena);
+	options_list_outputs(&one, outputs);
+	for (int i = 0; good && i < OUTPUT_OPTIONS; i++) {
+		const char *path = *outputs[i].path;
+
+		/* A file that does not exist is no input. */
+		if (!path || access(path, F_OK))
+			continue;
+		good = path_checks_differ(outputs[i].option, path, list->path, diag);
+		for (const struct job_item *it = list->items; good && it < list->items + list->count; it++) {
+			good = path_checks_differ(outputs[i].option, path, it->machine, diag) &&
+			       path_checks_differ(outputs[i].option, path, it->setup, diag) &&
+			       path_checks_differ(outputs[i].option, path, it->waivers, diag);
+			for (size_t k = 0; good && k < it->program_count; k++)
+				good = path_checks_differ(outputs[i].option, path, it->programs[k], diag);
+		}
+	}
+	arena_release(&arena);
+	return good;
+}
+
 static enum run_status run_job(const struct options *options, const struct job_item *job, struct stderr_ui *ui)
 {
 	struct options one = *options;
 	struct arena arena = {0};
-	struct output_option outputs[OUTPUT_OPTIONS];
 	enum run_status status;
 
-	options_list_outputs(&one, outputs);
-	for (int i = 0; i < OUTPUT_OPTIONS; i++)
-		*outputs[i].path = name_for(&arena, *outputs[i].path, job->name);
+	name_outputs(&one, job, &arena);
 	one.record = one.record ? one.formats[FORMAT_RECORD].path : NULL;
 	one.job_file = options->machine;
 	one.machine = job->machine;
@@ -188,6 +227,8 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 	good = check_stock_out(options, &list, &ui->diag) &&
 	       (list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
 				    check_reports(options, &list, &ui->diag)));
+	for (size_t i = 0; good && i < list.count; i++)
+		good = spares_jobs(options, &list, &list.items[i], &ui->diag);
 	for (size_t i = 0; good && i < list.count; i++) {
 		enum run_status one = run_job(options, &list.items[i], ui);
 

@@ -88,6 +88,29 @@ bool path_checks_differ(const char *option, const char *path, const char *input,
 	return !path || is_free(&(struct written){option, path}, input, diag);
 }
 
+/* Does an input of the command line come from standard input? */
+static bool reads_standard_input(const struct options *options)
+{
+	bool reads = options->files_from && !strcmp(options->files_from, "-");
+
+	for (size_t i = 0; i < options->program_count; i++)
+		reads = reads || !strcmp(options->programs[i], "-");
+	return reads;
+}
+
+/* The shell may have redirected standard input from the file. */
+static bool spares_standard_input(const struct options *options, const struct written *written, struct diag *diag)
+{
+	struct stat input, status;
+
+	if (!reads_standard_input(options) || fstat(STDIN_FILENO, &input) || !S_ISREG(input.st_mode) ||
+	    stat(written->path, &status) || status.st_dev != input.st_dev || status.st_ino != input.st_ino)
+		return true;
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, which is standard input", written->option,
+		   written->path);
+	return false;
+}
+
 bool path_checks_outputs(const struct options *options, struct diag *diag)
 {
 	struct written list[OUTPUT_OPTIONS];
@@ -96,7 +119,8 @@ bool path_checks_outputs(const struct options *options, struct diag *diag)
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
 		    !is_free(&list[i], options->waivers, diag) ||
-		    !is_free(&list[i], options->files_from, diag) || !spares_results(options, &list[i], diag))
+		    !is_free(&list[i], options->files_from, diag) || !spares_results(options, &list[i], diag) ||
+		    !spares_standard_input(options, &list[i], diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
 			if (!is_free(&list[i], options->programs[k], diag))

@@ -277,10 +277,11 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	return status;
 }
 
-static enum run_status run_dump(const struct job *job, const struct options *options, struct diag *diag,
-				struct output *out)
+/* Adds the files of subprograms to the inputs. */
+static enum run_status run_dump(const struct job *job, const struct options *options, struct input_files *inputs,
+				struct diag *diag, struct output *out)
 {
-	const struct motion_options motion = {
+	struct motion_options motion = {
 		.flatness = options->check.tolerance,
 		.read = options->check.read,
 	};
@@ -289,6 +290,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 
 	if (!program_open(&file, options->programs[0], diag))
 		return RUN_INCOMPLETE;
+	motion.read.opened = &inputs->opened;
 	good = dump_path(out, job->model->machine, job->model->setup, &motion, file.stream, file.name, diag);
 	good = program_close(&file, diag) && good;
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
@@ -356,14 +358,14 @@ static enum run_status run_depends(const struct job *job, const struct options *
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag,
-				struct output *out)
+static enum run_status run_mode(const struct job *job, const struct options *options, struct input_files *inputs,
+				struct diag *diag, struct output *out)
 {
 	const bool as_json = options->formats[FORMAT_JSON].wanted;
 
 	switch (options->mode) {
 	case RUN_DUMP_PATH:
-		return run_dump(job, options, diag, out);
+		return run_dump(job, options, inputs, diag, out);
 	case RUN_LIST_PAIRS:
 		return run_pairs(job, as_json, out);
 	case RUN_CHECK_MACHINE:
@@ -380,21 +382,34 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 	return RUN_INTERNAL;
 }
 
+/* Adds the files that were read so far to the inputs. False, reported: an output is one of them. */
+static bool spares_inputs(const struct job *job, const struct options *options, struct input_files *inputs,
+			  struct diag *diag)
+{
+	input_files_add_files(inputs, options, job->model->machine, job->model->setup, true);
+	return path_checks_inputs(options, inputs, diag);
+}
+
 /* Writes one table: the path, the pairs or the machine. An incomplete table does not replace the file. */
 static enum run_status run_table(struct job *job, const struct options *options, struct diag *diag)
 {
 	enum run_status status = RUN_INCOMPLETE;
 	struct output out = {0};
+	struct input_files inputs;
 
+	input_files_init(&inputs);
 	if (output_open(&out, options->output, diag) && job_read(job, options, diag) &&
-	    job_prepare(job, options, diag) &&
-	    path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
-		status = run_mode(job, options, diag, &out);
+	    job_prepare(job, options, diag) && spares_inputs(job, options, &inputs, diag)) {
+		status = run_mode(job, options, &inputs, diag, &out);
+		/* Only now the files of subprograms are known. */
+		if (!path_checks_inputs(options, &inputs, diag))
+			status = RUN_INCOMPLETE;
 		/* Standard output already has the text, and a failed write must be reported. */
 		if ((!options->output || out.error || status < RUN_INCOMPLETE) && !output_commit(&out, diag))
 			status = worst(status, RUN_INCOMPLETE);
 	}
 	output_discard(&out);
+	input_files_release(&inputs);
 	return status;
 }
 

@@ -49,3 +49,35 @@ done
 cmp sub.ngc sub-p.ngc
 status fivecheck -q --report=again.html m.xml p.ngc
 status fivecheck -q --report=again.html m.xml p.ngc
+# A table does not replace a tool library or a subprogram either, nor a result the file that is standard input.
+printf 'number,name,type,length,diameter\n1,a,flat,50,10\n' >tools.csv
+echo '<tools href="tools.csv"/>' | setup tools.xml
+mkdir before
+cp tools.csv sub.ngc a.nc before
+for mode in --list-pairs --check-machine --depends; do
+	status fivecheck -q $mode -o tools.csv -s tools.xml m.xml
+done
+status fivecheck -q --dump-path -o tools.csv -s tools.xml m.xml a.nc
+status fivecheck -q --dump-path -o sub.ngc m.xml p.ngc
+status fivecheck -q -o a.nc m.xml - <a.nc
+status fivecheck -q --dump-path -o a.nc m.xml - <a.nc
+echo a.nc >list
+status fivecheck -q -o list m.xml --files-from - <list
+cat list
+# The files of a job are protected from the other jobs, before any of them is checked.
+cat >op.xml <<'XML'
+<jobs version="1">
+  <job name="op" machine="m.xml"><program file="p.ngc"/></job>
+  <job name="m2" machine="m.xml" setup="s.xml"><program file="a.nc"/></job>
+</jobs>
+XML
+sed 's/"m.xml" setup/"m2.xml" setup/; s/name="m2"/name="b"/; s/name="op"/name="m2"/' op.xml >jobs.xml
+cp m.xml m2.xml
+cp op.xml m2.xml before
+status fivecheck -q -f junit=%.xml op.xml
+status fivecheck -q -f junit=%.xml jobs.xml
+sed "s/name=\"b\"/name=\"a\"/" jobs.xml >again.xml
+status fivecheck -q -f text=%.nc again.xml
+for file in before/*; do
+	cmp "$file" "${file#before/}"
+done
