@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/arena.h"
+#include "base/path_sandbox.h"
 #include "base/strbuf.h"
 #include "cli/path_checks.h"
 #include "cli/report_paths.h"
@@ -67,6 +68,33 @@ static bool check_names(const struct options *options, struct diag *diag)
 	options_list_outputs(&copy, outputs);
 	for (int i = 0; i < OUTPUT_OPTIONS; i++)
 		good = check_name(*outputs[i].path, outputs[i].option, diag) && good;
+	return good;
+}
+
+/* False, reported: a file of the job is outside --input-root. */
+static bool is_inside(const char *root, const char *kind, const char *path, struct srcloc at, struct diag *diag)
+{
+	if (!path || path_sandbox_holds(root, path))
+		return true;
+	diag_error(diag, at, "the %s %s is outside the input root %s, or a symbolic link leads outside", kind, path, root);
+	return false;
+}
+
+/* The job file is trusted, as it is named on the command line; the files that it names must be inside --input-root. */
+static bool check_root(const struct options *options, const struct job_list *list, struct diag *diag)
+{
+	const char *root = options->check.read.input_root;
+	bool good = path_checks_root(options, diag);
+
+	for (const struct job_item *job = list->items; good && root && job < list->items + list->count; job++) {
+		const struct srcloc at = {.file = list->path, .line = job->line};
+
+		good = is_inside(root, "machine file", job->machine, at, diag) &&
+		       is_inside(root, "setup", job->setup, at, diag) &&
+		       is_inside(root, "waivers file", job->waivers, at, diag);
+		for (size_t i = 0; good && i < job->program_count; i++)
+			good = is_inside(root, "program", job->programs[i], at, diag);
+	}
 	return good;
 }
 
@@ -224,7 +252,7 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 
 	if (!check_options(options, &ui->diag) || !job_list_load(&list, options->machine, &ui->diag))
 		return RUN_INCOMPLETE;
-	good = check_stock_out(options, &list, &ui->diag) &&
+	good = check_root(options, &list, &ui->diag) && check_stock_out(options, &list, &ui->diag) &&
 	       (list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
 				    check_reports(options, &list, &ui->diag)));
 	for (size_t i = 0; good && i < list.count; i++)

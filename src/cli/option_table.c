@@ -133,7 +133,7 @@ const struct option_row option_table[OPTION_COUNT] = {
     {KEY_INCLUDE, "include", "DIR", WITH_PROGRAM, LIST(includes),
      .help = "look for subprograms in DIR after the folder of the program; may be given several times"},
     {KEY_INPUT_ROOT, "input-root", "DIR", ANYWHERE, TEXT(check.read.input_root),
-     .help = "refuse meshes and subprograms outside DIR"},
+     .help = "refuse meshes, subprograms and other files that files name, outside DIR"},
     {KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.read.max_blocks), .least = 1,
      .greatest = 2e9, .help = "give up after N blocks in loops and subprograms (100000000)"},
     {KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),

@@ -59,3 +59,22 @@ printf '%%\nO7\nG21 G90 G0 X1.\nM99\n%%\n' >lib/O7.nc
 status fivecheck -q --dialect fanuc --input-root in --include lib in/m.xml in/f.nc
 status fivecheck -q --dialect fanuc --include lib in/m.xml in/f.nc
 status fivecheck -q --input-root nowhere in/m.xml a.nc
+# A job file is trusted, the files that it names are not.
+cp a.nc in
+echo 'a secret line' >out/secret.nc
+cat >in/jobs.xml <<'XML'
+<jobs version="1">
+  <job name="a" machine="m.xml"><program file="a.nc"/></job>
+  <job name="b" machine="m.xml"><program file="a.nc"/></job>
+</jobs>
+XML
+status fivecheck -q --input-root in in/jobs.xml
+for change in '3s,a.nc,../out/secret.nc,' '3s,m.xml,../m.xml,' '3s,m.xml",m.xml" setup="../out/secret.nc",' \
+	'3s,m.xml",m.xml" waivers="../out/secret.nc",'; do
+	sed "$change" in/jobs.xml >in/bad.xml
+	status fivecheck -q --input-root in in/bad.xml
+	status fivecheck -q --input-root in --depends in/bad.xml
+done
+# In a job file - is a file name.
+sed 's/a\.nc/-/' in/jobs.xml >in/minus.xml
+(cd in && echo 'G0 X300' | status fivecheck -q minus.xml)

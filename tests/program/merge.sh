@@ -129,3 +129,12 @@ fivecheck merge --help | head -n 1
 status fivecheck merge -o s1.json s1.json 2>&1
 # A whole run.
 status fivecheck merge whole.json whole.json 2>&1
+# With --fail-on=warning a clear program fails the run: the summary is that of the whole run.
+printf 'G21 G61 G0 X1 X2\n' >w1.nc
+printf 'G21 G61 G0 X2\n' >w2.nc
+fivecheck -q --duplicates=last --fail-on=warning -f ndjson=whole.json m.xml w1.nc w2.nc 2>/dev/null
+for k in 1 2; do
+	fivecheck -q --duplicates=last --fail-on=warning --shard $k/2 -f ndjson=s$k.json m.xml w1.nc w2.nc 2>/dev/null
+done
+status fivecheck merge s1.json s2.json | tail -n 2
+tail -n 1 whole.json

@@ -43,9 +43,12 @@ struct reading {
 static void read_program(struct xml_reader *xml, const xmlNode *node, void *context)
 {
 	const struct reading *r = context;
+	const char *path;
 
 	xml_require(xml, node, "file", NULL);
-	r->job->programs[r->job->program_count++] = body_xml_path(xml, node, "file", &r->list->arena);
+	path = body_xml_path(xml, node, "file", &r->list->arena);
+	/* Only the command line can name standard input. */
+	r->job->programs[r->job->program_count++] = path && !strcmp(path, "-") ? "./-" : path;
 	xml_read_nothing(xml, node);
 }
 
