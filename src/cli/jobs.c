@@ -76,7 +76,8 @@ static bool is_inside(const char *root, const char *kind, const char *path, stru
 {
 	if (!path || path_sandbox_holds(root, path))
 		return true;
-	diag_error(diag, at, "the %s %s is outside the input root %s, or a symbolic link leads outside", kind, path, root);
+	diag_error(diag, at, "the %s %s is outside the input root %s, or a symbolic link leads outside", kind, path,
+		   root);
 	return false;
 }
 
