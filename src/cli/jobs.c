@@ -1,10 +1,12 @@
 #include "cli/jobs.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include "base/arena.h"
+#include "base/mem.h"
 #include "base/path_sandbox.h"
 #include "base/strbuf.h"
 #include "cli/path_checks.h"
@@ -194,33 +196,70 @@ static void name_outputs(struct options *one, const struct job_item *job, struct
 		*outputs[i].path = name_for(arena, *outputs[i].path, job->name);
 }
 
-/* No output of the job may be a file of any job. False: reported. */
-static bool spares_jobs(const struct options *options, const struct job_list *list, const struct job_item *job,
-			struct diag *diag)
+/* The regular files that the jobs read, and the job file; missing files are left out. */
+struct job_inputs {
+	struct {
+		const char *path;
+		dev_t device;
+		ino_t inode;
+	} *items;	/* owned */
+	size_t count, capacity;
+};
+
+static void add_input(struct job_inputs *inputs, const char *path)
 {
-	struct options one = *options;
-	struct output_option outputs[OUTPUT_OPTIONS];
-	struct arena arena = {0};
+	struct stat status;
+
+	if (!path || stat(path, &status) || !S_ISREG(status.st_mode))
+		return;
+	inputs->items = mem_grow(inputs->items, &inputs->capacity, inputs->count + 1, sizeof(*inputs->items));
+	inputs->items[inputs->count].path = path;
+	inputs->items[inputs->count].device = status.st_dev;
+	inputs->items[inputs->count++].inode = status.st_ino;
+}
+
+/* Is the file none of the inputs? False: reported. */
+static bool spares_inputs(const struct job_inputs *inputs, const struct output_option *output, struct diag *diag)
+{
+	struct stat status;
+
+	if (!*output->path || stat(*output->path, &status))
+		return true;
+	for (size_t i = 0; i < inputs->count; i++) {
+		if (inputs->items[i].device != status.st_dev || inputs->items[i].inode != status.st_ino)
+			continue;
+		diag_error(diag, nowhere, "--%s would overwrite %s", output->option, inputs->items[i].path);
+		return false;
+	}
+	return true;
+}
+
+/* No output of a job may be a file of any job. False: reported. */
+static bool check_inputs(const struct options *options, const struct job_list *list, struct diag *diag)
+{
+	struct job_inputs inputs = {0};
 	bool good = true;
 
-	name_outputs(&one, job, &arena);
-	options_list_outputs(&one, outputs);
-	for (int i = 0; good && i < OUTPUT_OPTIONS; i++) {
-		const char *path = *outputs[i].path;
-
-		/* A file that does not exist is no input. */
-		if (!path || access(path, F_OK))
-			continue;
-		good = path_checks_differ(outputs[i].option, path, list->path, diag);
-		for (const struct job_item *it = list->items; good && it < list->items + list->count; it++) {
-			good = path_checks_differ(outputs[i].option, path, it->machine, diag) &&
-			       path_checks_differ(outputs[i].option, path, it->setup, diag) &&
-			       path_checks_differ(outputs[i].option, path, it->waivers, diag);
-			for (size_t k = 0; good && k < it->program_count; k++)
-				good = path_checks_differ(outputs[i].option, path, it->programs[k], diag);
-		}
+	add_input(&inputs, list->path);
+	for (const struct job_item *job = list->items; job < list->items + list->count; job++) {
+		add_input(&inputs, job->machine);
+		add_input(&inputs, job->setup);
+		add_input(&inputs, job->waivers);
+		for (size_t i = 0; i < job->program_count; i++)
+			add_input(&inputs, job->programs[i]);
 	}
-	arena_release(&arena);
+	for (const struct job_item *job = list->items; good && job < list->items + list->count; job++) {
+		struct options one = *options;
+		struct output_option outputs[OUTPUT_OPTIONS];
+		struct arena arena = {0};
+
+		name_outputs(&one, job, &arena);
+		options_list_outputs(&one, outputs);
+		for (int i = 0; good && i < OUTPUT_OPTIONS; i++)
+			good = spares_inputs(&inputs, &outputs[i], diag);
+		arena_release(&arena);
+	}
+	free(inputs.items);
 	return good;
 }
 
@@ -255,9 +294,8 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 		return RUN_INCOMPLETE;
 	good = check_root(options, &list, &ui->diag) && check_stock_out(options, &list, &ui->diag) &&
 	       (list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
-				    check_reports(options, &list, &ui->diag)));
-	for (size_t i = 0; good && i < list.count; i++)
-		good = spares_jobs(options, &list, &list.items[i], &ui->diag);
+				    check_reports(options, &list, &ui->diag))) &&
+	       check_inputs(options, &list, &ui->diag);
 	for (size_t i = 0; good && i < list.count; i++) {
 		enum run_status one = run_job(options, &list.items[i], ui);
 
