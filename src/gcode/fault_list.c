@@ -1,6 +1,5 @@
 #include "gcode/fault_list.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,17 +18,21 @@ static void handle(void *context, const struct diag_entry *entry)
 {
 	struct fault_list *list = context;
 
-	if (entry->severity != DIAG_ERROR) {
-		if (!list->beyond)
-			diag_pass(list->to, entry);
-	} else if (is_told(list, entry->text)) {
-		list->again++;
-	} else if (list->count == FAULT_LIST_MAX) {
-		list->beyond++;
-	} else {
-		list->texts[list->count++] = mem_strndup(entry->text, strlen(entry->text));
-		diag_pass(list->to, entry);
+	if (entry->severity != DIAG_NOTE)
+		list->left_out = list->beyond;
+	if (entry->severity == DIAG_ERROR) {
+		list->left_out = true;
+		if (is_told(list, entry->text)) {
+			list->again++;
+		} else if (list->count == FAULT_LIST_MAX) {
+			list->beyond++;
+		} else {
+			list->texts[list->count++] = mem_strndup(entry->text, strlen(entry->text));
+			list->left_out = false;
+		}
 	}
+	if (!list->left_out)
+		diag_pass(list->to, entry);
 }
 
 void fault_list_init(struct fault_list *list, struct diag *to)

@@ -2,6 +2,9 @@
 #ifndef FIVECHECK_GCODE_FAULT_LIST_H
 #define FIVECHECK_GCODE_FAULT_LIST_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "base/diag.h"
 
 /* The errors that are reported; further ones are only counted. */
@@ -13,6 +16,7 @@ struct fault_list {
 	char *texts[FAULT_LIST_MAX];	/* owned */
 	size_t count;	/* reported */
 	size_t again, beyond;	/* left out: the same messages at other places, and errors beyond the limit */
+	bool left_out;	/* the last error was left out, and so are the notes that belong to it */
 };
 
 void fault_list_init(struct fault_list *list, struct diag *to);

@@ -14,6 +14,9 @@ fivecheck -q --parse-only -a m.xml many.nc 2>&1 | grep -c 'error: '
 fivecheck --parse-only -a m.xml many.nc 2>&1 | grep 'note:'
 printf 'G21 G90\n#1=0\nWHILE [#1 LT 5] DO1\n#1=#1+1\nM31\nEND1\nM30\n' >loop.nc
 status fivecheck --parse-only -a m.xml loop.nc 2>&1
+# An error of a subprogram that is called three times: the calls that led into it are named once, too.
+printf 'O1 G21 G90\nM98 P2 L2\nM98 P2\nM30\nO2\nM31\nM99\n' >calls.nc
+status fivecheck -q --parse-only -a m.xml calls.nc 2>&1
 # Because of the error the loop never ends.
 printf 'G21 G90\nN10 #1=SQRT[-1]\nGOTO 10\nM30\n' >endless.nc
 status fivecheck --parse-only -a m.xml endless.nc 2>&1
