@@ -372,6 +372,9 @@ static const struct klartext_fault faults[] = {
 	{"FN 9: IF Q1 IS UNDEFINED GOTO LBL 1\nLBL 1\n",
 	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one; if the control holds one from "
 	 "before, set <variable name=\"Q1\" value=\"\"/> in the machine file's <controller>"},
+	{"FN 9: IF +Q1 IS UNDEFINED GOTO LBL 1\nLBL 1\n",
+	 "p.nc:2:11: error: Q1 has no value: the program has not assigned one; if the control holds one from "
+	 "before, set <variable name=\"Q1\" value=\"\"/> in the machine file's <controller>"},
 	{"Q1=5\nFN 9: IF Q1 IS GOTO LBL 1\nLBL 1\n",
 	 "p.nc:3:16: error: IS needs DEFINED or UNDEFINED"},
 	{"FN 0: Q1 SET 5\n",

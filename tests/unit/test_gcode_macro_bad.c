@@ -66,8 +66,8 @@ static const struct {
 	 "p.nc:1:4: error: #100 keeps its value from earlier programs, and this program has not set it: set <variable "
 	 "name=\"#100\" value=\"\"/> in the machine file's <controller>\n    #1=#100\n       ^\n"},
 	{F, "#1=#10100\n",
-	 "p.nc:1:4: error: #10100 is an unknown system variable; if it stays the same while the program runs: set "
-	 "<variable name=\"#10100\" value=\"\"/> in the machine file's <controller>\n    #1=#10100\n       ^\n"},
+	 "p.nc:1:4: error: #10100 is a tool offset of the control's table: set <variable name=\"#10100\" value=\"\"/> in "
+	 "the machine file's <controller>\n    #1=#10100\n       ^\n"},
 	{F, "#1=LN[0]\n", "p.nc:1:4: error: LN of 0: the value must be greater than 0\n    #1=LN[0]\n       ^\n"},
 	{F, "G54 M98 P48\nO48\nM99\n",
 	 "p.nc:1:9: error: P can belong to G54 or to M98, and it is not known to which; write two blocks\n    G54 M98 "
@@ -180,8 +180,8 @@ static const struct {
 	{BOTH, "#1=#5061\n",
 	 "p.nc:1:4: error: #5061 (a probed position) is not known before the program runs\n    #1=#5061\n       ^\n"},
 	{BOTH, "#1=#2001\n",
-	 "p.nc:1:4: error: #2001 (a tool offset of the control's table) is not known before the program runs\n    "
-	 "#1=#2001\n       ^\n"},
+	 "p.nc:1:4: error: #2001 is a tool offset of the control's table: set <variable name=\"#2001\" value=\"\"/> in "
+	 "the machine file's <controller>\n    #1=#2001\n       ^\n"},
 	{BOTH, "#1=#5201\n",
 	 "p.nc:1:4: error: #5201 (an external work offset of the control, which is added to all work offsets) is not "
 	 "known before the program runs\n    #1=#5201\n       ^\n"},
@@ -274,10 +274,10 @@ static const struct {
 	 "p.nc:1:4: error: #5004: the machine builder decides which axis has number 4 in the control\n    #1=#5004\n   "
 	 "    ^\n"},
 	{BOTH, "#1=#4001\n",
-	 "p.nc:1:4: error: #4001, a modal code or word, cannot be read in this state of the program\n    #1=#4001\n    "
+	 "p.nc:1:4: error: #4001 is a modal code or word whose value is not known here\n    #1=#4001\n    "
 	 "   ^\n"},
 	{BOTH, "#1=#4111\n",
-	 "p.nc:1:4: error: #4111, a modal code or word, cannot be read in this state of the program\n    #1=#4111\n    "
+	 "p.nc:1:4: error: #4111 is a modal code or word whose value is not known here\n    #1=#4111\n    "
 	 "   ^\n"},
 	{F, "G43.4 H0\n#1=#5001\n",
 	 "p.nc:2:4: error: reading #5001 under tool centre point control is not supported\n    #1=#5001\n       ^\n"},

@@ -34,6 +34,10 @@ static const struct kept accepted[] = {
 	/* a value that the program assigns is valid from the assignment on */
 	{&dialect_fanuc, {VALUE("#500", 5)}, "G90 G21 G17\n#1=#500\n#500=9\nG0 X#1 Y#500\n", "5 9 0"},
 	{&dialect_fanuc, {VALUE("#1005", 1), VALUE("#8000", 3)}, "G90 G21 G17\nG0 X#1005 Y#8000\n", "1 3 0"},
+	/* the radius of tool 3 in the control's table of offsets */
+	{&dialect_fanuc, {VALUE("#2403", 4), VALUE("#13003", 4.5)}, "G90 G21 G17\n#1=3\nG0 X[10-#[2400+#1]] Y#13003\n",
+	 "6 4.5 0"},
+	{&dialect_haas, {VALUE("#2403", 4)}, "G90 G21 G17\n#1=3\nG0 X[10-#[2400+#1]]\n", "6 0 0"},
 	/* Sinumerik */
 	{&dialect_sinumerik, {VALUE("R5", 3), VALUE("R12", 4)}, "G500\nG0 X=R5 Y=R[R5*4]\n", "3 4 0"},
 	{&dialect_sinumerik, {{.name = "_POS", .typed = true, .dimensions = 2, .size = {3, 2}}, VALUE("_POS[2,1]", 6)},
@@ -77,6 +81,8 @@ static const struct kept accepted[] = {
 #define ASKS(name) "set <variable name=\"" name "\" value=\"\"/> in the machine file's <controller>"
 
 static const struct kept refused[] = {
+	{&dialect_fanuc, {VALUE("#2403", 4)}, "G90 G21 G17\nG10 L10 P3 R5.\nG0 X#2403\n",
+	 "#2403, a tool offset of the control's table, cannot be read here after G10 L10 to L13 has changed the table"},
 	/* a position that the program changes: the file must not give it */
 	{&dialect_fanuc, {VALUE("#5021", 1)}, "G90 G21 G17\nG0 X#5021\n",
 	 "#5021 (the position of the machine during read-ahead (#5001 has the programmed position)) is not known "

@@ -13,6 +13,12 @@ enum { WORK_STEP = 20, WORK_SLOTS = 6 };
 /* UI and UO of the interface. */
 enum { INPUT_FIRST = 1000, INPUT_LAST = 1199 };
 
+/*
+ * Lengths, radii or diameters and their wear: which of them a number is depends on the kind of the control's memory
+ * (Fanuc's A, B or C). B-63944EN: #10001 and on for tables of more than 200 lines.
+ */
+static const struct macro_b_range offset_table[] = {{2001, 2999, NULL}, {10001, 13999, NULL}};
+
 /* The number of a code that has no tenths. */
 static int whole_code(int code)
 {
@@ -21,7 +27,6 @@ static int whole_code(int code)
 
 /* Variables that only the machine knows, or that differ between machines. Controls may have more: macro_b_rules.h. */
 static const struct macro_b_range machine_only[] = {
-	{2001, 2999, "a tool offset of the control's table"},
 	{3000, 3000, "write-only"},
 	{3001, 3002, "a clock"},
 	{3003, 3008, "switches and settings of the control"},
@@ -34,20 +39,27 @@ static const struct macro_b_range machine_only[] = {
 	{5201, 5220, "an external work offset of the control, which is added to all work offsets"},
 };
 
-static const char *find_range(const struct macro_b_range *ranges, size_t count, int number)
+static const struct macro_b_range *find_range(const struct macro_b_range *ranges, size_t count, int number)
 {
 	for (size_t i = 0; i < count; i++) {
 		if (number >= ranges[i].first && number <= ranges[i].last)
-			return ranges[i].what;
+			return &ranges[i];
 	}
 	return NULL;
 }
 
 static const char *find_machine_only(const struct macro_b_rules *rules, int number)
 {
-	const char *what = find_range(machine_only, sizeof(machine_only) / sizeof(*machine_only), number);
+	const struct macro_b_range *range = find_range(machine_only, sizeof(machine_only) / sizeof(*machine_only), number);
 
-	return what ? what : find_range(rules->machine_only, rules->machine_only_count, number);
+	if (!range)
+		range = find_range(rules->machine_only, rules->machine_only_count, number);
+	return range ? range->what : NULL;
+}
+
+static bool is_tool_offset(int number)
+{
+	return find_range(offset_table, sizeof(offset_table) / sizeof(*offset_table), number) != NULL;
 }
 
 static double unit_of(const struct state *state, int slot)
@@ -59,7 +71,7 @@ static double unit_of(const struct state *state, int slot)
 
 static bool fault_not_followed(struct interp *interp, int number, int column)
 {
-	return fault(&interp->at, column, "#%d, a modal code or word, cannot be read in this state of the program",
+	return fault(&interp->at, column, "#%d is a modal code or word whose value is not known here",
 		     number);
 }
 
@@ -201,6 +213,17 @@ static bool check_untold(struct interp *interp, int number, int column)
 		     number);
 }
 
+/* The machine file gives the table as it is before the program starts: G10 changes it. */
+static bool read_tool_offset(struct interp *interp, int number, int column, double *value)
+{
+	if (interp->tools.wear_count > 0)
+		return fault(&interp->at, column,
+			     "#%d, a tool offset of the control's table, cannot be read here after G10 L10 to L13 has "
+			     "changed the table",
+			     number);
+	return macro_b_kept_read(interp, number, column, "is a tool offset of the control's table", value);
+}
+
 bool macro_b_system_read(struct interp *interp, int number, int column, double *value)
 {
 	const char *what = find_machine_only(macro_b_of(interp)->rules, number);
@@ -211,6 +234,8 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 					 "is the state of an input or output, which may change while the program runs; "
 					 "if it stays the same",
 					 value);
+	if (is_tool_offset(number))
+		return read_tool_offset(interp, number, column, value);
 	if (what)
 		return fault(&interp->at, column, "#%d (%s) is not known before the program runs", number,
 			     what);

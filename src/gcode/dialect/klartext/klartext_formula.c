@@ -243,14 +243,15 @@ static bool asks_definition(const struct lexer *before)
  */
 static bool read_definition(struct lexer *lexer, bool *holds)
 {
-	struct lexer value = *lexer;
 	const struct klartext_q *q;
+	struct lexer value;
 	bool undefined;
 	double unused;
 	int number;
 
 	if (lexer_peek(lexer) == '+')
 		lexer_take(lexer);
+	value = *lexer;
 	q = klartext_q_find(lexer, &number);
 	if (!q || (!q->given && !q->undefined && !klartext_q_read(&value, &unused)))
 		return false;
