@@ -14,9 +14,9 @@
 #define DIALECTS(ROW)                                                                                                  \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
 	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true, .has_length_axis = true,                 \
-	    .presets = presets_of_parameters)                                                                          \
+	    .reads_idle_blocks = true, .presets = presets_of_parameters)                                               \
 	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
-	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
+	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true, .reads_idle_blocks = true)             \
 	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                              \
 	    .unknown_path =                                                                                            \
 		"the control may leave the programmed path by an amount that is not known, and only that path "        \
@@ -43,6 +43,8 @@ struct dialect_row {
 	bool has_frames;
 	/* A parameter says along which axis G43 acts: tool_length_axis. */
 	bool has_length_axis;
+	/* A parameter says how many blocks without a move cutter compensation reads past: cutter_comp_idle_blocks. */
+	bool reads_idle_blocks;
 	/* Blocks may give the direction of the tool (G43.5): orientation_interpolation. */
 	bool has_tool_vectors;
 	/*

@@ -228,7 +228,7 @@ struct cutter_comp {
 	struct plane_point ahead;	/* unit vector: the direction of `waiting` at its end */
 	double across, idle_across;	/* mm perpendicular to the plane: of `waiting`, and of idle blocks after it */
 	int idle_blocks;	/* after `waiting`, without a move in the plane */
-	bool moved;	/* this block has moved in the plane */
+	bool moved;	/* this block has moved in the plane, or it is a call, which does not count */
 	double loose[3];	/* mm, X Y Z: after G40 without a move, how far aside an axis may still be */
 	bool keeps_loose;	/* the dialect resets `loose`; the words of a block do not */
 };

@@ -195,7 +195,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		      told->orientation_interpolation == ORIENTATION_INTERPOLATION_ORIWKS),
 		 "orientation_interpolation", NO_PARAMETER},
 		{told->rotation_order && !frames, "rotation_order", NO_PARAMETER},
-		{told->comp_idle_blocks && !frames, "cutter_comp_idle_blocks", NO_PARAMETER},
+		{told->comp_idle_blocks && !row->reads_idle_blocks, "cutter_comp_idle_blocks", NO_PARAMETER},
 		{told->edge_after_tool_change && !frames, "edge_after_tool_change", NO_PARAMETER},
 		{told->t_changes_tool && !frames, "t_changes_tool", NO_PARAMETER},
 		{told->mirror_toggle && !frames, "mirror_toggle", NO_PARAMETER},

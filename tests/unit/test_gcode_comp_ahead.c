@@ -267,7 +267,11 @@ static const struct {
 	{&dialect_fanuc, "F9 G41 D1\nG2 X5 R9\n",
 	 "cutter compensation must start and end with G0 or G1, not with an arc"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40 G2 X20 R9\n", "cutter compensation must start and end with G0 or G1"},
-	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nZ1\nZ2\nY9\n", "2 blocks without a move in the plane"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nZ1\nZ2\nY9\n",
+	 "2 blocks without a move in the plane of cutter compensation before this block, and a parameter of the control "
+	 "(19625, less 2) decides how many it looks past: set cutter_comp_idle_blocks=\"\""},
+	{&dialect_haas, "F9 G1 G41 D1 X5\nX9\nZ1\nZ2\nY9\n", "write at most 1 such blocks in a row"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nZ1\nM8 M98 P2\nY9\nM30\nO2\nM99\n", "3 blocks without a move in the plane"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nM0\n", "the program stops under cutter compensation"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX5\n", "the path turns back on itself under cutter compensation"},
 	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX20 A9\n", "A under cutter compensation is not supported"},
@@ -292,6 +296,20 @@ START_TEST(faults)
 END_TEST
 
 /* Without the parameter, a G41 alone is an error that asks for it on Fanuc; Haas waits for the next move. */
+/* Blocks without a move, and calls, which are none, between the two sides of an outside corner of 90 degrees. */
+START_TEST(idle_blocks)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc, A, LINEAR);
+	c.config.controller.comp_idle_blocks = 2;
+	case_expect(&c, "G94 F9 G1 G41 D1 X10 Y0\nY20\nZ1\nM8\nX30\nG40 Y0\nM30\n",
+		    "feed 8 0 0 0 0\nfeed 8 22 0 0 0\nfeed 8 22 1 0 0\nfeed 30 22 1 0 0\nfeed 30 0 1 0 0\n");
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY20\nM98 P2\nG40 Y0\nM30\nO2\nX30\nM99\n",
+	    "feed 8 0 0 0 0\nfeed 8 22 0 0 0\nfeed 30 22 0 0 0\nfeed 30 0 0 0 0\n");
+}
+END_TEST
+
 START_TEST(alone)
 {
 	struct gcode_case c;
@@ -351,7 +369,7 @@ END_TEST
 int main(void)
 {
 	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, on_a_tilted_plane, cancel_alone, every_way_is_covered,
-				faults, alone, nearly_whole_circles};
+				faults, idle_blocks, alone, nearly_whole_circles};
 
 	return RUN_TESTS("comp_ahead", tests);
 }

@@ -250,7 +250,7 @@ static const struct question {
     {"cutter_comp_start=\"", "cutter_comp_start=\"A\" or \"B\"", CHOICE(comp_start, COMP_START_A)},
     {"cutter_comp_corner=\"", "cutter_comp_corner=\"linear\" or \"circular\"",
      CHOICE(comp_corner, COMP_CORNER_CIRCULAR)},
-    {"cutter_comp_idle_blocks=\"", "cutter_comp_idle_blocks=\"3\" (MD20250)", CHOICE(comp_idle_blocks, 9)},
+    {"cutter_comp_idle_blocks=\"", "cutter_comp_idle_blocks=\"3\" (MD20250; 19625, less 2)", CHOICE(comp_idle_blocks, 9)},
     {"rotation_order=\"", "rotation_order=\"rpy\" or \"euler\"", CHOICE(rotation_order, ROTATION_ORDER_RPY)},
     {"orientation_interpolation=\"", "orientation_interpolation=\"axes\", \"vector\" or \"oriwks\"",
      CHOICE(orientation_interpolation, ORIENTATION_INTERPOLATION_AXES)},

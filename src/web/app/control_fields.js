@@ -33,7 +33,7 @@ export const ATTRIBUTES = [
 	row('power_on_work_offset', ['sinumerik'], 'work offset before any G500 or G54', ['G500', 'G54', 'G55', 'G56', 'G57']),
 	row('cutter_comp_start', START, 'how cutter compensation starts and ends', ['A', 'B']),
 	row('cutter_comp_corner', START, 'how cutter compensation leads round outside corners', ['linear', 'circular']),
-	row('cutter_comp_idle_blocks', ['sinumerik'], 'blocks without a move that tool radius compensation looks past', ['1', '2', '3', '4', '5', '6', '7', '8', '9']),
+	row('cutter_comp_idle_blocks', ['fanuc', 'sinumerik'], 'blocks without a move that tool radius compensation looks past', ['1', '2', '3', '4', '5', '6', '7', '8', '9']),
 	row('cutter_comp_d', ISO, 'what G10 L12 and L13 write into D', ['radius', 'diameter']),
 	row('g53_with_g91', ISO, 'what G53 means while G91 is in force', ['absolute', 'incremental']),
 	row('m6_with_move', ISO, 'is the tool changed after or before the move of the block of M6?', ['after', 'before']),

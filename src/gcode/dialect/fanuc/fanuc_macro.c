@@ -33,6 +33,7 @@ const struct macro_b_rules fanuc_macro_rules = {
 	.m99_own_block = false,
 	.repeats_keep_arguments = false,
 	.names_variables = true,
+	.calls_are_statements = true,
 	.m98_repeats_in_p = true,
 	.m98_program_max = 99999999,
 	.macro_calls_max = 5,	/* B-63944EN, call nesting */

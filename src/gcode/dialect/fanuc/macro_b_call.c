@@ -349,6 +349,22 @@ static bool call_outline(struct interp *interp)
 	return enter(interp, local ? MACRO_B_M97 : MACRO_B_M98, number, 1, column, &entry);
 }
 
+/*
+ * B-63944EN, "Macro Statements and NC Statements": for cutter compensation, macro statements are no blocks without
+ * movement; nor are blocks of M98 or M99 without addresses other than O, N, P and L.
+ */
+static bool is_like_statement(const struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	for (int group = 0; group < G_GROUPS; group++) {
+		if (block->g[group] != CODE_NONE)
+			return false;
+	}
+	return macro_b_of(interp)->rules->calls_are_statements && block->m_count == 1 &&
+	       !(block->letters & ~letter_bits("PL"));
+}
+
 bool macro_b_call_after_block(struct interp *interp)
 {
 	int code = interp->block.m[M_STOP], column = interp->block.m_column[M_STOP];
@@ -361,6 +377,7 @@ bool macro_b_call_after_block(struct interp *interp)
 		return call_outline(interp);
 	if (code < 97)
 		return true;
+	interp->comp.moved = interp->comp.moved || is_like_statement(interp);
 	return code == 99 ? do_m99(interp, column) : do_m98(interp, column);
 }
 

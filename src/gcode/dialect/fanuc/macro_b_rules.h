@@ -34,6 +34,7 @@ struct macro_b_rules {
 	bool m99_own_block;	/* M99 P jumps to a block of the subprogram; false: of the caller */
 	bool repeats_keep_arguments;	/* a repetition of a macro starts with the variables of the last one */
 	bool names_variables;	/* SETVN gives names to common variables */
+	bool calls_are_statements;	/* for cutter compensation, M98 and M99 alone are like macro statements */
 	bool m98_repeats_in_p;	/* the digits of P before the last four are the repetitions */
 	int m98_program_max;
 	int macro_calls_max;	/* the greatest depth of nested macro calls */

@@ -40,6 +40,7 @@ const struct macro_b_rules haas_macro_rules = {
 	.m99_own_block = true,
 	.repeats_keep_arguments = true,
 	.names_variables = false,
+	.calls_are_statements = false,
 	.m98_repeats_in_p = false,
 	.m98_program_max = 99999,
 	.macro_calls_max = MACRO_B_CALLS_MAX + 1,	/* differs by version: only the limit of all calls counts */
