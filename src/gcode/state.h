@@ -285,7 +285,7 @@ struct interp {
 	struct spline_memory spline;
 	struct space_arc space_arc;
 	struct block_cautions cautions;
-	bool cautioned_feed, cautioned_order, cautioned_t;
+	bool cautioned_feed, cautioned_speed, cautioned_order, cautioned_t;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear,
 	     cautioned_common;
 	long percent;	/* the line of the '%' that opens the program; 0: none does */

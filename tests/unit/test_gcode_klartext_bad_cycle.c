@@ -88,8 +88,6 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:5:1: error: the depth of CYCL DEF 5 is above the surface"},
 	{"CYCL DEF 5.0\nCYCL DEF 5.1 SET UP 2\nCYCL DEF 5.2 DEPTH -5\nCYCL DEF 5.4 RADIUS 10\nM99\n",
 	 "p.nc:6:1: error: a cycle without a feed rate"},
-	{"CYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=20\nM99\n",
-	 "p.nc:3:1: error: CYCL DEF 207 without a spindle speed (S)"},
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: Q343=1 needs the point angle of the tool: give the tool of the setup a <cutter> with "
 	 "tip=\"cone\" and its angle, or write Q343=0 and the depth of the tip in Q201"},

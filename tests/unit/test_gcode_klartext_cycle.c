@@ -154,10 +154,34 @@ START_TEST(cycles_table)
 }
 END_TEST
 
+/* Taps without a speed or a pitch, as posts write them that have no data of the tool: one warning, and the path. */
+START_TEST(taps_without_speed)
+{
+	static const char *const taps[] = {
+		"S0\nCYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=2\nL X+1 FMAX M99\nL X+2 FMAX M99\n",
+		"S9\nCYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=0 Q203=+0 Q204=2\nL X+1 FMAX M99\nL X+2 FMAX M99\n",
+		"L Z+2 FMAX\nCYCL DEF 17.0\nCYCL DEF 17.1 SET UP 2\nCYCL DEF 17.2 DEPTH -9\nCYCL DEF 17.3 PITCH 1\n"
+		"L X+1 FMAX M99\nL X+2 FMAX M99\n",
+	};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	ck_assert_msg(klartext_run(&c, taps[_i]), "%s", strbuf_text(&c.messages));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "a thread or a feed per revolution without a "
+			      "spindle speed (S), or without a pitch, where the control stops or waits; the path is checked at "
+			      "the largest speeds of the axes"));
+	ck_assert_uint_eq(c.diag.warnings, 1);
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.moves), "feed 1 0 -9 0 0\nfeed 1 0 2 0 0\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.moves), "feed 2 0 -9 0 0\nfeed 2 0 2 0 0\n"));
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("gcode_klartext_cycle");
 
 	tcase_add_loop_test(tcase, cycles_table, 0, COUNT(cycles));
+	tcase_add_loop_test(tcase, taps_without_speed, 0, 3);
 	return run_suite("gcode_klartext_cycle", tcase);
 }

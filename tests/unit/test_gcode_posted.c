@@ -55,6 +55,13 @@ START_TEST(feed_missing)
 			       "or stops with an alarm; the path is checked at the largest speeds of the axes, here "
 			       "and further on");
 	}
+	for (size_t i = 0; i < COUNT(dialects); i++) {
+		init(&c, dialects[i]);
+		expect_caution(&c, "G95 F.1 G1 X5.\nX6.\nM30\n", "feed 5 0 0 0 0\nfeed 6 0 0 0 0\n",
+			       "p.nc:1:9: warning: a thread or a feed per revolution without a spindle speed (S), or "
+			       "without a pitch, where the control stops or waits; the path is checked at the largest "
+			       "speeds of the axes, here and further on");
+	}
 	init(&c, &dialect_linuxcnc);
 	expect_fault(&c, "G1 X5\nM30\n", "p.nc:1:1: error: G1 without a feed rate (F)");
 	/* Inverse time has an F in each block. */

@@ -187,8 +187,6 @@ static const struct refused_program programs[] = {
 	 "_DMODE of HOLES1 works in the plane of G18, and G17 is in force; select G18 before it"},
 	{"G500 CYCLE85(10,0,2,-5)\n", 1, 6,
 	 "CYCLE85 needs its feeds FFR and RFF"},
-	{"G500 CYCLE84(10,0,2,-5)\n", 1, 6,
-	 "tapping needs a pitch (PIT), or a metric size (MPIT) from 3 to 48, and a speed"},
 	{"G500 F6 CYCLE83(10,0,1,-10,,0)\n", 1, 9,
 	 "the pecks of CYCLE83 never reach its depth"},
 	{"MCALL X1\n", 1, 1,

@@ -246,10 +246,34 @@ START_TEST(feed_missing)
 }
 END_TEST
 
+/* Taps without a speed or a pitch, as posts write them that have no data of the tool, and feeds per revolution. */
+START_TEST(speed_missing)
+{
+	static const char *const blocks[] = {
+		"G500 G0\nMCALL CYCLE84(9,0,2,-5,,,,,,,)\nX1 Y2\n",
+		"G500 G0 S0\nMCALL CYCLE840(9,0,2,-5,,0,4,3,1,,1)\nX1 Y2\n",
+		"G500 G0 X1 Y2 Z2\nG331 Z-5 K1\nG332 Z2 K1\n",
+		"G500 G0 X1 Y2 Z2\nG95 F1 G1 Z-5\nZ2\n",
+	};
+
+	for (size_t i = 0; i < COUNT(blocks); i++) {
+		struct gcode_case c;
+
+		sinumerik_case_init(&c);
+		ck_assert_msg(case_run(&c, blocks[i]), "%s: %s", blocks[i], strbuf_text(&c.messages));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.moves), "feed 1 2 -5 0 0\nfeed 1 2 2 0 0\n"));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
+					     "warning: a thread or a feed per revolution without a spindle speed (S)"));
+		ck_assert_uint_eq(c.diag.warnings, 1);
+		case_release(&c);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {words, g_codes, m_codes, scales_added, words_alike, orientation_by_coordinates,
-				      orientation_unknown, feed_missing};
+				      orientation_unknown, feed_missing, speed_missing};
 
 	return RUN_TESTS("gcode_sinumerik_table", tests);
 }

@@ -196,7 +196,6 @@ static const struct refused_words bad[] = {
 	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},
 	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
 	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported, only RNDM=0"},
-	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"F6 G54 X0\n$P_UIFR[1,X,TR]=5\nX1\n",
 	 "G54 was changed by assignment while it was active, and controls differ in when that takes effect; select G54 "
 	 "again before the next move"},
@@ -249,7 +248,6 @@ static const struct refused_words bad[] = {
 	{"G111 X1 Z5\n", "G111 has coordinates of the plane only, X and Y"},
 	{"G111 AP=5\n", "a pole has AP= and RP=, or coordinates"},
 	{"F6 G500\nG331 Z-5 S100\n", "G331 needs the pitch of its axis: I of X, J of Y, K of Z"},
-	{"F6 G500\nG331 Z-5 K1\n", "G331 without a spindle speed (S)"},
 	{"F6 G500 S100\nSUPA G33 Z-5 K1\n",
 	 "G33 beside SUPA, TRAORI, a chamfer or tool radius compensation is not supported"},
 	{"F6 G500\nG63\n", "G63 needs the axis that it moves"},

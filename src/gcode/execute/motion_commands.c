@@ -246,9 +246,6 @@ bool motion_commands_dwell(struct interp *interp)
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
-/* A feed that no axis reaches: the axes' rates limit moves at this feed. */
-#define FASTEST_FEED 1e6
-
 /*
  * A feed move before any F: Fanuc B-64484EN and Haas call this an alarm, but a program that is a part of a job uses the
  * F of the part before. The path is the same.
@@ -269,6 +266,18 @@ static bool keep_feed(struct interp *interp, struct canon_feed *feed)
 	feed->linear = FASTEST_FEED;
 	feed->angular = FASTEST_FEED;
 	return true;
+}
+
+double motion_commands_thread_feed(struct interp *interp, int column, double feed)
+{
+	if (feed > 0)
+		return feed;
+	if (!interp->cautioned_speed)
+		caution(&interp->at, column,
+			"a thread or a feed per revolution without a spindle speed (S), or without a pitch, where the "
+			"control stops or waits; the path is checked at the largest speeds of the axes, here and further on");
+	interp->cautioned_speed = true;
+	return FASTEST_FEED;
 }
 
 /* LinuxCNC's manual, "Feed Rate" and "G93, G94, G95". */
@@ -294,9 +303,13 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 	if (!(state->feed_linear > 0))
 		return keep_feed(interp, feed);
 	if (state->feed_mode == FEED_PER_REVOLUTION) {
-		if (!(state->speed > 0))
+		if (!(state->speed > 0) && traits_of(interp)->feed_missing != FEED_MISSING_KEPT)
 			return fault(&interp->at, column,
 				     "G%g in feed per revolution (G95) without a spindle speed (S)", code);
+		if (!(state->speed > 0)) {
+			feed->linear = feed->angular = motion_commands_thread_feed(interp, column, 0);
+			return true;
+		}
 		per_second *= state->speed;
 	}
 	feed->linear = state->feed_linear * per_second;

@@ -19,21 +19,19 @@
 #include "gcode/dialect/klartext/klartext_pocket.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
 #include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_table.h"
 
 /* A larger number of pecks is a typing mistake, and the program would seem to hang. */
 #define PECKS_MAX 100000
 
-/* Finds the feed of a tap: the pitch times the spindle speed. */
-static bool find_tap_feed(const struct klartext_call_of *call, double pitch, double *feed)
+/* The feed of a tap: the pitch times the spindle speed. */
+static double tap_feed(const struct klartext_call_of *call, double pitch)
 {
 	const struct state *state = &call->interp->state;
 
-	if (!(state->speed > 0))
-		return fault(&call->interp->at, call->column, "CYCL DEF %d without a spindle speed (S)",
-			     call->cycle->number);
-	*feed = fabs(pitch) * state->scale * state->speed / SECONDS_PER_MINUTE;
-	return true;
+	return motion_commands_thread_feed(call->interp, call->column,
+					   fabs(pitch) * state->scale * state->speed / SECONDS_PER_MINUTE);
 }
 
 /* ------------------------------------------------------------------ heights */
@@ -187,8 +185,10 @@ static bool tap(const struct klartext_call_of *call, struct klartext_hole *hole)
 	if (call->cycle->number == 206) {
 		if (!klartext_parameter_feed(call, 206, &hole->feed))
 			return false;
-	} else if (!klartext_parameter_need(call, 239, &pitch) || !find_tap_feed(call, pitch, &hole->feed)) {
-		return false;
+	} else {
+		if (!klartext_parameter_need(call, 239, &pitch))
+			return false;
+		hole->feed = tap_feed(call, pitch);
 	}
 	hole->out = hole->feed;
 	return true;
@@ -261,8 +261,7 @@ static bool by_parts(const struct klartext_call_of *call)
 	hole.turns = true;
 	if (number == 17) {
 		hole.dwell = 0;
-		if (!find_tap_feed(call, klartext_parameter_part(call, 3), &hole.feed))
-			return false;
+		hole.feed = tap_feed(call, klartext_parameter_part(call, 3));
 	}
 	hole.out = hole.feed;
 	return klartext_hole_make(interp, &hole, call->column);

@@ -189,10 +189,8 @@ static double metric_pitch(double size)
 /* Into the hole and out of it, at the feed of the thread. */
 static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 {
-	if (!(pitch > 0 && speed > 0))
-		return fault(&d->interp->at, d->column,
-			     "tapping needs a pitch (PIT), or a metric size (MPIT) from 3 to 48, and a speed");
-	own_feed(d, pitch * speed);
+	d->feed = (struct canon_feed){.linear = motion_commands_thread_feed(d->interp, d->column,
+									    pitch * speed / SECONDS_PER_MINUTE)};
 	d->turns = true;
 	return rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, dwell_at) && feed(d, d->height.safe) &&
 	       rapid(d, d->height.clear);

@@ -224,9 +224,8 @@ static bool run_thread(struct interp *interp, const struct sinumerik_block *bloc
 	}
 	if (!(pitch > 0))
 		return fault(&interp->at, column, "G%d needs the pitch of its axis: I of X, J of Y, K of Z", code);
-	if (!(interp->state.speed > 0))
-		return fault(&interp->at, column, "G%d without a spindle speed (S)", code);
-	move.feed.linear = pitch * interp->state.speed / SECONDS_PER_MINUTE;
+	move.feed.linear =
+	    motion_commands_thread_feed(interp, column, pitch * interp->state.speed / SECONDS_PER_MINUTE);
 	return sinumerik_target_find(interp, block, &target) && arrive(interp, &target, &move, NULL);
 }
 
