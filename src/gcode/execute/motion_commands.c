@@ -275,7 +275,8 @@ double motion_commands_thread_feed(struct interp *interp, int column, double fee
 	if (!interp->cautioned_speed)
 		caution(&interp->at, column,
 			"a thread or a feed per revolution without a spindle speed (S), or without a pitch, where the "
-			"control stops or waits; the path is checked at the largest speeds of the axes, here and further on");
+			"control stops or waits; the path is checked at the largest speeds of the axes, here and "
+			"further on");
 	interp->cautioned_speed = true;
 	return FASTEST_FEED;
 }

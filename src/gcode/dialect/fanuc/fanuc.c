@@ -161,7 +161,7 @@ const struct dialect dialect_fanuc = {
 		.arc_radius_wins = ANSWER_YES,
 		.arc_spirals = ANSWER_YES,
 		.arc_idle_zero = ANSWER_YES,
-		/* B-63944EN-2, "Tool Movement in Offset Mode": of N blocks that are read, N - 2 may be without a move. */
+		/* B-63944EN-2, "Tool Movement in Offset Mode": of N blocks that are read, N - 2 may have no move. */
 		.idle_blocks_parameter = "19625, less 2",
 		.arcs_have_turns = ANSWER_NO,
 		/* "Optional Chamfering and Corner R". */

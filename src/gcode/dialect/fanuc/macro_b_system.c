@@ -50,8 +50,9 @@ static const struct macro_b_range *find_range(const struct macro_b_range *ranges
 
 static const char *find_machine_only(const struct macro_b_rules *rules, int number)
 {
-	const struct macro_b_range *range = find_range(machine_only, sizeof(machine_only) / sizeof(*machine_only), number);
+	const struct macro_b_range *range;
 
+	range = find_range(machine_only, sizeof(machine_only) / sizeof(*machine_only), number);
 	if (!range)
 		range = find_range(rules->machine_only, rules->machine_only_count, number);
 	return range ? range->what : NULL;
