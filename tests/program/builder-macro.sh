@@ -58,3 +58,10 @@ sed 's|<macro program="9832"|<variable name="#138" value="0"/>&|' m.xml >a.xml
 status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
 printf '%%\nG90 G21 F500\nG65 P9810 X5. F300.\nG0 X#500\nG0 X[#101+1.]\nM30\n' >a.nc
 status fivecheck -q -a --parse-only m.xml a.nc 2>&1 | grep -v '^ '
+# What the program has set before it, it may have changed.
+printf '%%\nG90 G21 F500\n#100=0\n#101=2.\nWHILE[#100LT2]DO1\nG65 P9811\n#100=#100+1\nEND1\nG0 X#101\nM30\n' >a.nc
+for macro in 9811 9832; do
+	sed "s/9811/$macro/" a.nc >b.nc
+	status fivecheck -q --parse-only m.xml b.nc 2>&1 | grep 'assigned\|status'
+	fivecheck -q --dump-path m.xml b.nc | tail -n 1 | cut -f 2,4
+done

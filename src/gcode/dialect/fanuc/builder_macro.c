@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dialect/fanuc/macro_b_vars.h"
 #include "gcode/execute/moves_around.h"
 
 const struct builder_macro *builder_macro_of_program(const struct interp *interp, int number)
@@ -43,7 +44,7 @@ void builder_macro_begin(struct interp *interp)
 	const double *arguments = call->arguments;
 	struct block *block = &interp->block;
 
-	macro_b_of(interp)->vars.builder_ran = true;
+	macro_b_vars_doubt(interp);
 	block_clear(block);
 	block->words = 1;
 	call->motion = interp->state.motion;
@@ -81,7 +82,7 @@ bool builder_macro_around(struct interp *interp, const struct builder_macro *mac
 {
 	const struct state *state = &interp->state;
 
-	macro_b_of(interp)->vars.builder_ran = true;
+	macro_b_vars_doubt(interp);
 	if (state->tcp != TCP_OFF || interp->comp.side != 0)
 		return fault(&interp->at, column,
 			     "%c%g with action=\"around\" is not supported under tool centre point control or cutter "

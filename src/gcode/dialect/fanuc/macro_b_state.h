@@ -24,7 +24,8 @@ struct macro_b_vars {
 	double local[MACRO_B_CALLS_MAX + 1][MACRO_B_LOCALS + 1];
 	double common[MACRO_B_COMMON];	/* #100 to #199, #500 to #999, and their other names */
 	bool given[MACRO_B_COMMON];	/* this program has assigned a value */
-	bool builder_ran;	/* a program of the machine builder that moves, and so may have set others */
+	bool builder_ran;	/* a program of the machine builder that moves, and so may have set some */
+	bool before_builder[MACRO_B_COMMON];	/* given, but before that program */
 	int level;	/* of G65 and G66 */
 };
 
@@ -75,7 +76,7 @@ struct macro_b {
 	int modal_number, modal_repeats, modal_level;
 	double modal_arguments[MACRO_B_LOCALS + 1];
 	struct builder_call builder;
-	bool cautioned_angle;
+	bool cautioned_angle, cautioned_builder;
 	struct labels found;	/* the results of earlier searches */
 	struct strbuf line;	/* the current line, while other lines are read */
 };

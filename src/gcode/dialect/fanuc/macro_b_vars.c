@@ -1,5 +1,7 @@
 #include "gcode/dialect/fanuc/macro_b_vars.h"
 
+#include <string.h>
+
 #include "gcode/dialect/fanuc/macro_b_kept.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/macro_b_system.h"
@@ -43,8 +45,22 @@ static bool read_common(struct interp *interp, int index, int column, double *va
 					     ? "may be a result of a macro of the machine builder, which is not known"
 					     : "keeps its value from earlier programs, and this program has not set it",
 					 value);
+	if (vars->before_builder[index] && !macro_b_of(interp)->cautioned_builder) {
+		caution(&interp->at, column,
+			"#%d was assigned before a macro of the machine builder, which may have changed it; from here "
+			"on, common variables keep what the program assigned", index);
+		macro_b_of(interp)->cautioned_builder = true;
+	}
 	*value = vars->common[index];
 	return true;
+}
+
+void macro_b_vars_doubt(struct interp *interp)
+{
+	struct macro_b_vars *vars = &macro_b_of(interp)->vars;
+
+	vars->builder_ran = true;
+	memcpy(vars->before_builder, vars->given, sizeof(vars->given));
 }
 
 bool macro_b_vars_read(struct interp *interp, int number, int column, double *value)
@@ -88,5 +104,6 @@ bool macro_b_vars_write(struct interp *interp, int number, int column, double va
 				      : fault_unknown(interp, number, column);
 	macro->vars.common[index] = value;
 	macro->vars.given[index] = true;
+	macro->vars.before_builder[index] = false;
 	return true;
 }

@@ -12,4 +12,7 @@ bool macro_b_vars_read(struct interp *interp, int number, int column, double *va
 /* Assigns a value, or NAN for vacant, to #number. False: reported at the column. */
 bool macro_b_vars_write(struct interp *interp, int number, int column, double value);
 
+/* A program of the machine builder, which may set any common variable, has run. */
+void macro_b_vars_doubt(struct interp *interp);
+
 #endif
