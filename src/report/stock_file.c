@@ -7,22 +7,14 @@
 
 static const struct srcloc nowhere;
 
-/* False: no file is written, and a note or an error gives the reason. After an error *good is false. */
-static bool is_writable(const char *path, const struct stock_remainder *remainder, bool *good, struct diag *diag)
+/* False: reported. An older file would be taken for the stock of this program if its absence were no error. */
+static bool fits_file(const char *path, const struct mesh *mesh, struct diag *diag)
 {
-	const struct mesh *mesh = &remainder->mesh;
-
-	if (!remainder->known)
-		diag_note(
-		    diag, nowhere,
-		    "the program was not checked to its end, so %s was not written (--all goes on after a finding)",
-		    path);
-	else if (!mesh->count)
-		diag_note(diag, nowhere, "nothing remains of the stock, so %s was not written", path);
+	if (!mesh->count)
+		diag_error(diag, nowhere, "nothing remains of the stock, so there is no mesh for %s", path);
 	else if (mesh->count > UINT32_MAX)
 		diag_error(diag, nowhere, "the remaining stock has too many triangles for an STL file");
-	*good = mesh->count <= UINT32_MAX;
-	return *good && mesh->count;
+	return mesh->count && mesh->count <= UINT32_MAX;
 }
 
 bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag)
@@ -32,11 +24,14 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 	const double excess = ceil(100 * remainder->excess) / 100;
 	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
 	struct output out;
-	bool good;
 
-	if (!is_writable(path, remainder, &good, diag))
-		return good;
-	if (!output_open(&out, path, diag))
+	if (!remainder->known) {
+		diag_note(diag, nowhere,
+			  "the program was not checked to its end, so %s was not written (--all goes on after a finding)",
+			  path);
+		return true;
+	}
+	if (!fits_file(path, mesh, diag) || !output_open(&out, path, diag))
 		return false;
 	stl_bytes_head(head, "fivecheck stock, binary STL, mm", (uint32_t)mesh->count);
 	output_write(&out, (const char *)head, sizeof(head));

@@ -40,6 +40,10 @@ sed 's|location="0 5 20" rotation="90 0 0"|location="0 -5 20" rotation="90 0 180
 echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note
+# The cutter takes all of a blank that it encloses.
+sed 's/box="40 30 10"/box="4 4 4" location="0 0 6" checked="small"/' first.xml >crumb.xml
+"$FIVECHECK" -q --stock-out=none.stl -s crumb.xml m.xml slot.nc
+echo "exit status $?"
 sed '/<stock/d' first.xml >bare.xml
 "$FIVECHECK" -q --stock-out=none.stl -s bare.xml m.xml slot.nc
 echo "exit status $?"
