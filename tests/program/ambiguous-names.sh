@@ -59,6 +59,10 @@ printf "$head"'EXTCALL "OTHER.MPF"\nCALL "_N_OTHER_SPF"\nM30\n' | three s.xml
 printf 'X9\nM17\n' >lib/other.spf
 printf "$head"'CALL "OTHER_SPF"\nM30\n' | three s.xml
 printf 'X9\nM17\n' >lib/THIRD.SPF
+# A folder that ignores the case of names has one file of both names.
+ln lib/THIRD.SPF lib/third.spf
+printf "$head"'THIRD\nM30\n' | three s.xml
+rm lib/third.spf
 # Paths of two folders of the control, for which there is only one file here.
 for path in /_N_WKS_DIR/_N_B_WPD/THIRD /_n_wks_dir/_n_a_wpd/third THIRD; do
 	printf "$head"'CALL "/_N_WKS_DIR/_N_A_WPD/_N_THIRD_SPF"\nPCALL %s\nM30\n' $path | three s.xml

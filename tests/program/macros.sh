@@ -35,3 +35,9 @@ echo "exit $?"
 	head -c 4500000 /dev/zero | tr '\0' ' ' | fold -w 100
 } | fivecheck --dialect=fanuc --parse-only m.xml - >/dev/null
 echo "exit $?"
+# A folder that ignores the case of names has one file of both names.
+printf 'O6\nG0 X3.\nM99\n' >O6.nc
+ln O6.nc O6.NC
+printf 'G21 G90\nM98 P6\nM30\n' >e.nc
+fivecheck --dialect=fanuc --parse-only m.xml e.nc >/dev/null
+echo "exit $?"

@@ -76,6 +76,38 @@ static FILE *open_regular(struct sources *sources, const char *root, const char 
 	return file;
 }
 
+/* The further source that is this file, also under another name: a folder may ignore the case of names. */
+static struct source *find_open(const struct sources *sources, FILE *file)
+{
+	struct stat status, other;
+
+	if (fstat(fileno(file), &status))
+		return NULL;
+	for (size_t i = 1; i < sources->count; i++) {
+		struct source *source = sources->items[i];
+
+		if (source->file && !fstat(fileno(source->file), &other) && status.st_ino &&
+		    status.st_dev == other.st_dev && status.st_ino == other.st_ino)
+			return source;
+	}
+	return NULL;
+}
+
+static struct source *add_further(struct sources *sources, FILE *file, const char *path)
+{
+	struct source *source = find_open(sources, file);
+
+	if (source) {
+		fclose(file);
+		return source;
+	}
+	source = add(sources, file, path);
+	source->file = file;
+	if (sources->opened)
+		sources->opened->call(sources->opened->context, path);
+	return source;
+}
+
 /* Finds the file in a folder, whose name ends in '/' or is empty; NULL: no such file, or outside of the root. */
 static struct source *find_in(struct sources *sources, const char *root, const char *folder, size_t length,
 			      const char *name)
@@ -92,12 +124,8 @@ static struct source *find_in(struct sources *sources, const char *root, const c
 		if (!strcmp(sources->items[i]->name, path.text))
 			source = sources->items[i];
 	}
-	if (!source && (file = open_regular(sources, root, path.text))) {
-		source = add(sources, file, path.text);
-		source->file = file;
-		if (sources->opened)
-			sources->opened->call(sources->opened->context, path.text);
-	}
+	if (!source && (file = open_regular(sources, root, path.text)))
+		source = add_further(sources, file, path.text);
 	strbuf_release(&path);
 	return source;
 }

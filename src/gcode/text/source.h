@@ -48,8 +48,8 @@ void sources_open_main(struct sources *sources, FILE *in, const char *name, stru
 size_t sources_folder_count(const struct read_options *options);
 
 /*
- * The file of this name in one folder; a file is opened only once. The name contains no folder. NULL: there is no such
- * file, or it is outside of the input root, which sources_check_root reports.
+ * The file of this name in one folder; a file is opened only once, also if it has several names. The name contains no
+ * folder. NULL: there is no such file, or it is outside of the input root, which sources_check_root reports.
  */
 struct source *sources_open(struct sources *sources, const struct read_options *options, size_t folder,
 			    const char *name);

@@ -31,7 +31,7 @@ static bool find_spelling(struct interp *interp, size_t folder, const char *spel
 
 		snprintf(name, sizeof(name), "%.23s%.7s", spelling, endings[i]);
 		next = sources_open(&interp->program.sources, &interp->config->read, folder, name);
-		if (next && *source)
+		if (next && *source && next != *source)
 			return fault(&interp->at, column, "%s and %s may both be program O%d", (*source)->name,
 				     next->name, number);
 		*source = next ? next : *source;
