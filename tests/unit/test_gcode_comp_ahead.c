@@ -295,7 +295,6 @@ START_TEST(faults)
 }
 END_TEST
 
-/* Without the parameter, a G41 alone is an error that asks for it on Fanuc; Haas waits for the next move. */
 /* Blocks without a move, and calls, which are none, between the two sides of an outside corner of 90 degrees. */
 START_TEST(idle_blocks)
 {
@@ -310,6 +309,7 @@ START_TEST(idle_blocks)
 }
 END_TEST
 
+/* Without the parameter, a G41 alone is an error that asks for it on Fanuc; Haas waits for the next move. */
 START_TEST(alone)
 {
 	struct gcode_case c;

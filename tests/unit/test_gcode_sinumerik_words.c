@@ -44,7 +44,8 @@ static const struct program {
 	{"F6 G500 G18 TRANS X100\nMIRROR Z0\nZ10\nCT Z20 X10\n",
 	 "feed 0 0 -10 0 0\narc 10 0 -20 0 0 centre 10 0 -10 normal 0 1 0 sweep -90\n"},
 	{"%_N_MAIN_MPF\nF6 G500\nPCALL/_N_WKS_DIR/_N_A_WPD/_N_SUB_A_SPF(4, 5) ; twice\nPCALL SUB_A(6)\nM30\n"
-	 "%_N_SUB_A_SPF\nPROC SUB_A(REAL QX, REAL QY=9)\nX=QX Y=QY\nRET\n",
+	 /* The search for SUB_A reads a last line that is only a blank, without a line end. */
+	 "%_N_SUB_A_SPF\nPROC SUB_A(REAL QX, REAL QY=9)\nX=QX Y=QY\nRET\n ",
 	 "feed 4 5 0 0 0\nfeed 6 9 0 0 0\n"},
 	/* "Macro technique": the text takes the place of the name, not in strings and comments. */
 	{"F6 G500\nDEFINE GO_ON AS G1 X=IC(1) ; a comment\ndefine deep as Z-5\nGO_ON deep\nN10 GO_ON Y2 ; DEEP\n"

@@ -99,12 +99,13 @@ static bool is_head(const char *text)
 /* Reads the upper-case name in a head and returns its type, 'M' or 'S'; 0: the line is no head, or it has no type. */
 static char read_head(const char *text, char name[SINUMERIK_NAME + 1])
 {
-	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
+	size_t at, length;
 	char *end;
 
 	name[0] = '\0';
 	if (!is_head(text))
 		return '\0';
+	at = skip_blanks(text, skip_blanks(text, 0) + 1);
 	if (text[at] == '_' && sinumerik_upper(text[at + 1]) == 'N' && text[at + 2] == '_')
 		at += 3;
 	copy_name(text, at, name);
