@@ -117,6 +117,7 @@ bad 'number,length,diameter,Holder diameter (mm)\n1,70,10,50\n'
 bad 'number,type,length,diameter\n1,flat,120,5,10\n'
 bad 'number,length,diameter,stickout,holder_diameter\n1,70,10,80,40\n'
 bad 'number,length,diameter\r1,70,10\r2,70,ten\r'
+bad 'number;length;diameter\n1;70;10;7\n'
 echo "a table of Excel, with the separator in its first line:"
 printf 'sep=;\r\nnumber;length;diameter;name\r\n1;70,5;10;"a, b"\r\n' >t.csv
 fivecheck import -o excel t.csv

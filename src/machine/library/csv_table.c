@@ -120,8 +120,10 @@ static bool fits_columns(const struct csv_table *table)
 {
 	for (size_t i = table->columns; table->columns && i < table->count; i++)
 		if (table->cells[i][0])
-			return fault(table, "the row has more cells than the table has columns; a table with decimal "
-					    "commas needs semicolons between its cells");
+			return fault(table, table->separator == ','
+						? "the row has more cells than the table has columns; a table with "
+						  "decimal commas needs semicolons between its cells"
+						: "the row has more cells than the table has columns");
 	return true;
 }
 
