@@ -72,6 +72,15 @@ printf 'X5\n' >OPEN.SPF
 printf 'G500 G71 G90 F100\nOPEN\nM30\n' >main.mpf
 fivecheck --parse-only s.xml main.mpf >/dev/null
 echo "exit $?"
+# Thousands of calls read the main program's file once for each subprogram.
+printf 'X1\nM17\n' | tee L1.SPF >L25.SPF
+awk 'BEGIN {
+	print "G500 G71 G90 F100"
+	for (i = 0; i < 300000; i++)
+		print i % 75 == 0 ? "L1" : i % 75 == 1 ? "L25" : "X" i % 9
+	print "M30"
+}' >long.mpf
+soon "$FIVECHECK" --parse-only s.xml long.mpf | sed -n '1s/;.*//p'
 # Programs of the builder and a measuring cycle, described by name in the machine file.
 sed 's|<tool_change/>|&<macro program="Cycle_HSC" action="none"/><macro program="CYCLE977" action="around" X="30" Z="20"/><macro program="L9" action="around" Z="3"/><macro program="H12" action="none"/>|' \
 	s.xml >named.xml

@@ -280,6 +280,7 @@ static void free_state(void *state)
 	strbuf_release(&sinumerik->search.line);
 	labels_release(&sinumerik->search.labels);
 	labels_release(&sinumerik->calls.folders);
+	labels_release(&sinumerik->calls.programs);
 	sinumerik_macro_release(sinumerik);
 	sinumerik_soft_release(sinumerik);
 	free(sinumerik);

@@ -76,6 +76,7 @@ struct sinumerik_calls {
 	int level;	/* the number of subprograms among them, to which variables belong; 0: the main program */
 	bool entering;	/* the next line may be the PROC of the subprogram that is called */
 	struct labels folders;	/* "NAME" and "NAME FOLDER" of each program that a path has named */
+	struct labels programs;	/* those that calls have found; a key is the type, the name and the caller's file */
 };
 
 /*

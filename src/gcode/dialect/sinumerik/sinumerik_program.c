@@ -127,22 +127,28 @@ static bool find_head(struct interp *interp, struct source *source, const char *
 	return true;
 }
 
+/* Each program is searched once for each calling file: the whole file of the main program is read. */
 bool sinumerik_program_find(struct interp *interp, const char *name, char type, int column, struct position *entry)
 {
-	struct source *main = interp->program.sources.items[0];
-	char key[SINUMERIK_NAME + 2];
+	struct source *main = interp->program.sources.items[0], *caller = interp->program.source;
+	struct labels *programs = &sinumerik_of(interp)->calls.programs;
+	char key[SINUMERIK_NAME + 32];
+	struct label *known;
 
-	key[0] = type ? type : '%';
-	strcpy(key + 1, name);
-	if (sinumerik_seek_recall(interp, key, 0, entry))
+	snprintf(key, sizeof(key), "%c%s %p", type ? type : '%', name, (void *)caller);
+	known = labels_find(programs, key);
+	if (known) {
+		*entry = known->at;
 		return true;
+	}
 	*entry = (struct position){.line = 1};
-	if (!find_file(interp, name, type, column, entry) ||
-	    !find_head(interp, main, name, type, column, entry) ||
-	    (interp->program.source != main && !find_head(interp, interp->program.source, name, type, column, entry)))
+	if (!find_file(interp, name, type, column, entry) || !find_head(interp, main, name, type, column, entry) ||
+	    (caller != main && !find_head(interp, caller, name, type, column, entry)))
 		return false;
 	if (!entry->source)
 		return fault_missing(interp, name, column);
-	sinumerik_seek_remember(interp, key, 0, entry);
+	known = labels_add(programs, key, 0);
+	if (known)
+		known->at = *entry;
 	return true;
 }

@@ -145,7 +145,7 @@ static struct sinumerik_jump *remembered(struct interp *interp, const char *targ
 	return &sinumerik_of(interp)->search.jumps[hash % SINUMERIK_JUMPS];
 }
 
-bool sinumerik_seek_recall(struct interp *interp, const char *target, long long from, struct position *to)
+static bool recall(struct interp *interp, const char *target, long long from, struct position *to)
 {
 	const struct sinumerik_jump *jump = remembered(interp, target, from);
 
@@ -155,7 +155,7 @@ bool sinumerik_seek_recall(struct interp *interp, const char *target, long long 
 	return true;
 }
 
-void sinumerik_seek_remember(struct interp *interp, const char *target, long long from, const struct position *to)
+static void remember(struct interp *interp, const char *target, long long from, const struct position *to)
 {
 	struct sinumerik_jump *jump = remembered(interp, target, from);
 
@@ -275,7 +275,7 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	key[0] = (char)('0' + direction);
 	strcpy(key + 1, name);
 	*found = true;
-	if (sinumerik_seek_recall(interp, key, from, to))
+	if (recall(interp, key, from, to))
 		return true;
 	keep_line(interp);
 	if (direction != SINUMERIK_BACKWARD) {
@@ -290,7 +290,7 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	if (!take(interp, &search, column, to, found))
 		return false;
 	if (*found)
-		sinumerik_seek_remember(interp, key, from, to);
+		remember(interp, key, from, to);
 	return true;
 }
 
@@ -423,7 +423,7 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
 	struct close_search search = {.close = close};
 	struct line_search lines = {.judge = judge_close, .context = &search, .most = 1};
 
-	if (sinumerik_seek_recall(interp, key, start->offset, behind))
+	if (recall(interp, key, start->offset, behind))
 		return true;
 	if (!look(interp, &lines, key, start, column))
 		return false;
@@ -431,7 +431,7 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
 		return fault(&interp->at, column, "%s in line %ld has no %s", structures[close].open, start->line,
 			     structures[close].close);
 	*behind = lines.behind;
-	sinumerik_seek_remember(interp, key, start->offset, behind);
+	remember(interp, key, start->offset, behind);
 	return true;
 }
 

@@ -59,13 +59,6 @@ bool sinumerik_seek_program(struct interp *interp, struct source *source, const 
 			    struct position *head, bool *found);
 
 /*
- * The result of an earlier search for the target, made in the current file at the offset `from`. False: there is none,
- * and a result can be remembered. The target has at most SINUMERIK_NAME + 1 bytes.
- */
-bool sinumerik_seek_recall(struct interp *interp, const char *target, long long from, struct position *to);
-void sinumerik_seek_remember(struct interp *interp, const char *target, long long from, const struct position *to);
-
-/*
  * An archive may have subprograms before its main program. If the current head is that of a subprogram
  * (%_N_NAME_SPF), the program begins after the first head of a main program (_MPF), if there is one. False: reported.
  */
