@@ -27,7 +27,8 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 
 	if (!remainder->known) {
 		diag_note(diag, nowhere,
-			  "the program was not checked to its end, so %s was not written (--all goes on after a finding)",
+			  "the program was not checked to its end, so %s was not written (--all goes on after a "
+			  "finding)",
 			  path);
 		return true;
 	}
