@@ -67,6 +67,7 @@ rm lib/third.spf
 for path in /_N_WKS_DIR/_N_B_WPD/THIRD /_n_wks_dir/_n_a_wpd/third THIRD; do
 	printf "$head"'CALL "/_N_WKS_DIR/_N_A_WPD/_N_THIRD_SPF"\nPCALL %s\nM30\n' $path | three s.xml
 done
+printf "$head"'CALL "/_N_WKS_DIR/_N_A_WPD/_N_THIRD_SPF"\nEXTCALL "/WKS.DIR/A.wpd/THIRD.SPF"\nM30\n' | three s.xml
 # The folder of the program comes before the folders of --include, whatever the type.
 printf 'X8\nM17\n' >THIRD.MPF
 printf "$head"'THIRD\nM30\n' >q.mpf

@@ -10,6 +10,23 @@
 #include "gcode/program.h"
 #include "gcode/text/line_search.h"
 
+/* Spells a folder in one way: /wks.dir/a.wpd/ and \_N_WKS_DIR\_N_A_WPD\ are the same folder. */
+static void spell_folder(char *folder)
+{
+	char *to = folder;
+	bool begins = true;
+
+	for (char *at = folder; *at; at++)
+		*at = (char)(*at == '\\' ? '/' : sinumerik_upper(*at));
+	for (const char *at = folder; *at; at++) {
+		if (begins && !strncmp(at, "_N_", 3) && at[3])
+			at += 3;
+		*to = (char)(!strncmp(at, "_DIR/", 5) || !strncmp(at, "_WPD/", 5) ? '.' : *at);
+		begins = *to++ == '/';
+	}
+	*to = '\0';
+}
+
 /* Programs of one name in two folders of the control are two programs, but only one of them can be found here. */
 static bool check_folder(struct interp *interp, const char *path, size_t length, const char *name, int column)
 {
@@ -17,8 +34,7 @@ static bool check_folder(struct interp *interp, const char *path, size_t length,
 	char key[SINUMERIK_NAME + SINUMERIK_TEXT + 2];
 
 	snprintf(key, sizeof(key), "%s %.*s", name, (int)length, path);
-	for (char *at = key; *at; at++)
-		*at = sinumerik_upper(*at);
+	spell_folder(key + strlen(name) + 1);
 	if (length == 0 || labels_find(folders, key))
 		return true;
 	if (labels_find(folders, name))
