@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/mem.h"
 #include "base/path_sandbox.h"
+#include "base/same_file.h"
 #include "base/strbuf.h"
 #include "cli/path_checks.h"
 #include "cli/report_paths.h"
@@ -200,8 +201,7 @@ static void name_outputs(struct options *one, const struct job_item *job, struct
 struct job_inputs {
 	struct {
 		const char *path;
-		dev_t device;
-		ino_t inode;
+		struct stat status;
 	} *items;	/* owned */
 	size_t count, capacity;
 };
@@ -214,8 +214,7 @@ static void add_input(struct job_inputs *inputs, const char *path)
 		return;
 	inputs->items = mem_grow(inputs->items, &inputs->capacity, inputs->count + 1, sizeof(*inputs->items));
 	inputs->items[inputs->count].path = path;
-	inputs->items[inputs->count].device = status.st_dev;
-	inputs->items[inputs->count++].inode = status.st_ino;
+	inputs->items[inputs->count++].status = status;
 }
 
 /* Is the file none of the inputs? False: reported. */
@@ -226,7 +225,7 @@ static bool spares_inputs(const struct job_inputs *inputs, const struct output_o
 	if (!*output->path || stat(*output->path, &status))
 		return true;
 	for (size_t i = 0; i < inputs->count; i++) {
-		if (inputs->items[i].device != status.st_dev || inputs->items[i].inode != status.st_ino)
+		if (!same_file(&inputs->items[i].status, &status))
 			continue;
 		diag_error(diag, nowhere, "--%s would overwrite %s", output->option, inputs->items[i].path);
 		return false;

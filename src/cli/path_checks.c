@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/path_sandbox.h"
+#include "base/same_file.h"
 #include "base/strbuf.h"
 
 /* Do both paths lead to the same entry of the same folder? */
@@ -26,8 +27,7 @@ static bool is_same_entry(const char *a, const char *b)
 			return false;
 		names[i] = slash ? slash + 1 : names[i];
 	}
-	return !strcmp(names[0], names[1]) && folders[0].st_dev == folders[1].st_dev &&
-	       folders[0].st_ino == folders[1].st_ino;
+	return !strcmp(names[0], names[1]) && same_file(&folders[0], &folders[1]);
 }
 
 /* Are both the same regular file? Files that do not exist yet are compared by folder and name. */
@@ -37,7 +37,7 @@ static bool is_same(const char *a, const char *b)
 
 	if (stat(a, &sa) || stat(b, &sb))
 		return !strcmp(a, b) || is_same_entry(a, b);
-	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+	return S_ISREG(sa.st_mode) && same_file(&sa, &sb);
 }
 
 /* A file that will be written, and the option that names it. */
@@ -76,7 +76,7 @@ static bool spares_results(const struct options *options, const struct written *
 	for (int i = 0; i < FORMAT_COUNT && !options->output; i++)
 		has_results = has_results || (options->formats[i].wanted && !options->formats[i].path);
 	if (!has_results || fstat(STDOUT_FILENO, &results) || !S_ISREG(results.st_mode) ||
-	    stat(written->path, &status) || status.st_dev != results.st_dev || status.st_ino != results.st_ino)
+	    stat(written->path, &status) || !same_file(&status, &results))
 		return true;
 	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, to which standard output is redirected",
 		   written->option, written->path);
@@ -104,7 +104,7 @@ static bool spares_standard_input(const struct options *options, const struct wr
 	struct stat input, status;
 
 	if (!reads_standard_input(options) || fstat(STDIN_FILENO, &input) || !S_ISREG(input.st_mode) ||
-	    stat(written->path, &status) || status.st_dev != input.st_dev || status.st_ino != input.st_ino)
+	    stat(written->path, &status) || !same_file(&status, &input))
 		return true;
 	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, which is standard input", written->option,
 		   written->path);

@@ -9,6 +9,7 @@
 
 #include "base/mem.h"
 #include "base/path_sandbox.h"
+#include "base/same_file.h"
 #include "base/strbuf.h"
 
 static struct source *add(struct sources *sources, FILE *in, const char *name)
@@ -86,8 +87,7 @@ static struct source *find_open(const struct sources *sources, FILE *file)
 	for (size_t i = 1; i < sources->count; i++) {
 		struct source *source = sources->items[i];
 
-		if (source->file && !fstat(fileno(source->file), &other) && status.st_ino &&
-		    status.st_dev == other.st_dev && status.st_ino == other.st_ino)
+		if (source->file && !fstat(fileno(source->file), &other) && same_file(&status, &other))
 			return source;
 	}
 	return NULL;
