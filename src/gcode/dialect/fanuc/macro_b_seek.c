@@ -228,7 +228,8 @@ static bool fault_window(struct interp *interp, const char *what, int number, in
 	char name[24];
 
 	snprintf(name, sizeof(name), "%.8s%d", what, number);
-	return line_search_refuse_pipe(&interp->at, column, name);
+	line_search_refuse_pipe(&interp->at, column, name);
+	return false;
 }
 
 static struct position program_start(struct interp *interp)
