@@ -4,9 +4,8 @@ small_machine
 sed 's|<base>|<controller dialect="sinumerik" path_tolerance="0.01"/><base>|' m.xml >s.xml
 sed 's|<base>|<controller dialect="klartext" path_tolerance="0.01"/><base>|' m.xml >k.xml
 
-# three MACHINE - the program of standard input as a file, redirected and on a pipe: the status of each
-three() {
-	cat >p.nc
+# ways MACHINE - p.nc as a file, redirected and on a pipe: the status of each, and the positions
+ways() {
 	for way in file redirected pipe; do
 		case $way in
 		file) fivecheck --include=lib --dump-path "$1" p.nc >out ;;
@@ -15,6 +14,11 @@ three() {
 		esac
 		echo "$way $?: $(cut -f 1,4,5 out | tail -n +2 | tr '\t\n' ' ;')"
 	done
+}
+# three MACHINE - the same of the program of standard input
+three() {
+	cat >p.nc
+	ways "$1"
 }
 mkdir lib
 
@@ -80,17 +84,6 @@ far() {
 	head -c 4500000 /dev/zero | tr '\0' ' ' | fold -w 100
 	echo
 }
-# statuses MACHINE - of p.nc as a file, redirected and on a pipe
-statuses() {
-	for way in file redirected pipe; do
-		case $way in
-		file) fivecheck --include=lib --parse-only "$1" p.nc >out ;;
-		redirected) fivecheck --include=lib --parse-only "$1" - <p.nc >out ;;
-		pipe) cat p.nc | fivecheck --include=lib --parse-only "$1" - >out ;;
-		esac
-		echo "$way $?"
-	done
-}
 # A label may come twice up to the end of its program, a program up to the end of the file.
 for call in 'GOTOF AA' 'FOUR' 'CALL "THIRD.SPF"'; do
 	{
@@ -98,7 +91,7 @@ for call in 'GOTOF AA' 'FOUR' 'CALL "THIRD.SPF"'; do
 		far
 	} >p.nc
 	echo "-- $call"
-	statuses s.xml
+	ways s.xml
 done
 echo '-- GOTOF AA'
 {
@@ -106,7 +99,7 @@ echo '-- GOTOF AA'
 	far
 	echo M30
 } >p.nc
-statuses s.xml
+ways s.xml
 
 echo '== klartext'
 for labels in '1 01' '"A" A' '2 1'; do
@@ -119,4 +112,4 @@ done
 	far
 	echo 'END PGM P MM'
 } >p.nc
-statuses k.xml
+ways k.xml
