@@ -246,6 +246,9 @@ bool motion_commands_dwell(struct interp *interp)
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
+/* A feed that no axis reaches, in mm or radians per second: the axes' rates limit moves at this feed. */
+#define FASTEST_FEED 1e6
+
 /*
  * A feed move before any F: Fanuc B-64484EN and Haas call this an alarm, but a program that is a part of a job uses the
  * F of the part before. The path is the same.

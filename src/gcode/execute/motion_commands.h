@@ -36,13 +36,10 @@ bool motion_commands_go(struct interp *interp, const slot_values *target, struct
  */
 bool motion_commands_cover_probed(struct interp *interp, int column);
 
-/* A feed that no axis reaches, in mm or radians per second: the axes' rates limit moves at this feed. */
-#define FASTEST_FEED 1e6
-
 /*
- * The feed, in mm per second, of a thread or per revolution; or FASTEST_FEED, with a caution, if it is 0. Posts that
- * lack the data of a tool write a spindle speed or a pitch of 0: there the control stops or waits, but the path is the
- * same.
+ * The feed, in mm per second, of a thread or per revolution. If it is 0, a caution, and a feed that no axis reaches:
+ * posts that lack the data of a tool write a spindle speed or a pitch of 0. There the control stops or waits, but the
+ * path is the same.
  */
 double motion_commands_thread_feed(struct interp *interp, int column, double feed);
 
