@@ -59,10 +59,11 @@ def write(path, lines):
 
 
 def shrink(programs, path, lines):
-    """Removes lines, but not the last one, M2, as long as the two programs still differ."""
+    """Removes lines as long as the two programs still differ, but neither the first, the unit of length, in which they
+    start differently without it, nor the last, M2."""
     size = max(1, len(lines) // 2)
     while size:
-        at = 0
+        at = 1
         while at + size < len(lines):
             fewer = lines[:at] + lines[at + size:]
             write(path, fewer)

@@ -145,21 +145,23 @@ def rests(last, move):
     return all(abs(s - e) <= x + y for s, e, x, y in zip(last.end, move.end, last.exact, move.exact))
 
 
-def sweep_of(position, move):
+def sweep_of(last, move):
+    """The angle of an arc, in radians. Between two ends that may be the same, as exactly as they are known, it is a
+    full turn."""
     a, b, centre, turns = move.arc
-    start = math.atan2(position[b] - centre[1], position[a] - centre[0])
+    start = math.atan2(last.end[b] - centre[1], last.end[a] - centre[0])
     end = math.atan2(move.end[b] - centre[1], move.end[a] - centre[0])
     sign = 1 if turns > 0 else -1
     angle = (sign * (end - start)) % (2 * math.pi)
-    if angle < 1e-4 or angle > 2 * math.pi - 1e-4:
+    if all(abs(last.end[i] - move.end[i]) <= last.exact[i] + move.exact[i] for i in (a, b)):
         angle = 2 * math.pi
     return sign * (angle + 2 * math.pi * (abs(turns) - 1))
 
 
-def follow_arc(position, move, rows):
+def follow_arc(last, move, rows):
     """Takes the chords of an arc from rows. The value is a description of the difference, or None."""
     a, b, centre, _ = move.arc
-    expected, swept = sweep_of(position, move), 0.0
+    position, expected, swept = last.end, sweep_of(last, move), 0.0
     while rows:
         row = rows.pop(0)
         step = (math.atan2(row[b] - centre[1], row[a] - centre[0]) -
@@ -181,7 +183,7 @@ def difference(moves, rows, to_the_end=True):
         if not rows and not to_the_end:
             return None
         if move.arc:
-            wrong = follow_arc(last.end, move, rows)
+            wrong = follow_arc(last, move, rows)
             if wrong:
                 return f'move {i + 1}: {wrong}'
         elif rows and is_at(rows[0], move):
