@@ -22,6 +22,7 @@ struct frustum {
 struct eroder {
 	const struct frustum *frustums;	/* from the top down, without gaps */
 	size_t count;
+	double top;	/* of the solid: the core ends there */
 	double bottom;	/* of the solid: everything within `depth` of it is removed */
 	double depth;
 	double *cuts;	/* descending heights: between two of them one line bounds the core */
@@ -129,9 +130,7 @@ static struct line bound(const struct eroder *e, double top, double bottom)
 
 static void add_cut(struct eroder *e, double h)
 {
-	const struct frustum *first = &e->frustums[0];
-
-	if (h < first->top && h > e->bottom)
+	if (h < e->top && h > e->bottom)
 		e->cuts[e->cut_count++] = h;
 }
 
@@ -147,7 +146,7 @@ static void make_cuts(struct eroder *e)
 {
 	e->cuts = mem_zalloc(9 * e->count + 3, sizeof(*e->cuts));
 	e->cut_count = 0;
-	e->cuts[e->cut_count++] = e->frustums[0].top;
+	e->cuts[e->cut_count++] = e->top;
 	e->cuts[e->cut_count++] = e->bottom;
 	add_cut(e, e->bottom + e->depth);
 	for (size_t i = 0; i < e->count; i++) {
@@ -198,7 +197,7 @@ static double next_cut(const struct eroder *e, double h, double end)
 static size_t erode(const struct eroder *e, double end, struct tool_section *sections)
 {
 	size_t count = 0, kept = 0;
-	double top = e->frustums[0].top;
+	double top = e->top;
 
 	while (top > end) {
 		double bottom = next_cut(e, top, end);
@@ -228,7 +227,6 @@ static bool keeps_round_tip(const struct tool_solid *solid, double depth)
 	       last->diameter / 2 > depth + TOOL_SECTION_MIN;
 }
 
-/* If no point is this deep, the core has no sections. */
 static struct tool_solid make_core(struct eroder *eroder, const struct tool_solid *solid, struct arena *arena)
 {
 	struct tool_solid core = {.top = solid->top, .tip = TIP_FLAT};
@@ -255,19 +253,32 @@ static struct tool_solid make_core(struct eroder *eroder, const struct tool_soli
 	return core;
 }
 
-struct tool_solid tool_core(const struct tool_solid *solid, double depth, struct arena *arena)
+/*
+ * The frustums of the solid, after one for the tool above it if that is thinner: then the rest of the upper end is
+ * surface. Returns their number; there is space for two more than the solid has sections.
+ */
+static size_t frustums_with(const struct tool_solid *solid, double depth, double above, struct frustum *out)
 {
-	struct frustum *frustums = mem_zalloc(solid->count + 1, sizeof(*frustums));
-	struct eroder eroder = {.frustums = frustums, .count = frustums_of(solid, frustums), .depth = depth};
-	struct tool_solid core = *solid;
+	size_t count = 0;
 
+	if (above < solid->sections[0].diameter / 2)
+		out[count++] = (struct frustum){solid->top + 2 * depth, solid->top, above, above};
+	return count + frustums_of(solid, out + count);
+}
+
+struct tool_solid tool_core(const struct tool_solid *solid, double depth, double above, struct arena *arena)
+{
+	struct frustum *frustums;
+	struct eroder eroder = {.depth = depth, .top = solid->top};
+	struct tool_solid core;
+
+	if (!(depth > 0))
+		return *solid;
+	frustums = mem_zalloc(solid->count + 2, sizeof(*frustums));
+	eroder.frustums = frustums;
+	eroder.count = frustums_with(solid, depth, above, frustums);
 	eroder.bottom = frustums[eroder.count - 1].bottom;
-	if (depth > 0) {
-		do {
-			core = make_core(&eroder, solid, arena);
-			eroder.depth /= 2;
-		} while (!core.count);
-	}
+	core = make_core(&eroder, solid, arena);
 	free(frustums);
 	return core;
 }

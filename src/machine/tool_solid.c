@@ -51,7 +51,7 @@ static double largest_radius(const struct tool_solid *solid)
 	return r;
 }
 
-static double bottom(const struct tool_solid *solid)
+double tool_solid_bottom(const struct tool_solid *solid)
 {
 	double z = solid->top;
 
@@ -82,7 +82,7 @@ static double arc_radius(const struct tool_solid *solid)
 static struct plan make_plan(const struct tool_solid *solid)
 {
 	double r = largest_radius(solid), arc = arc_radius(solid);
-	double reach = fmax(r, fmax(fabs(solid->top), fabs(bottom(solid))));
+	double reach = fmax(r, fmax(fabs(solid->top), fabs(tool_solid_bottom(solid))));
 	struct plan plan = {.margin = 1.1 * (double)FLT_EPSILON * (reach + TOOL_SOLID_DEVIATION)};
 	/* 3.2 margins of thickening and one of rounding; the rest is for the facets. */
 	double error = 0.95 * TOOL_SOLID_DEVIATION - 5 * plan.margin;
@@ -101,7 +101,7 @@ static struct plan make_plan(const struct tool_solid *solid)
 void tool_solid_cut(const struct tool_solid *solid, double height, struct arena *arena, struct tool_solid *upper,
 		    struct tool_solid *lower)
 {
-	double cut = bottom(solid) + height, z = solid->top, end;
+	double cut = tool_solid_bottom(solid) + height, z = solid->top, end;
 	struct tool_section *above = arena_alloc(arena, solid->count * sizeof(*above));
 	struct tool_section *below = arena_alloc(arena, solid->count * sizeof(*below));
 
@@ -240,7 +240,7 @@ static void outline_init(struct outline *outline, const struct tool_solid *solid
 		z -= solid->sections[i].length;
 		add_joint(outline, &solid->sections[i], &solid->sections[i + 1], z, plan->margin);
 	}
-	add_tip(outline, solid, bottom(solid), plan);
+	add_tip(outline, solid, tool_solid_bottom(solid), plan);
 }
 
 struct vertex {
@@ -373,7 +373,8 @@ void tool_solid_coarse_mesh(const struct tool_solid *solid, struct arena *arena,
 
 bool tool_solid_contains(const struct tool_solid *solid, vec3 p, double margin)
 {
-	double z = solid->top, tip = bottom(solid) + tool_solid_tip_height(solid), r = sqrt(p.x * p.x + p.y * p.y);
+	double tip = tool_solid_bottom(solid) + tool_solid_tip_height(solid);
+	double z = solid->top, r = sqrt(p.x * p.x + p.y * p.y);
 
 	for (size_t i = 0; i < solid->count; i++) {
 		const struct tool_section *s = &solid->sections[i];

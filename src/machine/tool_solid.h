@@ -48,6 +48,9 @@ void tool_solid_cut(const struct tool_solid *solid, double height, struct arena 
 /* mm: the height of the tip, which is cut from the last section; that section must be at least as long. */
 double tool_solid_tip_height(const struct tool_solid *solid);
 
+/* mm: the height of the solid's lower end, its tip. */
+double tool_solid_bottom(const struct tool_solid *solid);
+
 /*
  * The number of triangles that tool_solid_mesh makes, or a few more: it leaves out those that rounding has made lines.
  */

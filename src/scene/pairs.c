@@ -6,6 +6,7 @@
 #include "base/parallel_for.h"
 #include "base/strbuf.h"
 #include "geom/tolerance.h"
+#include "scene/cutter_depth.h"
 #include "scene/pair_rules.h"
 #include "scene/reach_search.h"
 #include "scene/static_query.h"
@@ -81,12 +82,14 @@ static void derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 	decide_reach(pair, reach_search_proves(search, scene, pair, &bodies));
 }
 
-/* Replaces the cutter of the pair by its core. */
-static void set_core(struct scene *scene, struct scene_pair *pair, double depth)
+/* Replaces the cutter of the pair by its core. Returns the depth of the core in mm: `depth`, or less if it is thin. */
+static double set_core(struct scene *scene, struct scene_pair *pair, double depth)
 {
 	int *cutter = scene->bodies[pair->a].body->role == ROLE_CUTTER ? &pair->a : &pair->b;
+	const double core = cutter_depth(scene, *cutter, depth);
 
-	*cutter = scene_core(scene, *cutter, depth);
+	*cutter = scene_core(scene, *cutter, core);
+	return core;
 }
 
 /* The classes of steps in which a cutter must stay out of the part, and those in which its contact is cutting. */
@@ -112,6 +115,7 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *part = cutter == a ? b : a;
 	const struct contact_rule *rule = contact_rule(scene, cutter);
+	double depth;
 
 	pair->clearance = 0;
 	pair->fault = PAIR_RAPID_CONTACT;
@@ -121,10 +125,9 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 		       "the cutter is a mesh, so the depth to which it enters the part is not checked");
 		return;
 	}
-	set_core(scene, pair, part->rapid_allowance);
+	depth = set_core(scene, pair, part->rapid_allowance);
 	pair->steps = rule->apart;
-	decide(pair, PAIR_CUTTING, "the cutter cuts the part; %s it may enter it %g mm deep", rule->when,
-	       part->rapid_allowance);
+	decide(pair, PAIR_CUTTING, "the cutter cuts the part; %s it may enter it %g mm deep", rule->when, depth);
 }
 
 /* Each cell of the stock gives its own depth in the cutter, so no core is needed. */
@@ -136,11 +139,11 @@ static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
 
 	pair->clearance = 0;
 	pair->fault = PAIR_RAPID_CONTACT;
-	pair->inset = stock->rapid_allowance;
+	pair->inset = cutter_depth(scene, cutter == a ? pair->a : pair->b, stock->rapid_allowance);
 	pair->steps = rule->apart;
 	decide(pair, PAIR_CUTTING, "the cutter %s the stock; %s it may enter it %g mm deep",
 	       rule->work == STEP_FEED_TURNING && cutter->profile ? "cuts" : "may touch", rule->when,
-	       stock->rapid_allowance);
+	       pair->inset);
 }
 
 /* Adds a second pair of a cutter and a part: while the cutter cuts, it must not enter deeper than the part's gouge. */
@@ -157,8 +160,8 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	*pair = *cutting;
 	pair->fault = PAIR_GOUGE;
 	pair->steps = rule->work;
-	set_core(scene, pair, part->gouge);
-	decide(pair, PAIR_CUTTING, "while the cutter cuts the part, it may enter it %g mm deep", part->gouge);
+	decide(pair, PAIR_CUTTING, "while the cutter cuts the part, it may enter it %g mm deep",
+	       set_core(scene, pair, part->gouge));
 }
 
 static bool are_of_two_tools(const struct body *a, const struct body *b)

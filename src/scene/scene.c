@@ -15,6 +15,20 @@
 #include "machine/tool_solid.h"
 #include "scene/body_shapes.h"
 
+/* mm: the radius of the tool directly above a cutter given by sections; INFINITY: it is not known. */
+static double radius_above(const struct scene *scene, const struct body *cutter)
+{
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct body *other = scene->bodies[i].body;
+		const struct tool_solid *solid = other->profile;
+
+		if (other->tool == cutter->tool && other->role != ROLE_CUTTER && solid &&
+		    fabs(tool_solid_bottom(solid) - cutter->profile->top) < TOOL_SECTION_MIN)
+			return solid->sections[solid->count - 1].diameter_end / 2;
+	}
+	return INFINITY;
+}
+
 int scene_core(struct scene *scene, int body, double depth)
 {
 	const struct body *cutter = scene->bodies[body].body;
@@ -29,7 +43,7 @@ int scene_core(struct scene *scene, int body, double depth)
 			return (int)i;
 	}
 	solid = arena_alloc(&scene->cores, sizeof(*solid));
-	*solid = tool_core(cutter->profile, depth, &scene->cores);
+	*solid = tool_core(cutter->profile, depth, radius_above(scene, cutter), &scene->cores);
 	core = arena_alloc(&scene->cores, sizeof(*core));
 	*core = *cutter;
 	core->solid = NULL;

@@ -39,14 +39,7 @@ static void check_holder(const struct body *body, size_t item, struct doubts *do
 /* mm: the extent of the body from the gauge line toward the tip. A mesh has the gauge point at its origin. */
 static double end_of(const struct scene_body *b)
 {
-	double end;
-
-	if (!b->body->profile)
-		return b->bvh->half.z - b->bvh->origin.z;
-	end = -b->body->profile->top;
-	for (size_t i = 0; i < b->body->profile->count; i++)
-		end += b->body->profile->sections[i].length;
-	return end;
+	return b->body->profile ? -tool_solid_bottom(b->body->profile) : b->bvh->half.z - b->bvh->origin.z;
 }
 
 static void check_aside(const struct scene *scene, int body, size_t item, struct doubts *doubts)

@@ -9,13 +9,13 @@
 
 #define SECTIONS_MAX 5
 
-/* The radius of a solid at height h; negative if there is none. Above its top the tool continues without end. */
-static double radius_at(const struct tool_solid *solid, double h)
+/* The radius of the tool at height h; negative if there is none. Above its top the tool continues with `above`. */
+static double tool_radius_at(const struct tool_solid *solid, double above, double h)
 {
 	double top = solid->top, bottom;
 
 	if (h > top)
-		return INFINITY;
+		return above;
 	for (size_t i = 0; i < solid->count; i++, top = bottom) {
 		const struct tool_section *s = &solid->sections[i];
 		double r, up;
@@ -36,11 +36,17 @@ static double radius_at(const struct tool_solid *solid, double h)
 	return -1;
 }
 
+static double radius_at(const struct tool_solid *solid, double h)
+{
+	return tool_radius_at(solid, INFINITY, h);
+}
+
 /*
  * The least radius at h that the heights from low to high allow. Along one section it is convex, so the minimum is
  * found by ternary search.
  */
-static double least_between(const struct tool_solid *solid, double depth, double h, double low, double high)
+static double least_between(const struct tool_solid *solid, double above, double depth, double h, double low,
+			    double high)
 {
 	double least = INFINITY;
 
@@ -51,7 +57,8 @@ static double least_between(const struct tool_solid *solid, double depth, double
 		double g[2] = {low + (high - low) / 3, high - (high - low) / 3}, r[2];
 
 		for (int k = 0; k < 2; k++) {
-			r[k] = radius_at(solid, g[k]) - sqrt(fmax(0, depth * depth - (h - g[k]) * (h - g[k])));
+			r[k] = tool_radius_at(solid, above, g[k]) -
+			       sqrt(fmax(0, depth * depth - (h - g[k]) * (h - g[k])));
 			least = fmin(least, r[k]);
 		}
 		if (r[0] < r[1])
@@ -63,9 +70,12 @@ static double least_between(const struct tool_solid *solid, double depth, double
 }
 
 /* The radius of the erosion at h. Round tips are concave, too, so they are searched in short pieces. */
-static double eroded(const struct tool_solid *solid, double depth, double h)
+static double eroded(const struct tool_solid *solid, double above, double depth, double h)
 {
 	double least = INFINITY, top = solid->top, bottom;
+
+	if (h + depth > top && above < INFINITY)
+		least = least_between(solid, above, depth, h, top, h + depth);
 
 	for (size_t i = 0; i < solid->count; i++, top = bottom) {
 		bottom = top - solid->sections[i].length;
@@ -74,17 +84,17 @@ static double eroded(const struct tool_solid *solid, double depth, double h)
 			double low = fmax(h - depth, top - (k + 1) * (top - bottom) / 20);
 
 			if (low < high)
-				least = fmin(least, least_between(solid, depth, h, low, high));
+				least = fmin(least, least_between(solid, above, depth, h, low, high));
 		}
 	}
 	return h - depth < top ? -1 : least;
 }
 
 /* The core contains the erosion, and exceeds its radius by at most `slack` mm. */
-static void judge(const struct tool_solid *solid, double depth, double slack)
+static void judge_below(const struct tool_solid *solid, double above, double depth, double slack)
 {
 	struct arena arena = {0};
-	struct tool_solid core = tool_core(solid, depth, &arena);
+	struct tool_solid core = tool_core(solid, depth, above, &arena);
 	double length = 0;
 
 	for (size_t i = 0; i < solid->count; i++)
@@ -92,13 +102,18 @@ static void judge(const struct tool_solid *solid, double depth, double slack)
 	ck_assert_uint_gt(core.count, 0);
 	for (int i = 0; i < 400; i++) {
 		double h = solid->top - length * (i + 0.5) / 400;
-		double exact = eroded(solid, depth, h), made = radius_at(&core, h);
+		double exact = eroded(solid, above, depth, h), made = radius_at(&core, h);
 
 		if (exact > 0)
 			ck_assert_msg(made > exact - 1e-6, "at %g the core has %.9g, the erosion %.9g", h, made, exact);
 		ck_assert_msg(made < fmax(exact, 0) + slack, "at %g the core has %.9g, the erosion %.9g", h, made, exact);
 	}
 	arena_release(&arena);
+}
+
+static void judge(const struct tool_solid *solid, double depth, double slack)
+{
+	judge_below(solid, INFINITY, depth, slack);
 }
 
 START_TEST(tips_are_exact)
@@ -128,7 +143,7 @@ START_TEST(a_ball_stays_a_ball)
 	static const struct tool_section section = {5, 10, 10};
 	const struct tool_solid solid = {&section, 1, -125, TIP_BALL, 0, 0};
 	struct arena arena = {0};
-	struct tool_solid core = tool_core(&solid, 0.1, &arena);
+	struct tool_solid core = tool_core(&solid, tool_core_depth(&solid, 0.1), INFINITY, &arena);
 
 	ck_assert_uint_eq(core.count, 1);
 	ck_assert_double_eq_tol(core.sections[0].length, 4.9, 1e-12);
@@ -143,7 +158,7 @@ START_TEST(no_depth_keeps_the_solid)
 	static const struct tool_section section = {5, 10, 8};
 	const struct tool_solid solid = {&section, 1, 0, TIP_FLAT, 0, 0};
 	struct arena arena = {0};
-	struct tool_solid core = tool_core(&solid, 0, &arena);
+	struct tool_solid core = tool_core(&solid, 0, INFINITY, &arena);
 
 	ck_assert_ptr_eq(core.sections, &section);
 	arena_release(&arena);
@@ -159,13 +174,55 @@ START_TEST(a_core_is_never_empty)
 	for (size_t i = 0; i < 3; i++) {
 		const struct tool_solid solid = {sections[i], 1, 0, TIP_FLAT, 0, 0};
 		struct arena arena = {0};
-		struct tool_solid core = tool_core(&solid, 0.1, &arena);
+		struct tool_solid core = tool_core(&solid, tool_core_depth(&solid, 0.1), INFINITY, &arena);
 
 		ck_assert_uint_gt(core.count, 0);
 		for (double h = 0; h > -sections[i]->length; h -= sections[i]->length / 50)
 			ck_assert_double_le(radius_at(&core, h), radius_at(&solid, h + TOOL_SECTION_MIN) + 1e-9);
 		arena_release(&arena);
 	}
+}
+END_TEST
+
+/* The disc of a T-slot cutter below its neck: the upper face beside the neck is surface. */
+START_TEST(the_end_beside_a_neck_is_surface)
+{
+	static const struct tool_section disc = {5, 16, 16}, ball = {8, 16, 16};
+	const struct tool_solid slotter = {&disc, 1, -95, TIP_FLAT, 0, 0}, lollipop = {&ball, 1, -92, TIP_BALL, 0, 0};
+
+	judge_below(&slotter, 3, 0.1, 0.11);
+	judge_below(&slotter, 7.95, 0.1, 0.11);
+	judge_below(&slotter, 8, 0.1, 0.012);
+	judge_below(&slotter, 9, 0.1, 0.012);
+	judge_below(&lollipop, 2, 0.1, INFINITY);
+}
+END_TEST
+
+/* Whatever is thin has a core, and nothing else has a smaller depth than was asked for. */
+START_TEST(the_depth_fits_the_thinnest_part)
+{
+	static const struct tool_section mill = {40, 10, 10}, drill = {5, 0.3, 0.3}, saw = {0.4, 60, 60};
+	static const struct tool_section point[] = {{10, 3, 3}, {2, 0.4, 0.4}}, short_point[] = {{10, 3, 3}, {1.4, 0.4, 0.4}};
+	static const struct tool_section disc[] = {{10, 8, 8}, {0.4, 60, 60}}, steps[] = {{0.1, 9.8, 10}, {0.1, 10, 9.8}};
+	static const struct tool_section engraver = {8, 3, 0.1}, needle = {60, 3, 0};
+	static const struct {
+		const struct tool_section *sections;
+		size_t count;
+		double depth;
+	} cases[] = {
+		{&mill, 1, 0.25}, {&drill, 1, 0.125}, {&saw, 1, 0.125}, {point, 2, 0.125}, {short_point, 2, 0.25},
+		{disc, 2, 0.125}, {steps, 2, 0.0625}, {&engraver, 1, 0.25}, {&needle, 1, 0.25},
+	};
+
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		const struct tool_solid solid = {cases[i].sections, cases[i].count, 0, TIP_FLAT, 0, 0};
+
+		ck_assert_double_eq_tol(tool_core_depth(&solid, 0.25), cases[i].depth, 1e-12);
+		ck_assert(!(tool_core_depth(&solid, 0) > 0));
+	}
+	/* A drill of 118 degrees whose section is all point. */
+	ck_assert_double_eq_tol(tool_core_depth(&(struct tool_solid){&mill, 1, 0, TIP_CONE, radians(118), 0}, 0.25),
+				0.25, 1e-12);
 }
 END_TEST
 
@@ -187,6 +244,7 @@ START_TEST(random_profiles_are_enclosed)
 		solid.tip = TIP_BALL;
 	}
 	judge(&solid, 0.1, INFINITY);
+	judge_below(&solid, random_in(&random, 1, 12), 0.1, INFINITY);
 }
 END_TEST
 
@@ -198,6 +256,8 @@ int main(void)
 	tcase_add_test(tcase, a_ball_stays_a_ball);
 	tcase_add_test(tcase, no_depth_keeps_the_solid);
 	tcase_add_test(tcase, a_core_is_never_empty);
+	tcase_add_test(tcase, the_end_beside_a_neck_is_surface);
+	tcase_add_test(tcase, the_depth_fits_the_thinnest_part);
 	tcase_add_loop_test(tcase, random_profiles_are_enclosed, 0, 100);
 	return run_suite("tool_core", tcase);
 }
