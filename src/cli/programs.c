@@ -13,7 +13,7 @@
 #include "cli/path_checks.h"
 #include "cli/program.h"
 #include "cli/program_queue.h"
-#include "report/output.h"
+#include "cli/report_paths.h"
 #include "report/pose.h"
 #include "report/stock_file.h"
 
@@ -73,28 +73,13 @@ static void tell_end(const struct session *session, double seconds, const struct
 	sinks_end(session->order.sinks, &session->context.run, &end);
 }
 
-/* A missing folder is reported at once, not after hours and only with a finding. The file is not changed. */
-static bool can_write(const char *path, struct diag *diag)
-{
-	struct stat status;
-	struct output out;
-
-	/* A pipe may be opened only once. */
-	if (!path || (!stat(path, &status) && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
-		return true;
-	if (!output_open(&out, path, diag))
-		return false;
-	output_discard(&out);
-	return true;
-}
-
 /* Can the files beside the results be written? Errors go to the tee. */
 static bool prepare_files(const struct programs_run *run, struct session *session, struct program_reports *reports)
 {
 	const struct options *options = run->options;
 	struct diag *diag = &run->tee->diag;
 
-	if (!can_write(options->pose, diag) || !can_write(options->stock_out, diag))
+	if (!report_paths_can_write(options->pose, diag) || !report_paths_can_write(options->stock_out, diag))
 		return false;
 	if (!options_want_visual(options))
 		return true;

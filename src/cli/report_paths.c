@@ -36,9 +36,11 @@ void report_paths_add(struct strbuf *out, const char *path, const char *name)
 
 bool report_paths_can_write(const char *path, struct diag *diag)
 {
+	struct stat status;
 	struct output out;
 
-	if (!path)
+	/* A pipe may be opened only once. */
+	if (!path || (!stat(path, &status) && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
 		return true;
 	if (!output_open(&out, path, diag))
 		return false;
