@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/units.h"
 #include "geom/stl_bytes.h"
 #include "report/output.h"
 
@@ -21,7 +22,7 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 {
 	const struct mesh *mesh = &remainder->mesh;
 	/* Rounded up: with a smaller excess, findings of the next setup would wrongly count as certain. */
-	const double excess = ceil(100 * remainder->excess) / 100;
+	const double excess = ceil(100 * remainder->excess) / 100, inches = ceil(1000 * excess / MM_PER_INCH) / 1000;
 	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
 	struct output out;
 
@@ -49,7 +50,7 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 			  remainder->edge);
 	diag_note(diag, nowhere,
 		  "%s contains all remaining stock; material deeper than %.2f mm below its surface certainly remains: "
-		  "<stock mesh=\"%s\" excess=\"%.2f\"/>",
-		  path, excess, path, excess);
+		  "<stock mesh=\"%s\" units=\"mm\" excess=\"%.2f\"/>; in a setup in inches excess=\"%.3f\"",
+		  path, excess, path, excess, inches);
 	return true;
 }

@@ -80,7 +80,7 @@ double stock_cells_radius(const struct stock_cells *cells)
 	return sqrt3 * cells->least_half;
 }
 
-static struct cube child_of(const struct cube *cube, int number)
+struct cube stock_cells_child(const struct cube *cube, int number)
 {
 	const double half = 0.5 * cube->half;
 	const vec3 sign = {number & 1 ? 1 : -1, number & 2 ? 1 : -1, number & 4 ? 1 : -1};
@@ -97,7 +97,7 @@ static void divide(struct stock_cells *cells, size_t index, const struct cube *c
 	cells->cells = mem_grow(cells->cells, &cells->group_capacity, group + 1, 8 * sizeof(*cells->cells));
 	cells->cells[index].children = (uint32_t)group;
 	for (int i = 0; i < 8; i++) {
-		const struct cube child = child_of(cube, i);
+		const struct cube child = stock_cells_child(cube, i);
 
 		cells->cells[8 * group + (size_t)i] = (struct stock_cell){
 			.removed = INFINITY,
@@ -210,7 +210,7 @@ static void look_at_children(struct search *search, size_t index, const struct c
 	for (int i = 0; i < 8; i++) {
 		int at = i;
 
-		out->cubes[i] = child_of(cube, i);
+		out->cubes[i] = stock_cells_child(cube, i);
 		out->gaps[i] = search->cells->cells[out->first + (size_t)i].kind == BLANK_OUTSIDE
 				       ? INFINITY
 				       : gap_of(search, &out->cubes[i]);
@@ -371,7 +371,7 @@ static void visit_cell(struct search *search, size_t index, const struct cube *c
 		divide(search->cells, index, cube);
 	first = 8 * (size_t)cells->cells[index].children;
 	for (int i = 0; i < 8; i++) {
-		const struct cube child = child_of(cube, i);
+		const struct cube child = stock_cells_child(cube, i);
 
 		if (has_part(cells, &child) && is_there(search, first + (size_t)i, &child))
 			visit_cell(search, first + (size_t)i, &child, visit, context);

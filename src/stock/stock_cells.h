@@ -63,6 +63,9 @@ void stock_cells_release(struct stock_cells *cells);
 /* mm: half the diagonal of a smallest cell. No cell extends farther than twice this beyond the blank. */
 double stock_cells_radius(const struct stock_cells *cells);
 
+/* One of the eight parts of a cell, 0 to 7. */
+struct cube stock_cells_child(const struct cube *cube, int number);
+
 /* An obstacle and its pose: stock coordinates to its own. */
 struct placed_obstacle {
 	const struct obstacle *obstacle;

@@ -1,10 +1,13 @@
 #include "stock/stock_mesh.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "base/mem.h"
 #include "base/minmax.h"
+#include "geom/point_distance.h"
+#include "geom/tolerance.h"
 
 /* The size of the cells below a cube of the mesh, as a share of its edge. */
 #define FINE 0.125
@@ -58,25 +61,55 @@ static struct cube_number number_of(const struct grid *grid, const struct cube *
 	return n;
 }
 
+/* Of the cubes of a cell, `count` along each side, the one with this index. */
+static struct cube_number cube_in(struct cube_number first, int count, int index)
+{
+	return (struct cube_number){{first.at[0] + index % count, first.at[1] + index / count % count,
+				     first.at[2] + index / (count * count)}};
+}
+
 /*
- * Marks the cubes that a cell contains, as certainly there if `whole`; a cell smaller than a cube marks the cube around
- * it.
+ * Marks the cubes of a cell, of which no cutter has touched any, as certainly there, except for those that the true
+ * blank may not have. The recursion is as deep as the cells.
+ */
+static void mark_sure(struct grid *grid, const struct cube *cell)
+{
+	const struct blank *blank = &grid->cells->blank;
+	const double radius = sqrt(3) * cell->half * (1 + POSE_ROUNDING);
+	const double depth = blank->excess > 0 ? mesh_point_distance(blank->bvh, cell->centre) : INFINITY;
+	const int count = (int)(2 * cell->half / grid->edge + 0.5);
+	const struct cube_number first = number_of(grid, cell);
+
+	if (depth + radius <= blank->excess || (count <= 1 && depth - radius <= blank->excess))
+		return;
+	for (int i = 0; i < 8 && depth - radius <= blank->excess; i++) {
+		const struct cube part = stock_cells_child(cell, i);
+
+		mark_sure(grid, &part);
+	}
+	for (int i = 0; i < count * count * count && depth - radius > blank->excess; i++) {
+		const size_t bit = bit_of(grid, cube_in(first, count, i));
+
+		grid->sure[bit / 8] |= (uint8_t)(1 << bit % 8);
+	}
+}
+
+/*
+ * Marks the cubes that a cell contains; a cell smaller than a cube marks the cube around it. `whole`: the cell is
+ * inside the blank as it is drawn, and untouched.
  */
 static void fill(struct grid *grid, const struct cube *cell, bool whole)
 {
-	const bool sure = grid->sure && whole && cell->half > 0.4 * grid->edge;
-
 	const int count = (int)larger(1, 2 * cell->half / grid->edge + 0.5);
 	const struct cube_number first = number_of(grid, cell);
 
 	for (int i = 0; i < count * count * count; i++) {
-		const struct cube_number n = {{first.at[0] + i % count, first.at[1] + i / count % count,
-					       first.at[2] + i / (count * count)}};
+		const size_t bit = bit_of(grid, cube_in(first, count, i));
 
-		grid->bits[bit_of(grid, n) / 8] |= (uint8_t)(1 << bit_of(grid, n) % 8);
-		if (sure)
-			grid->sure[bit_of(grid, n) / 8] |= (uint8_t)(1 << bit_of(grid, n) % 8);
+		grid->bits[bit / 8] |= (uint8_t)(1 << bit % 8);
 	}
+	if (grid->sure && whole && cell->half > 0.4 * grid->edge)
+		mark_sure(grid, cell);
 }
 
 static bool is_exhausted(const struct grid *grid)
@@ -238,7 +271,7 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 	else
 		add_cubes(&grid);
 	if (excess && grid.edge > 0)
-		*excess = larger(deepest_doubt(&grid), cells->blank.excess);
+		*excess = deepest_doubt(&grid);
 	free(grid.sure);
 	free(grid.bits);
 	return grid.edge;

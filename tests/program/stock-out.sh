@@ -37,6 +37,21 @@ sed 's/Z17/Z20/' side.nc >higher.nc
 sed 's|location="0 5 20" rotation="90 0 0"|location="0 -5 20" rotation="90 0 180"|' side.xml >on.xml
 "$FIVECHECK" -q -s on.xml m.xml side.nc | grep -E 'rapid-contact|stock  '
 
+echo '== what the note says is right in a setup in mm and in one in inches, and the doubts about both blanks add up'
+sed 's|box="40 30 10"|& uncertainty="0.5" excess="3"|' first.xml >doubted.xml
+for setup in first doubted; do
+	"$FIVECHECK" --stock-out=noted.stl -s $setup.xml m.xml slot.nc 2>&1 | grep -o 'material deeper.*'
+done
+cat >inches.xml <<'XML'
+<setup version="1" units="inch">
+  <work_offset name="G54" X="0" Y="0" Z="-3.937007874"/>
+  <stock mesh="rest.stl" units="mm" excess="0.039"/>
+  <tool number="1" length="3.937007874"><cutter><section length="3.937007874" diameter="0.354330709"/></cutter></tool>
+</setup>
+XML
+findings -s inches.xml m.xml again.nc
+"$FIVECHECK" -q -s inches.xml m.xml beside.nc | grep -E 'rapid-contact|stock  '
+
 echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note

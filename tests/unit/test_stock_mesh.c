@@ -21,7 +21,8 @@ struct slotted {
 };
 
 /* The box with the first `cuts` pieces of the slot, cut by this tool. */
-static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, int cuts)
+static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, int cuts, double uncertainty,
+			      double excess)
 {
 	const xform up = {mat3_identity(), {0, 0, 5}};
 	struct blank blank;
@@ -38,16 +39,21 @@ static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, 
 		cut_log_add(&s->log, &(struct cut){.from = i, .to = i + 1,
 						   .way = {{{-40 + 15 * i, 0, 25}, {0, 0, 1}},
 							   {{-25 + 15 * i, 0, 25}, {0, 0, 1}}}});
-	blank = (struct blank){s->bvh, &s->topology, 0, 0};
+	blank = (struct blank){s->bvh, &s->topology, uncertainty, excess};
 	stock_cells_init(&s->cells, &blank, &s->log, 0.05);
 }
 
-static void slotted_init(struct slotted *s)
+static void slotted_init_of(struct slotted *s, double uncertainty, double excess)
 {
 	static const struct tool_section sections[] = {{20, 10, 10}};
 	static const struct tool_solid flat = {.sections = sections, .count = 1, .tip = TIP_FLAT};
 
-	slotted_init_with(s, &flat, 3);
+	slotted_init_with(s, &flat, 3, uncertainty, excess);
+}
+
+static void slotted_init(struct slotted *s)
+{
+	slotted_init_of(s, 0, 0);
 }
 
 static void slotted_release(struct slotted *s)
@@ -108,6 +114,45 @@ START_TEST(mesh_encloses_what_remains)
 }
 END_TEST
 
+/*
+ * The true blank may be larger by `uncertainty` and smaller by `excess`: the mesh encloses the one, and below `excess`
+ * of the mesh there is material of the other.
+ */
+START_TEST(doubts_about_the_blank_add_up)
+{
+	static const struct {
+		double uncertainty, excess;
+	} cases[] = {{0, 3}, {0.5, 3}, {0.5, 0}, {0, 0.01}, {1, 1}, {0, 100}};
+	const double uncertainty = cases[_i / 2].uncertainty, doubt = cases[_i / 2].excess;
+	const bool cut = _i % 2;
+	struct random random = random_case(2, _i);
+	struct topology topology;
+	struct slotted s;
+	struct mesh mesh;
+	struct bvh *bvh;
+	double edge, excess;
+
+	slotted_init_of(&s, uncertainty, doubt);
+	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, UINT64_MAX, &mesh, &excess);
+	bvh = bvh_new(&mesh);
+	topology_init(&topology, &bvh->mesh);
+	for (int n = 0; n < 5000; n++) {
+		const vec3 off = random_point(&random, 1), p = {22 * off.x, 17 * off.y, 5 + 7 * off.z};
+		const bool is_inside = mesh_inside(bvh, &topology, p) == INSIDE_YES;
+		const double depth = depth_of(p, false);
+
+		if (!cut && depth > 1e-3 - uncertainty)
+			ck_assert(is_inside);
+		if (is_inside && mesh_point_distance(bvh, p) > excess)
+			ck_assert(depth >= doubt && depth_of(p, cut) > -1e-3);
+	}
+	ck_assert_double_le(excess, uncertainty + doubt + 4 * edge);
+	topology_release(&topology);
+	bvh_free(bvh);
+	slotted_release(&s);
+}
+END_TEST
+
 /* With too little effort there is no mesh. */
 START_TEST(mesh_that_costs_too_much_is_none)
 {
@@ -134,7 +179,7 @@ START_TEST(cut_places_deep_in_the_mesh_are_told)
 	struct bvh *bvh;
 	double deepest = 0;
 
-	slotted_init_with(&s, &narrow, 0);
+	slotted_init_with(&s, &narrow, 0, 0, 0);
 	for (int i = 0; i < 30; i++)
 		cut_log_add(&s.log, &(struct cut){.from = i, .to = i + 1,
 						  .way = {{{-40, i - 14.5, 21}, {0, 0, 1}},
@@ -158,6 +203,7 @@ int main(void)
 	TCase *cases = tcase_create("all");
 
 	tcase_add_loop_test(cases, mesh_encloses_what_remains, 0, 2);
+	tcase_add_loop_test(cases, doubts_about_the_blank_add_up, 0, 12);
 	tcase_add_test(cases, mesh_that_costs_too_much_is_none);
 	tcase_add_test(cases, cut_places_deep_in_the_mesh_are_told);
 	return run_suite("stock_mesh", cases);
