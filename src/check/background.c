@@ -56,8 +56,8 @@ void background_give(struct background *background)
 {
 	pthread_mutex_lock(&background->loop.lock);
 	background->given++;
-	pthread_cond_signal(&background->loop.changed);
 	pthread_mutex_unlock(&background->loop.lock);
+	pthread_cond_signal(&background->loop.changed);
 }
 
 size_t background_done(struct background *background)
@@ -86,8 +86,12 @@ void background_wait(struct background *background, size_t count)
 
 void background_take(struct background *background, size_t count)
 {
+	bool held;
+
 	pthread_mutex_lock(&background->loop.lock);
 	background->taken = count;
-	pthread_cond_signal(&background->loop.changed);
+	held = background->holds;
 	pthread_mutex_unlock(&background->loop.lock);
+	if (held)
+		pthread_cond_signal(&background->loop.changed);
 }
