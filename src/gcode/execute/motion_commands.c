@@ -284,32 +284,38 @@ double motion_commands_thread_feed(struct interp *interp, int column, double fee
 	return FASTEST_FEED;
 }
 
+static bool take_inverse_time(struct interp *interp, struct canon_feed *feed)
+{
+	const struct block *block = &interp->block;
+
+	if (!block_has(block, 'F'))
+		return fault(&interp->at, block_motion_column(block), "G%g without F in inverse time mode (G93)",
+			     block->motion / 10.0);
+	feed->inverse_time = true;
+	feed->seconds = SECONDS_PER_MINUTE / block_value(block, 'F');
+	return (block_value(block, 'F') > 0 && isfinite(feed->seconds)) ||
+	       fault(&interp->at, block_column(block, 'F'), "F must be greater than 0 in inverse time mode (G93)");
+}
+
 /* LinuxCNC's manual, "Feed Rate" and "G93, G94, G95". */
 bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 {
 	const struct block *block = &interp->block;
 	const struct state *state = &interp->state;
-	const int column = block_motion_column(block);
-	const double code = block->motion / 10.0;
 	double per_second = 1 / SECONDS_PER_MINUTE;
 
 	*feed = (struct canon_feed){0};
-	if (state->feed_mode == FEED_INVERSE_TIME) {
-		if (!block_has(block, 'F'))
-			return fault(&interp->at, column, "G%g without F in inverse time mode (G93)", code);
-		feed->inverse_time = true;
-		feed->seconds = SECONDS_PER_MINUTE / block_value(block, 'F');
-		if (!(block_value(block, 'F') > 0) || !isfinite(feed->seconds))
-			return fault(&interp->at, block_column(block, 'F'),
-				     "F must be greater than 0 in inverse time mode (G93)");
-		return true;
-	}
+	if (state->feed_mode == FEED_INVERSE_TIME)
+		return take_inverse_time(interp, feed);
 	if (!(state->feed_linear > 0))
 		return keep_feed(interp, feed);
 	if (state->feed_mode == FEED_PER_REVOLUTION) {
+		const int column = block_motion_column(block);
+
 		if (!(state->speed > 0) && traits_of(interp)->feed_missing != FEED_MISSING_KEPT)
 			return fault(&interp->at, column,
-				     "G%g in feed per revolution (G95) without a spindle speed (S)", code);
+				     "G%g in feed per revolution (G95) without a spindle speed (S)",
+				     block->motion / 10.0);
 		if (!(state->speed > 0)) {
 			feed->linear = feed->angular = motion_commands_thread_feed(interp, column, 0);
 			return true;
