@@ -151,11 +151,18 @@ struct long_checks {
 	struct doubts doubts[LONG_CHECKS];
 };
 
+/* First the balances of all bodies, one by one, then the checks that ask for them. */
 static void run_long_check(void *context, int worker, size_t i)
 {
 	struct long_checks *checks = context;
+	const size_t bodies = checks->scene->body_count;
 
 	(void)worker;
+	if (i < bodies) {
+		open_check_prepare(checks->scene, (int)i);
+		return;
+	}
+	i -= bodies;
 	if (i == PLACES)
 		check_places(checks->scene, &checks->doubts[i]);
 	else if (missing_is_drawn(checks->scene))
@@ -167,7 +174,7 @@ void model_check(struct scene *scene, int threads)
 	struct long_checks checks = {.scene = scene};
 	struct doubts *doubts = &scene->doubts;
 
-	parallel_for(LONG_CHECKS, threads < LONG_CHECKS ? threads : LONG_CHECKS, run_long_check, &checks);
+	parallel_for(scene->body_count + LONG_CHECKS, threads, run_long_check, &checks);
 	for (int i = 0; i < LONG_CHECKS; i++) {
 		doubts_add_all(doubts, &checks.doubts[i]);
 		doubts_release(&checks.doubts[i]);

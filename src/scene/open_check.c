@@ -13,12 +13,23 @@ static bool has_checked_pair(const struct scene *scene, int body)
 	return false;
 }
 
-static bool is_open(struct scene *scene, int body)
+static bool is_asked_for(const struct scene *scene, int body)
 {
 	const struct scene_body *b = &scene->bodies[body];
 
-	return b->bvh && !b->body->profile && !b->body->checked && !scene_body_is_balanced(scene, body) &&
-	       has_checked_pair(scene, body) && topology_is_open(scene_body_topology(scene, body));
+	return b->bvh && !b->body->profile && !b->body->checked;
+}
+
+static bool is_open(struct scene *scene, int body)
+{
+	return is_asked_for(scene, body) && !scene_body_is_balanced(scene, body) && has_checked_pair(scene, body) &&
+	       topology_is_open(scene_body_topology(scene, body));
+}
+
+void open_check_prepare(struct scene *scene, int body)
+{
+	if (is_asked_for(scene, body))
+		scene_body_is_balanced(scene, body);
 }
 
 void open_check(struct scene *scene)

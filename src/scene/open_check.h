@@ -7,4 +7,7 @@
 /* Fills scene->open_bodies and first_open. Bodies of no checked pair, and those with checked="", do not count. */
 void open_check(struct scene *scene);
 
+/* What open_check will ask about this body, so that several threads can find it: it takes long for a fine mesh. */
+void open_check_prepare(struct scene *scene, int body);
+
 #endif
