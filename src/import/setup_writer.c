@@ -62,6 +62,10 @@ static void write_tool(struct strbuf *out, const struct tool_description *tool)
 	if (tool->name)
 		xml_text_attribute(out, "name", tool->name);
 	add_number(out, "length", tool->length);
+	if (tool->length_offset.given)
+		add_number(out, "length_offset", tool->length_offset.value);
+	if (tool->radius_offset.given)
+		add_number(out, "radius_offset", tool->radius_offset.value);
 	if (tool->kind == TOOL_PROBES)
 		xml_text_attribute(out, "kind", "probe");
 	if (tool->hand != HAND_UNKNOWN)
@@ -104,6 +108,21 @@ static void write_offset(struct strbuf *out, const struct length_offset_descript
 	strbuf_addf(out, "/>\n");
 }
 
+/* A tool of which a control's table does not give the shape. */
+static void write_values(struct strbuf *out, const struct tool_values_description *values)
+{
+	struct strbuf text = {0};
+
+	strbuf_addf(&text, "TODO Describe tool %ld", values->number);
+	if (values->key || values->name)
+		strbuf_addf(&text, " (%s)", values->key ? values->key : values->name);
+	strbuf_addf(&text, ": its length is %.12g and its radius %.12g mm.", shown(values->length),
+		    shown(values->radius));
+	strbuf_addf(out, "  ");
+	xml_text_comment(out, strbuf_text(&text));
+	strbuf_release(&text);
+}
+
 static void write_work_offsets(struct strbuf *out, const struct work_offset_description *offsets, size_t count)
 {
 	for (size_t i = 0; i < count; i++) {
@@ -142,6 +161,8 @@ void setup_writer_xml(struct strbuf *out, const struct setup_description *tools,
 	write_work_offsets(out, tools->offsets, tools->offset_count);
 	for (size_t i = 0; i < tools->length_count; i++)
 		write_offset(out, &tools->lengths[i]);
+	for (size_t i = 0; i < tools->value_count; i++)
+		write_values(out, &tools->values[i]);
 	if (job) {
 		write_work_offsets(out, job->offsets, job->offset_count);
 		write_bodies(out, &job->bodies.description);

@@ -213,7 +213,7 @@ struct tool_description {
 	const char *name;	/* or NULL */
 	const char *checked;	/* or NULL */
 	double length;
-	struct optional_number length_offset, diameter;
+	struct optional_number length_offset, radius_offset, diameter;
 	enum tool_kind kind;
 	enum tool_hand hand;
 	struct piece_description pieces[TOOL_PIECES];
@@ -242,6 +242,18 @@ struct length_offset_description {
 	bool of_tool;	/* both are the control's only values for the tool with this number */
 };
 
+/*
+ * A row of a control's tool table, from <tools>: the values of one of the setup's tools, which <tools> puts into that
+ * tool. A row without a tool of the setup has no effect.
+ */
+struct tool_values_description {
+	const void *at;
+	long number;
+	const char *key;	/* the name of the setup's tool; NULL: its number decides */
+	const char *name;	/* by which programs call the tool; NULL: that of the setup */
+	double length, radius;	/* with which the control compensates */
+};
+
 /* <tools>: a file of another program. */
 struct library_description {
 	const void *at;
@@ -263,6 +275,8 @@ struct setup_description {
 	size_t body_count;
 	struct tool_description *tools;
 	size_t tool_count;
+	struct tool_values_description *values;
+	size_t value_count;
 	struct edge_description *edges;	/* of all tools */
 	size_t edge_count;
 	struct library_description *libraries;

@@ -4,7 +4,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	const struct library_options options = {.unit = 1, .number_all = true};
+	const struct library_options options = {.unit = 1, .number_all = true, .shapes = size % 2};
 	struct diag diag = {.handle = fuzz_note};
 	const char *path = fuzz_file(data, size);
 	struct tool_library tools = {0};

@@ -5,7 +5,7 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 RL FMAX\n",
 	 "p.nc:2:7: error: radius compensation without a tool: TOOL CALL comes first"},
 	{"TOOL CALL 3 Z\nL X+1 RR F100\n",
-	 "p.nc:3:7: error: the radius of T3 is not known: give the tool of the setup a <cutter>, or diameter=\"\""},
+	 "p.nc:3:7: error: the radius of T3 is not known, or 0: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL DEF 1 R4\nTOOL CALL 1 Z\nL X+1 RR F100\n",
 	 "p.nc:4:7: error: TOOL DEF gives T1 a radius of 4 mm, and the setup 5 mm: which of them the control takes "
 	 "depends on whether its tool table is active; make them agree, or set tool_def=\"ignored\" in the machine "

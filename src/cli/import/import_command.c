@@ -85,7 +85,8 @@ static const struct subcommand subcommand = {
 		 "control, a FreeCAD machine (.fcm), an MTConnect device or URDF. To these, setups\n"
 		 "and a job file: a VERICUT 7 project (.VcProject). To a setup: a tool library of\n"
 		 "VERICUT (.tls) or Fusion 360 (.json), a tool catalogue (DIN 4000, ISO 13399), a\n"
-		 "tool table (CSV, tool.tbl) or an offset listing (G10). To STL: another mesh.\n"
+		 "tool table (CSV, tool.tbl, TOOL.T) or an offset listing (G10). To STL: another\n"
+		 "mesh.\n"
 		 "import reports what it could not convert, and what you have to verify.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",
@@ -192,7 +193,8 @@ static bool import_machine(const struct request *request, enum file_kind kind)
 static struct library_options library_options(const struct request *request)
 {
 	return (struct library_options){.unit = request->unit == UNIT_INCH ? MM_PER_INCH : 1,
-					.number_all = request->number_tools};
+					.number_all = request->number_tools,
+					.shapes = true};
 }
 
 static bool import_project(const struct request *request)
@@ -216,7 +218,7 @@ static bool read_tools(const struct request *request, struct tool_library *tools
 
 	if (!library_file_read(tools, request->file, &options, request->diag))
 		return false;
-	if (setup->tool_count || setup->length_count || setup->offset_count)
+	if (setup->tool_count || setup->length_count || setup->offset_count || setup->value_count)
 		return true;
 	diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be converted");
 	return false;

@@ -387,7 +387,8 @@ static void tell_offset(const struct reading *r, const json_t *item, long number
 
 static bool add_tool(struct reading *r, const json_t *item, const struct type_row *type, const char *name, long number)
 {
-	struct tool_outline tool = {.number = number, .name = name, .kind = type->kind, .hand = type->hand};
+	struct tool_outline tool = {
+		.number = number, .entry = r->index, .name = name, .kind = type->kind, .hand = type->hand};
 	double unit = unit_of(item, 1);
 	struct geometry g;
 	double known_to = 0;

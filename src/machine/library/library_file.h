@@ -15,6 +15,7 @@ enum library_kind {
 	LIBRARY_DIN_XML, LIBRARY_DIN_TABLE,	/* din4000_tools.h */
 	LIBRARY_ISO13399,	/* iso13399_tools.h */
 	LIBRARY_TOOL_TABLE,	/* tool_table_file.h */
+	LIBRARY_TNC_TOOLS,	/* tnc_tools.h */
 	LIBRARY_LISTING	/* offset_listing.h */
 };
 
@@ -24,6 +25,7 @@ enum library_kind library_kind_of(const char *text);
 struct library_options {
 	double unit;	/* mm per unit of length, for files that do not say theirs */
 	bool number_all;	/* assign numbers to tools without one, in files that have tool names instead */
+	bool shapes;	/* of a control's tool table: tools, with what it says of their shapes; else only its values */
 };
 
 /*

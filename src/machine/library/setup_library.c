@@ -114,6 +114,96 @@ static struct tool_description *find_tool(struct setup_description *described, l
 	return NULL;
 }
 
+/* mm: radii of the table and the cutter that differ by more are not explained by wear. */
+#define WEAR_MAX 0.25
+
+/* The number of the largest difference of lengths, and how many there are. */
+struct length_differences {
+	size_t count;
+	long number;
+	double shape, table;
+	const void *at;
+};
+
+static bool has_key(const struct tool_description *tool, const struct tool_values_description *row)
+{
+	return row->key ? tool->name && !strcmp(tool->name, row->key) : tool->number == row->number;
+}
+
+/* Two files, or a file and the setup, contradict each other. */
+static void check_agreement(struct setup_description *described, const struct tool_description *tool,
+			    const struct tool_values_description *row)
+{
+	if (tool->length_offset.given && fabs(tool->length_offset.value - row->length) > TOOL_SUM_TOLERANCE)
+		description_fault(&described->file, row->at, "href",
+				  "the table has the length %.9g mm for tool %ld, but its length_offset is %.9g mm",
+				  row->length, tool->number, tool->length_offset.value);
+	if (tool->radius_offset.given && fabs(tool->radius_offset.value - row->radius) > TOOL_SUM_TOLERANCE)
+		description_fault(&described->file, row->at, "href",
+				  "the table has the radius %.9g mm for tool %ld, but its radius_offset is %.9g mm",
+				  row->radius, tool->number, tool->radius_offset.value);
+}
+
+/* The control finds the tool by the name in its table. */
+static void set_row(struct setup_description *described, struct tool_description *tool,
+		    const struct tool_values_description *row, struct length_differences *differences,
+		    struct diag *diag)
+{
+	const double radius = cutter_diameter(tool) / 2, error = fabs(tool->length - row->length);
+
+	check_agreement(described, tool, row);
+	tool->length_offset = (struct optional_number){true, row->length};
+	tool->radius_offset = (struct optional_number){true, row->radius};
+	if (row->name)
+		tool->name = row->name;
+	/* Another point of the tool has another length. */
+	if (error > TOOL_SUM_TOLERANCE && row->length > 0 && !row->key) {
+		if (!differences->count++ || error > fabs(differences->shape - differences->table)) {
+			differences->number = tool->number;
+			differences->shape = tool->length;
+			differences->table = row->length;
+		}
+		differences->at = row->at;
+	}
+	if (row->radius > 0 && radius > 0 && fabs(row->radius - radius) > WEAR_MAX)
+		diag_warning(diag, description_place(&described->file, row->at),
+			     "the table has the radius %.9g mm for tool %ld, but its cutter has %.9g mm: is this the "
+			     "same tool? The shape is checked, and the control compensates with the table's",
+			     row->radius, tool->number, radius);
+}
+
+static void tell_differences(const struct setup_description *described, const struct length_differences *differences,
+			     struct diag *diag)
+{
+	if (differences->count)
+		diag_warning(diag, description_place(&described->file, differences->at),
+			     "tools whose length in the table is not that of their shape: %zu; the largest difference "
+			     "is that of tool %ld, %.9g mm in the table and %.9g mm in its shape: the control "
+			     "compensates with the table's, and the shape is checked; make them agree",
+			     differences->count, differences->number, differences->table, differences->shape);
+}
+
+/* Only the rows with a key, or only those without. */
+static void spread_some(struct setup_description *described, bool keys, struct length_differences *differences,
+			struct diag *diag)
+{
+	for (size_t i = 0; i < described->value_count; i++)
+		for (size_t k = 0; keys == (described->values[i].key != NULL) && k < described->tool_count; k++)
+			if (has_key(&described->tools[k], &described->values[i]))
+				set_row(described, &described->tools[k], &described->values[i], differences, diag);
+}
+
+/* Puts the rows of a control's tool table into the tools, also into those of other libraries. */
+static void spread_rows(struct setup_description *described, struct diag *diag)
+{
+	struct length_differences differences = {0};
+
+	/* First those with a key: the others may change names. */
+	spread_some(described, true, &differences, diag);
+	spread_some(described, false, &differences, diag);
+	tell_differences(described, &differences, diag);
+}
+
 /* Sets the values of tools, also of those from other libraries; the remaining values stay offsets. */
 static void spread_values(struct setup_description *described, struct diag *diag)
 {
@@ -163,6 +253,8 @@ static void set_places(struct setup_description *from, const void *at)
 		from->lengths[i].at = at;
 	for (size_t i = 0; i < from->offset_count; i++)
 		from->offsets[i].at = at;
+	for (size_t i = 0; i < from->value_count; i++)
+		from->values[i].at = at;
 }
 
 static void take_over(struct setup_description *to, struct setup_description *from, const void *at)
@@ -176,6 +268,9 @@ static void take_over(struct setup_description *to, struct setup_description *fr
 	to->offsets = join(&to->arena, to->offsets, to->offset_count, from->offsets, from->offset_count,
 			   sizeof(*to->offsets));
 	to->offset_count += from->offset_count;
+	to->values = join(&to->arena, to->values, to->value_count, from->values, from->value_count,
+			  sizeof(*to->values));
+	to->value_count += from->value_count;
 }
 
 static bool read_library(struct setup_description *described, const struct library_description *library,
@@ -224,6 +319,8 @@ void setup_library_add(struct setup_description *described, const char *root, st
 {
 	for (size_t i = 0; i < described->library_count; i++)
 		add_library(described, &described->libraries[i], root, diag);
-	if (described->library_count)
-		spread_values(described, diag);
+	if (!described->library_count)
+		return;
+	spread_values(described, diag);
+	spread_rows(described, diag);
 }

@@ -17,6 +17,9 @@ void tool_library_release(struct tool_library *tools)
 	free(tools->setup.tools);
 	free(tools->setup.lengths);
 	free(tools->setup.offsets);
+	free(tools->setup.values);
+	free(tools->tool_places);
+	free(tools->length_places);
 	arena_release(&tools->setup.arena);
 	*tools = (struct tool_library){0};
 }
@@ -43,12 +46,36 @@ bool tool_library_wants(struct tool_library *tools, long number)
 
 /* ------------------------------------------------------------------ outlines */
 
-static bool is_known(const struct tool_library *tools, long number)
+/* Is the number free? False, reported with both places. */
+static bool is_free(const struct tool_library *tools, const struct tool_outline *outline, struct srcloc at,
+		    struct diag *diag)
 {
-	for (size_t i = 0; i < tools->setup.tool_count; i++)
-		if (tools->setup.tools[i].number == number)
-			return true;
+	const struct setup_description *setup = &tools->setup;
+	size_t first = 0;
+
+	while (first < setup->tool_count && setup->tools[first].number != outline->number)
+		first++;
+	if (first == setup->tool_count)
+		return true;
+	if (outline->entry)
+		diag_error(diag, at,
+			   "the tool number %ld is given twice, to the tools %zu (%.60s) and %zu (%.60s) of the list: "
+			   "keep only the tool that is in the machine, or give one of them another number",
+			   outline->number, tools->tool_places[first].entry,
+			   setup->tools[first].name ? setup->tools[first].name : "", outline->entry,
+			   outline->name ? outline->name : "");
+	else
+		diag_error(diag, at,
+			   "the tool number %ld is given twice (also in line %ld): keep only the tool that is in the "
+			   "machine, or give one of them another number",
+			   outline->number, tools->tool_places[first].line);
 	return false;
+}
+
+static void add_place(struct library_place **places, size_t *capacity, size_t count, long line, size_t entry)
+{
+	*places = mem_grow(*places, capacity, count + 1, sizeof(**places));
+	(*places)[count] = (struct library_place){.line = line, .entry = entry};
 }
 
 /*
@@ -165,25 +192,23 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
 		diag_error(diag, at, "tool %ld is thicker than %g mm: check its units", outline->number, TOOL_SIZE_MAX);
 		return false;
 	}
-	if (is_known(tools, outline->number)) {
-		diag_error(diag, at,
-			   "the tool number %ld is given twice: keep only the tool that is in the machine, or give one "
-			   "of them another number",
-			   outline->number);
+	if (!is_free(tools, outline, at, diag))
 		return false;
-	}
 	if (!(outline->length >= SAME_HEIGHT && outline->length <= TOOL_SIZE_MAX)) {
 		diag_error(diag, at,
 			   "tool %ld has the length %g mm from gauge line to tip; it must be between %g and %g",
 			   outline->number, outline->length, SAME_HEIGHT, TOOL_SIZE_MAX);
 		return false;
 	}
+	add_place(&tools->tool_places, &tools->tool_place_capacity, setup->tool_count, at.line, outline->entry);
 	setup->tools = mem_grow(setup->tools, &tools->tool_capacity, setup->tool_count + 1, sizeof(*setup->tools));
 	tool = &setup->tools[setup->tool_count++];
 	*tool = (struct tool_description){
 		.number = outline->number,
 		.name = make_name(&setup->arena, outline->name),
 		.length = outline->length,
+		.length_offset = outline->length_offset,
+		.radius_offset = outline->radius_offset,
 		.kind = outline->kind,
 		.hand = outline->hand,
 	};
@@ -209,13 +234,29 @@ bool tool_library_add_offset(struct tool_library *tools, const struct length_off
 		return true;
 	for (size_t i = 0; i < setup->length_count; i++) {
 		if (setup->lengths[i].number == offset->number) {
-			diag_error(diag, at, "the offset number %ld is given twice", offset->number);
+			diag_error(diag, at, "the offset number %ld is given twice (also in line %ld)", offset->number,
+				   tools->length_places[i].line);
 			return false;
 		}
 	}
+	add_place(&tools->length_places, &tools->length_place_capacity, setup->length_count, at.line, 0);
 	setup->lengths = mem_grow(setup->lengths, &tools->length_capacity, setup->length_count + 1, sizeof(*offset));
 	setup->lengths[setup->length_count++] = *offset;
 	return true;
+}
+
+void tool_library_add_values(struct tool_library *tools, const struct tool_values_description *values)
+{
+	struct setup_description *setup = &tools->setup;
+	struct tool_values_description *added;
+
+	if (!tool_library_wants(tools, values->number))
+		return;
+	setup->values = mem_grow(setup->values, &tools->value_capacity, setup->value_count + 1, sizeof(*values));
+	added = &setup->values[setup->value_count++];
+	*added = *values;
+	added->key = values->key ? arena_strdup(&setup->arena, values->key) : NULL;
+	added->name = values->name ? make_name(&setup->arena, values->name) : NULL;
 }
 
 struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name)

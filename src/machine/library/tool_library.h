@@ -15,10 +15,18 @@ struct number_range {
 	bool used;	/* a tool or an offset had a number in the range */
 };
 
+/* The place of a tool or an offset in its file. */
+struct library_place {
+	long line;	/* 0: the file has no lines that matter, such as JSON */
+	size_t entry;	/* of its list, from 1; 0: it has none */
+};
+
 /* Lengths in mm. The texts and sections are in the description's arena; the library owns its arrays. */
 struct tool_library {
 	struct setup_description setup;	/* tools, length offsets and work offsets; everything else is empty */
-	size_t tool_capacity, length_capacity, offset_capacity;
+	size_t tool_capacity, length_capacity, offset_capacity, value_capacity;
+	struct library_place *tool_places, *length_places;	/* one for each tool and length of the setup */
+	size_t tool_place_capacity, length_place_capacity;
 	size_t left_out;	/* tools of the library that were left out */
 	bool counts_left_out;	/* without a warning for each */
 	bool unit_is_assumed;	/* the file does not give the unit of a length, so that of the options was used */
@@ -38,10 +46,12 @@ bool tool_library_wants(struct tool_library *tools, long number);
  */
 struct tool_outline {
 	long number;
+	size_t entry;	/* of a list, from 1, if its lines do not matter; 0: the line is its place */
 	const char *name;	/* or NULL */
 	enum tool_kind kind;
 	enum tool_hand hand;
 	double length;
+	struct optional_number length_offset, radius_offset;	/* of the control, if it has others than the shape */
 	struct tool_profile cutter, shank, holder;
 	bool has_tip;	/* the lowest part of the cutter has this shape; in the outline it is a cylinder */
 	enum tool_tip tip;
@@ -62,6 +72,9 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
  */
 bool tool_library_add_offset(struct tool_library *tools, const struct length_offset_description *offset,
 			     struct srcloc at, struct diag *diag);
+
+/* Adds a row of a control's tool table, if its number is wanted. The texts are copied. */
+void tool_library_add_values(struct tool_library *tools, const struct tool_values_description *values);
 
 /* The work offset of this name; it is made if it does not exist. Valid until the next one is made. */
 struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name);

@@ -195,6 +195,7 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	tool.tool->checked = xml_name(xml, node, "checked", tool.arena);
 	tool.tool->length = xml_length(xml, node, "length", 0);
 	tool.tool->length_offset = xml_optional_length(xml, node, "length_offset");
+	tool.tool->radius_offset = xml_optional_length(xml, node, "radius_offset");
 	tool.tool->kind = kinds[xml_choice(xml, node, "kind", names, 0)];
 	if (xml_attribute(xml, node, "hand"))
 		tool.tool->hand = xml_choice(xml, node, "hand", hands, 0) ? HAND_LEFT : HAND_RIGHT;

@@ -24,7 +24,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 		return fault(&interp->at, column, "radius compensation without a tool: TOOL CALL comes first");
 	if (!tool || !(tool->diameter > 0))
 		return fault(&interp->at, column,
-			     "the radius of T%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
+			     "the radius of T%d is not known, or 0: give the tool of the setup a <cutter>, or "
+			     "diameter=\"\"",
 			     number);
 	if (tool != interp->config->any_tool && klartext->tool.defined == number &&
 	    fabs(klartext->tool.defined_radius - tool->diameter / 2) > SAME_POINT)
