@@ -146,7 +146,7 @@ static const char *advice(const char *path, const struct file_bytes *file)
 		return file_signature_advice(text, file->count);
 	return "import does not know this format. It reads machines (VERICUT 7 .mch and .VcProject, ini files, FreeCAD "
 	       ".fcm, MTConnect, URDF), tools (VERICUT .tls, Fusion 360 .json, DIN 4000, ISO 13399, CSV, tool.tbl, "
-	       "TOOL.T), offset listings (G10) and meshes (OBJ, PLY, 3MF, glTF)";
+	       "TOOL.T, $TC_DP), offset listings (G10) and meshes (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

@@ -53,7 +53,22 @@ static void write_piece(struct strbuf *out, const char *name, const struct piece
 	strbuf_addf(out, "    </%s>\n", name);
 }
 
-static void write_tool(struct strbuf *out, const struct tool_description *tool)
+static void write_edges(struct strbuf *out, const struct setup_description *tools, long number)
+{
+	for (size_t i = 0; i < tools->edge_count; i++) {
+		const struct edge_description *edge = &tools->edges[i];
+
+		if (edge->tool != number)
+			continue;
+		strbuf_addf(out, "    <edge number=\"%ld\"", edge->number);
+		add_number(out, "length", edge->length);
+		if (edge->diameter.given)
+			add_number(out, "diameter", edge->diameter.value);
+		strbuf_addf(out, "/>\n");
+	}
+}
+
+static void write_tool(struct strbuf *out, const struct setup_description *tools, const struct tool_description *tool)
 {
 	static const char *const names[TOOL_PIECES] = {
 		[PIECE_HOLDER] = "holder", [PIECE_SHANK] = "shank", [PIECE_CUTTER] = "cutter"};
@@ -73,6 +88,7 @@ static void write_tool(struct strbuf *out, const struct tool_description *tool)
 	strbuf_addf(out, ">\n");
 	for (int i = 0; i < TOOL_PIECES; i++)
 		write_piece(out, names[i], &tool->pieces[i]);
+	write_edges(out, tools, tool->number);
 	strbuf_addf(out, "  </tool>\n");
 }
 
@@ -168,6 +184,6 @@ void setup_writer_xml(struct strbuf *out, const struct setup_description *tools,
 		write_bodies(out, &job->bodies.description);
 	}
 	for (size_t i = 0; i < tools->tool_count; i++)
-		write_tool(out, &tools->tools[i]);
+		write_tool(out, tools, &tools->tools[i]);
 	strbuf_addf(out, "</setup>\n");
 }

@@ -251,6 +251,8 @@ struct tool_values_description {
 	long number;
 	const char *key;	/* the name of the setup's tool; NULL: its number decides */
 	const char *name;	/* by which programs call the tool; NULL: that of the setup */
+	bool part;	/* the values are not those of the tip */
+	long edge;	/* above 1: the values are those of an edge of the tool */
 	double length, radius;	/* with which the control compensates */
 };
 

@@ -85,8 +85,8 @@ static const struct subcommand subcommand = {
 		 "control, a FreeCAD machine (.fcm), an MTConnect device or URDF. To these, setups\n"
 		 "and a job file: a VERICUT 7 project (.VcProject). To a setup: a tool library of\n"
 		 "VERICUT (.tls) or Fusion 360 (.json), a tool catalogue (DIN 4000, ISO 13399), a\n"
-		 "tool table (CSV, tool.tbl, TOOL.T) or an offset listing (G10). To STL: another\n"
-		 "mesh.\n"
+		 "tool table (CSV, tool.tbl, TOOL.T, $TC_DP) or an offset listing (G10). To STL:\n"
+		 "another mesh.\n"
 		 "import reports what it could not convert, and what you have to verify.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",

@@ -11,6 +11,7 @@
 #include "machine/library/iso13399_tools.h"
 #include "machine/library/offset_listing.h"
 #include "machine/library/tnc_tools.h"
+#include "machine/library/toa_tools.h"
 #include "machine/library/tool_table_file.h"
 #include "machine/library/vericut_text.h"
 #include "machine/library/vericut_tools.h"
@@ -42,6 +43,8 @@ enum library_kind library_kind_of(const char *text)
 		return LIBRARY_FUSION;
 	if (tnc_tools_is(text))
 		return LIBRARY_TNC_TOOLS;
+	if (toa_tools_is(text))
+		return LIBRARY_TOA;
 	if (iso13399_tools_is(text))
 		return LIBRARY_ISO13399;
 	if (din4000_table_is(text))
@@ -76,6 +79,8 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 		return tool_table_file_read(tools, text, path, options->unit, diag);
 	case LIBRARY_TNC_TOOLS:
 		return tnc_tools_read(tools, text, path, options->unit, options->shapes, diag);
+	case LIBRARY_TOA:
+		return toa_tools_read(tools, text, path, options->unit, options->shapes, diag);
 	case LIBRARY_LISTING:
 		return offset_listing_read(tools, text, path, options->unit, diag);
 	case LIBRARY_NONE:
@@ -85,8 +90,8 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 		return false;
 	diag_error(diag, (struct srcloc){.file = path},
 		   "this is not a tool library. Supported are libraries of Fusion 360 (.json) and VERICUT (.tls), a "
-		   "table with a first line of column names (number, length, diameter), a tool table (T1 P1 Z0 D6, or "
-		   "BEGIN TOOL.T MM) and a listing of offsets (G10 L10 P1 R0.)");
+		   "table with a first line of column names (number, length, diameter), a tool table (T1 P1 Z0 D6, "
+		   "BEGIN TOOL.T MM, or $TC_DP3[1,1]=0) and a listing of offsets (G10 L10 P1 R0.)");
 	return false;
 }
 

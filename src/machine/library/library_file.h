@@ -16,6 +16,7 @@ enum library_kind {
 	LIBRARY_ISO13399,	/* iso13399_tools.h */
 	LIBRARY_TOOL_TABLE,	/* tool_table_file.h */
 	LIBRARY_TNC_TOOLS,	/* tnc_tools.h */
+	LIBRARY_TOA,	/* toa_tools.h */
 	LIBRARY_LISTING	/* offset_listing.h */
 };
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/mem.h"
 #include "base/path_sandbox.h"
@@ -114,6 +115,19 @@ static struct tool_description *find_tool(struct setup_description *described, l
 	return NULL;
 }
 
+/* Both arrays, one after the other, in the arena. */
+static void *join(struct arena *arena, const void *first, size_t first_count, const void *second, size_t second_count,
+		  size_t size)
+{
+	char *both = arena_alloc(arena, (first_count + second_count) * size);
+
+	if (first_count)
+		memcpy(both, first, first_count * size);
+	if (second_count)
+		memcpy(both + first_count * size, second, second_count * size);
+	return both;
+}
+
 /* mm: radii of the table and the cutter that differ by more are not explained by wear. */
 #define WEAR_MAX 0.25
 
@@ -127,7 +141,7 @@ struct length_differences {
 
 static bool has_key(const struct tool_description *tool, const struct tool_values_description *row)
 {
-	return row->key ? tool->name && !strcmp(tool->name, row->key) : tool->number == row->number;
+	return row->key ? tool->name && !strcasecmp(tool->name, row->key) : tool->number == row->number;
 }
 
 /* Two files, or a file and the setup, contradict each other. */
@@ -144,6 +158,34 @@ static void check_agreement(struct setup_description *described, const struct to
 				  row->radius, tool->number, tool->radius_offset.value);
 }
 
+/* An edge that the setup has already must agree. */
+static void set_edge(struct setup_description *described, const struct tool_description *tool,
+		     const struct tool_values_description *row)
+{
+	const struct edge_description edge = {
+		.at = row->at,
+		.tool = tool->number,
+		.number = row->edge,
+		.length = row->length,
+		.diameter = {row->radius > 0, 2 * row->radius},
+	};
+
+	for (size_t i = 0; i < described->edge_count; i++) {
+		const struct edge_description *other = &described->edges[i];
+
+		if (other->tool != edge.tool || other->number != edge.number)
+			continue;
+		if (fabs(other->length - edge.length) > TOOL_SUM_TOLERANCE)
+			description_fault(&described->file, row->at, "href",
+					  "the table has the length %.9g mm for D%ld of tool %ld, but its <edge> has "
+					  "%.9g mm",
+					  edge.length, edge.number, edge.tool, other->length);
+		return;
+	}
+	described->edges = join(&described->arena, described->edges, described->edge_count, &edge, 1, sizeof(edge));
+	described->edge_count++;
+}
+
 /* The control finds the tool by the name in its table. */
 static void set_row(struct setup_description *described, struct tool_description *tool,
 		    const struct tool_values_description *row, struct length_differences *differences,
@@ -151,13 +193,17 @@ static void set_row(struct setup_description *described, struct tool_description
 {
 	const double radius = cutter_diameter(tool) / 2, error = fabs(tool->length - row->length);
 
+	if (row->edge > 1) {
+		set_edge(described, tool, row);
+		return;
+	}
 	check_agreement(described, tool, row);
 	tool->length_offset = (struct optional_number){true, row->length};
 	tool->radius_offset = (struct optional_number){true, row->radius};
 	if (row->name)
 		tool->name = row->name;
 	/* Another point of the tool has another length. */
-	if (error > TOOL_SUM_TOLERANCE && row->length > 0 && !row->key) {
+	if (error > TOOL_SUM_TOLERANCE && row->length > 0 && !row->part) {
 		if (!differences->count++ || error > fabs(differences->shape - differences->table)) {
 			differences->number = tool->number;
 			differences->shape = tool->length;
@@ -221,20 +267,8 @@ static void spread_values(struct setup_description *described, struct diag *diag
 	described->length_count = kept;
 }
 
+
 /* ------------------------------------------------------------------ joining */
-
-/* Both arrays, one after the other, in the arena. */
-static void *join(struct arena *arena, const void *first, size_t first_count, const void *second, size_t second_count,
-		  size_t size)
-{
-	char *both = arena_alloc(arena, (first_count + second_count) * size);
-
-	if (first_count)
-		memcpy(both, first, first_count * size);
-	if (second_count)
-		memcpy(both + first_count * size, second, second_count * size);
-	return both;
-}
 
 /* The place of everything in a library is the <tools> that names it. */
 static void set_places(struct setup_description *from, const void *at)

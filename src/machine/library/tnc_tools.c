@@ -181,6 +181,7 @@ static void add_values(struct reading *r, const struct row *row)
 	const struct tool_values_description values = {
 		.number = row->number,
 		.key = row->index ? key : NULL,
+		.part = row->index > 0,
 		.name = row->index || !row->name.length ? NULL : strbuf_text(&row->name),
 		.length = compensated_length(row),
 		.radius = compensated_radius(row),

@@ -18,6 +18,7 @@ void tool_library_release(struct tool_library *tools)
 	free(tools->setup.lengths);
 	free(tools->setup.offsets);
 	free(tools->setup.values);
+	free(tools->setup.edges);
 	free(tools->tool_places);
 	free(tools->length_places);
 	arena_release(&tools->setup.arena);
@@ -257,6 +258,14 @@ void tool_library_add_values(struct tool_library *tools, const struct tool_value
 	*added = *values;
 	added->key = values->key ? arena_strdup(&setup->arena, values->key) : NULL;
 	added->name = values->name ? make_name(&setup->arena, values->name) : NULL;
+}
+
+void tool_library_add_edge(struct tool_library *tools, const struct edge_description *edge)
+{
+	struct setup_description *setup = &tools->setup;
+
+	setup->edges = mem_grow(setup->edges, &tools->edge_capacity, setup->edge_count + 1, sizeof(*edge));
+	setup->edges[setup->edge_count++] = *edge;
 }
 
 struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name)

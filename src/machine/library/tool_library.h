@@ -23,8 +23,8 @@ struct library_place {
 
 /* Lengths in mm. The texts and sections are in the description's arena; the library owns its arrays. */
 struct tool_library {
-	struct setup_description setup;	/* tools, length offsets and work offsets; everything else is empty */
-	size_t tool_capacity, length_capacity, offset_capacity, value_capacity;
+	struct setup_description setup;	/* tools, edges, values and offsets; everything else is empty */
+	size_t tool_capacity, length_capacity, offset_capacity, value_capacity, edge_capacity;
 	struct library_place *tool_places, *length_places;	/* one for each tool and length of the setup */
 	size_t tool_place_capacity, length_place_capacity;
 	size_t left_out;	/* tools of the library that were left out */
@@ -75,6 +75,9 @@ bool tool_library_add_offset(struct tool_library *tools, const struct length_off
 
 /* Adds a row of a control's tool table, if its number is wanted. The texts are copied. */
 void tool_library_add_values(struct tool_library *tools, const struct tool_values_description *values);
+
+/* Adds an edge to a tool of the library. */
+void tool_library_add_edge(struct tool_library *tools, const struct edge_description *edge);
 
 /* The work offset of this name; it is made if it does not exist. Valid until the next one is made. */
 struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name);

@@ -25,7 +25,7 @@ async function headOf(blob, count) {
 /** Files that are certainly not programs. */
 const FOREIGN = /\.(jpe?g|png|gif|svg|webp|pdf|html?|md|docx?|xlsx?|odt|ods|exe|dll)$/i;
 /** Tables of tools and offsets, to which a setup refers. */
-const LIBRARY = /\.(json|csv|tls|tbl|t)$/i;
+const LIBRARY = /\.(json|csv|tls|tbl|t|toa)$/i;
 
 /** @param {string} path */
 export function isZip(path) {

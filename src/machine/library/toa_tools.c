@@ -1,0 +1,303 @@
+#include "machine/library/toa_tools.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "geom/tolerance.h"
+#include "machine/library/toa_file.h"
+#include "machine/tool_build.h"
+
+/* $TC_DPn */
+enum {
+	DP_TYPE = 1, DP_LENGTH = 3, DP_LENGTH_2, DP_LENGTH_3, DP_RADIUS, DP_CORNER, DP_LENGTH_WEAR = 12,
+	DP_LENGTH_2_WEAR, DP_LENGTH_3_WEAR, DP_RADIUS_WEAR, DP_CORNER_WEAR, DP_ADAPTER = 21, DP_ADAPTER_2, DP_ADAPTER_3
+};
+
+enum kind { KIND_OTHER, KIND_MILL, KIND_BALL, KIND_BULL, KIND_TAPERED, KIND_DRILL, KIND_PROBE };
+
+struct reading {
+	struct tool_library *tools;
+	struct diag *diag;
+	const char *path;
+	double unit;
+	bool shapes;
+	struct toa_file file;
+	size_t bare;	/* tools that were made */
+};
+
+/* How programs call a tool. */
+struct identity {
+	long number;
+	const char *name;	/* NULL: by the number */
+};
+
+bool toa_tools_is(const char *text)
+{
+	return toa_file_is(text);
+}
+
+/* ------------------------------------------------------------------ values */
+
+static double mm(const struct reading *r, const struct toa_edge *edge, int parameter)
+{
+	return r->unit * edge->value[parameter];
+}
+
+static double compensated_length(const struct reading *r, const struct toa_edge *edge)
+{
+	return mm(r, edge, DP_LENGTH) + mm(r, edge, DP_LENGTH_WEAR) + mm(r, edge, DP_ADAPTER);
+}
+
+static double compensated_radius(const struct reading *r, const struct toa_edge *edge)
+{
+	return mm(r, edge, DP_RADIUS) + mm(r, edge, DP_RADIUS_WEAR);
+}
+
+static struct srcloc place_of(const struct reading *r, const struct toa_edge *edge)
+{
+	return (struct srcloc){.file = r->path, .line = edge->line};
+}
+
+/* The whole number that is the name of a tool; 0: it is none. */
+static long number_of(const char *name)
+{
+	const size_t digits = strspn(name, "0123456789");
+
+	return digits && digits < 9 && !name[digits] ? strtol(name, NULL, 10) : 0;
+}
+
+/* With tool management, programs call $TC_TP2, and the number in $TC_DP is internal. */
+static struct identity identity_of(const struct reading *r, long tool)
+{
+	const struct toa_tool *found = toa_file_tool(&r->file, tool);
+	const char *name = found ? found->name : NULL;
+
+	if (!name || !*name)
+		return (struct identity){.number = tool};
+	return number_of(name) ? (struct identity){.number = number_of(name)}
+			       : (struct identity){.number = tool, .name = name};
+}
+
+static enum kind kind_of(double type)
+{
+	const long number = type >= 1 && type <= 999 && !(floor(type) < type) ? (long)type : 0;
+
+	if (number == 110)
+		return KIND_BALL;
+	if (number == 121)
+		return KIND_BULL;
+	/* Angle heads have another direction. */
+	if (number == 130 || number == 131)
+		return KIND_OTHER;
+	if (number == 111 || (number >= 155 && number <= 157))
+		return KIND_TAPERED;
+	if (number >= 100 && number <= 199)
+		return KIND_MILL;
+	if (number >= 200 && number <= 299)
+		return KIND_DRILL;
+	return number >= 710 && number <= 719 ? KIND_PROBE : KIND_OTHER;
+}
+
+/* Lengths 2 and 3 are beside the axis of a mill or drill in the plane G17. */
+static bool check_beside(const struct reading *r, const struct toa_edge *edge)
+{
+	const double second = mm(r, edge, DP_LENGTH_2) + mm(r, edge, DP_LENGTH_2_WEAR) + mm(r, edge, DP_ADAPTER_2);
+	const double third = mm(r, edge, DP_LENGTH_3) + mm(r, edge, DP_LENGTH_3_WEAR) + mm(r, edge, DP_ADAPTER_3);
+
+	if (!(fabs(second) > TOOL_SUM_TOLERANCE || fabs(third) > TOOL_SUM_TOLERANCE))
+		return true;
+	diag_error(r->diag, place_of(r, edge),
+		   "D%ld of tool %ld has a length 2 or 3, but a setup can have only lengths along the tool: remove the "
+		   "tool from the file, or leave it out with numbers=\"\" of <tools>",
+		   edge->number, edge->tool);
+	return false;
+}
+
+static void add_values(struct reading *r, const struct toa_edge *edge, const struct identity *identity)
+{
+	const struct tool_values_description values = {
+		.number = identity->number,
+		.key = identity->name,
+		.edge = edge->number,
+		.length = compensated_length(r, edge),
+		.radius = compensated_radius(r, edge),
+	};
+
+	tool_library_add_values(r->tools, &values);
+}
+
+/* Tools of one name replace each other: only the control knows which of them it loads. */
+static bool check_twins(const struct reading *r, const struct toa_edge *edge, const struct identity *identity)
+{
+	for (const struct toa_edge *other = r->file.edges; other < edge; other++) {
+		const struct identity twin = identity_of(r, other->tool);
+
+		if (other->number != 1 || !twin.name || strcasecmp(twin.name, identity->name) != 0 ||
+		    !tool_library_wants(r->tools, twin.number))
+			continue;
+		diag_error(r->diag, place_of(r, edge),
+			   "the tools %ld and %ld have the name \"%s\" (also in line %ld): keep the one that is in the "
+			   "machine, or choose with numbers=\"\" of <tools>",
+			   other->tool, edge->tool, identity->name, other->line);
+		return false;
+	}
+	return true;
+}
+
+/* ------------------------------------------------------------------ shapes */
+
+/* Why the values do not describe a tool; NULL: they do. */
+static const char *judge(const struct reading *r, const struct toa_edge *edge, enum kind kind)
+{
+	const double corner = mm(r, edge, DP_CORNER);
+
+	if (!(mm(r, edge, DP_LENGTH) + mm(r, edge, DP_ADAPTER) > 0))
+		return "its length $TC_DP3 is not greater than 0";
+	if (!(mm(r, edge, DP_RADIUS) > 0))
+		return "its radius $TC_DP6 is not greater than 0";
+	if (kind == KIND_BULL && (corner < 0 || corner > mm(r, edge, DP_RADIUS)))
+		return "its corner radius $TC_DP7 is negative, or larger than its radius";
+	return kind == KIND_TAPERED ? "a tapered or conical mill is not described completely" : NULL;
+}
+
+static void set_tip(const struct reading *r, const struct toa_edge *edge, enum kind kind, struct tool_outline *tool)
+{
+	const double corner = mm(r, edge, DP_CORNER) + fmin(mm(r, edge, DP_CORNER_WEAR), 0);
+
+	tool->has_tip = true;
+	tool->tip = kind == KIND_BALL || kind == KIND_PROBE ? TIP_BALL : TIP_FLAT;
+	if (kind != KIND_BULL || !(corner > 0))
+		return;
+	tool->tip = TIP_BULL;
+	tool->corner = corner;
+}
+
+static struct optional_number given_unless(double value, double usual)
+{
+	return (struct optional_number){fabs(value - usual) > TOOL_SUM_TOLERANCE, value};
+}
+
+static bool add_tool(struct reading *r, const struct toa_edge *edge, const struct identity *identity, enum kind kind)
+{
+	const double radius = mm(r, edge, DP_RADIUS) + fmax(mm(r, edge, DP_RADIUS_WEAR), 0);
+	const double length = mm(r, edge, DP_LENGTH) + mm(r, edge, DP_ADAPTER) + fmax(mm(r, edge, DP_LENGTH_WEAR), 0);
+	struct tool_outline tool = {
+		.number = identity->number,
+		.name = identity->name,
+		.kind = kind == KIND_PROBE ? TOOL_PROBES : TOOL_TURNS,
+		.length = length,
+		.diameter = 2 * radius,
+		.length_offset = given_unless(compensated_length(r, edge), length),
+		.radius_offset = given_unless(compensated_radius(r, edge), radius),
+	};
+	bool good;
+
+	set_tip(r, edge, kind, &tool);
+	tool_profile_add(&tool.cutter, 0, radius, length, radius);
+	good = tool_library_add(r->tools, &tool, place_of(r, edge), r->diag);
+	tool_outline_release(&tool);
+	r->bare++;
+	return good;
+}
+
+static void leave_out(struct reading *r, const struct toa_edge *edge, const struct identity *identity, const char *why)
+{
+	diag_warning(r->diag, place_of(r, edge), "tool %ld (%.60s) is left out: %s", edge->tool,
+		     identity->name ? identity->name : "", why);
+	r->tools->left_out++;
+}
+
+/* -------------------------------------------------------------------- file */
+
+static bool take_tool(struct reading *r, const struct toa_edge *edge)
+{
+	const struct identity identity = identity_of(r, edge->tool);
+	const enum kind kind = kind_of(edge->value[DP_TYPE]);
+	const char *why = r->shapes ? judge(r, edge, kind) : NULL;
+
+	if (!tool_library_wants(r->tools, identity.number))
+		return true;
+	if (kind == KIND_OTHER) {
+		leave_out(r, edge, &identity, "its type $TC_DP1 is not that of a mill, a drill or a probe");
+		return true;
+	}
+	if (!check_beside(r, edge))
+		return false;
+	if (r->shapes && !why)
+		return add_tool(r, edge, &identity, kind);
+	if (!r->shapes && identity.name && !check_twins(r, edge, &identity))
+		return false;
+	if (why)
+		leave_out(r, edge, &identity, why);
+	add_values(r, edge, &identity);
+	return true;
+}
+
+static const struct toa_edge *first_edge(const struct reading *r, long tool)
+{
+	for (size_t i = 0; i < r->file.edge_count; i++)
+		if (r->file.edges[i].tool == tool && r->file.edges[i].number == 1)
+			return &r->file.edges[i];
+	return NULL;
+}
+
+static bool has_tool(const struct reading *r, long number)
+{
+	for (size_t i = 0; i < r->tools->setup.tool_count; i++)
+		if (r->tools->setup.tools[i].number == number)
+			return true;
+	return false;
+}
+
+/* D2 and higher. */
+static bool take_edge(struct reading *r, const struct toa_edge *edge)
+{
+	const struct toa_edge *first = first_edge(r, edge->tool);
+	const struct identity identity = identity_of(r, edge->tool);
+	const double radius = compensated_radius(r, edge);
+
+	if (!tool_library_wants(r->tools, identity.number) || !first ||
+	    kind_of(first->value[DP_TYPE]) == KIND_OTHER)
+		return true;
+	if (!check_beside(r, edge))
+		return false;
+	if (!r->shapes)
+		add_values(r, edge, &identity);
+	else if (has_tool(r, identity.number))
+		tool_library_add_edge(r->tools, &(struct edge_description){.tool = identity.number,
+									    .number = edge->number,
+									    .length = compensated_length(r, edge),
+									    .diameter = {radius > 0, 2 * radius}});
+	return true;
+}
+
+static bool take_all(struct reading *r)
+{
+	for (size_t i = 0; i < r->file.edge_count; i++)
+		if (r->file.edges[i].number == 1 && !take_tool(r, &r->file.edges[i]))
+			return false;
+	for (size_t i = 0; i < r->file.edge_count; i++)
+		if (r->file.edges[i].number > 1 && !take_edge(r, &r->file.edges[i]))
+			return false;
+	return true;
+}
+
+bool toa_tools_read(struct tool_library *tools, const char *text, const char *path, double unit, bool shapes,
+		    struct diag *diag)
+{
+	struct reading r = {.tools = tools, .diag = diag, .path = path, .shapes = shapes};
+	bool good = toa_file_read(&r.file, &tools->setup.arena, text, path, diag);
+
+	r.unit = r.file.unit > 0 ? r.file.unit : unit;
+	tools->unit_is_assumed |= !(r.file.unit > 0);
+	good = good && take_all(&r);
+	if (good && r.bare)
+		diag_warning(diag, (struct srcloc){.file = path},
+			     "the file describes neither holders nor shanks nor edges: each of its %zu tools is a "
+			     "cutter up to the gauge line, which may touch the part while it cuts; add the holders",
+			     r.bare);
+	toa_file_release(&r.file);
+	return good;
+}
