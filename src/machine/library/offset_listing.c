@@ -19,6 +19,7 @@ struct registers {
 	long number;
 	bool given[4];
 	double value[4];	/* H geometry, H wear, D geometry, D wear: L10 to L13 */
+	long line[4];
 };
 
 struct reading {
@@ -122,9 +123,12 @@ static bool take_register(struct reading *r, const struct line *line, int which)
 	if (!length_of(r, line, 'R', &value))
 		return false;
 	row = row_of(r, number);
-	if (row->given[which])
-		return fault(r, "this offset is given twice");
+	if (row->given[which]) {
+		diag_error(r->diag, r->at, "this offset is given twice (also in line %ld)", row->line[which]);
+		return false;
+	}
 	row->given[which] = true;
+	row->line[which] = r->at.line;
 	row->value[which] = r->unit * value;
 	return true;
 }
