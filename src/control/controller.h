@@ -89,6 +89,8 @@ enum edge_after_tool_change {
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
 /* When MB of PLANE ... TURN retracts the tool: always, or only if a rotary axis has to turn. */
+/* A datum shift from before a tilted plane, after a shift of the same axis in the plane and the end of the plane. */
+enum shift_behind_plane { SHIFT_BEHIND_PLANE_UNKNOWN, SHIFT_BEHIND_PLANE_KEEPS, SHIFT_BEHIND_PLANE_CANCELLED };
 enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
 
 /*
@@ -241,6 +243,7 @@ struct controller {
 	int swivel_axis;
 	enum swivel_pole swivel_pole;
 	enum plane_retract plane_retract;
+	enum shift_behind_plane shift_behind_plane;
 	enum plane_rotation plane_rotation;
 	enum rotary_way rotary_way;
 	enum rotary_angle rotary_angle;

@@ -50,7 +50,7 @@ struct dialect_row {
 	/*
 	 * PLANE and cycle 19 tilt the plane, and what the control does there depends on its parameters and its
 	 * generation: cycle_19_angles, cycle_11_axes, swivel_pole, plane_retract, plane_rotation, rotary_way,
-	 * rotary_angle, m6, tool_def, increments_after_shift.
+	 * rotary_angle, m6, tool_def, shift_behind_plane, increments_after_shift.
 	 * Cycles of the builder have numbers: <macro> says of one what it does.
 	 */
 	bool has_planes;

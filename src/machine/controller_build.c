@@ -212,6 +212,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{told->cycle_11_axes && !planes, "cycle_11_axes", NO_PARAMETER},
 		{told->tool_def && !planes, "tool_def", NO_PARAMETER},
 		{told->plane_retract && !planes, "plane_retract", NO_PARAMETER},
+		{told->shift_behind_plane && !planes, "shift_behind_plane", NO_PARAMETER},
 		{told->rotary_way && !planes && !frames, "rotary_way", NO_PARAMETER},
 		{told->rotary_angle && !planes, "rotary_angle", NO_PARAMETER},
 		{told->m6 && !planes, "m6", NO_PARAMETER},

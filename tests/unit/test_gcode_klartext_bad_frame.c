@@ -170,13 +170,16 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
 	 "PLANE RESET STAY\nL Y+1 Z+2 FMAX\nL X-7 R0 FMAX M91\nL X+1 FMAX\n",
 	 "p.nc:10:3: error: the datum of X was shifted before a tilted plane, and in it again: whether the first shift "
-	 "counts behind the plane is not known here; write CYCL DEF 7 with X again, or end the plane before the shift"},
+	 "counts behind the plane is not known here; set shift_behind_plane=\"keeps\" or \"cancelled\" in the machine file's "
+	 "<controller>, write CYCL DEF 7 with X again, or end the plane before the shift"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nPLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+0\n"
 	 "PLANE RESET STAY\nCC X+0 Y+0\nLP PR+10 PA+0 FMAX\n",
 	 "p.nc:9:4: error: the datum of Y was shifted before a tilted plane, and in it again: whether the first shift "
-	 "counts behind the plane is not known here; write CYCL DEF 7 with Y again, or end the plane before the shift"},
+	 "counts behind the plane is not known here; set shift_behind_plane=\"keeps\" or \"cancelled\" in the machine file's "
+	 "<controller>, write CYCL DEF 7 with Y again, or end the plane before the shift"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+180 TURN FMAX TABLE ROT\n",
-	 "p.nc:2:7: error: TABLE ROT: how far C turns is not known here; turn it in a block before, or write COORD ROT"},
+	 "p.nc:2:7: error: half a turn of C: either way is as short; set half_turn=\"positive\" or \"negative\" of this axis "
+	 "in the machine file"},
 	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",
 	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control leaves it "
 	 "there or turns it to 0 depends on its generation: set swivel_pole=\"stays\" or \"zero\" in the machine "

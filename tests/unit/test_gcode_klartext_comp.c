@@ -295,6 +295,52 @@ START_TEST(plane_rotation)
 }
 END_TEST
 
+/* TABLE ROT by half a turn: half_turn of the machine file says in which direction; Q122 has the position. */
+START_TEST(table_half_turn)
+{
+	for (int way = -1; way <= 1; way += 2) {
+		struct gcode_case c;
+		char moves[160];
+
+		klartext_case(&c);
+		c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+		c.config.half_turn[SLOT_C] = way;
+		ck_assert_msg(klartext_run(&c, "PLANE SPATIAL SPA+0 SPB+0 SPC+180 STAY TABLE ROT\nL C+Q122 FMAX M126\n"
+					       "L X+10 Y+5 Z+0 FMAX\n"),
+			      "%s", strbuf_text(&c.messages));
+		snprintf(moves, sizeof(moves),
+			 "orient 0 0 1\nrapid 0 0 0 0 %d\ntcp on length 0 zero A0 C0\nrapid -10 -5 0 0 %d tcp\n", 180 * way,
+			 180 * way);
+		ck_assert_str_eq(strbuf_text(&c.moves), moves);
+		case_release(&c);
+	}
+}
+END_TEST
+
+/*
+ * Posts cancel the shift while the plane is still tilted, and then the plane: behind it the first shift counts, or not.
+ */
+START_TEST(shift_behind_plane)
+{
+	static const char *const moves[] = {"", "rapid 11 2 0 0 0\n", "rapid 1 2 0 0 0\n"};
+
+	for (int way = SHIFT_BEHIND_PLANE_KEEPS; way <= SHIFT_BEHIND_PLANE_CANCELLED; way++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		c.config.controller.shift_behind_plane = (enum shift_behind_plane)way;
+		ck_assert_msg(klartext_run(&c, "CYCL DEF 7.0\nCYCL DEF 7.1 X+10\n"
+					       "PLANE SPATIAL SPA-90 SPB+0 SPC+0 STAY\n"
+					       "CYCL DEF 7.0\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nPLANE RESET STAY\n"
+					       "L X+1 Y+2 FMAX\n"),
+			      "%s", strbuf_text(&c.messages));
+		ck_assert_int_eq(strncmp(strbuf_text(&c.moves), "orient 0 1 0\n", 13), 0);
+		ck_assert_str_eq(strbuf_text(&c.moves) + 13, moves[way]);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* With a reduced display whole turns count as 0: PLANE RESET stays there or goes to the nearest whole turn. */
 START_TEST(whole_turns)
 {
@@ -366,6 +412,8 @@ int main(void)
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, free_axis);
 	tcase_add_test(tcase, plane_rotation);
+	tcase_add_test(tcase, table_half_turn);
+	tcase_add_test(tcase, shift_behind_plane);
 	tcase_add_test(tcase, whole_turns);
 	tcase_add_test(tcase, retract_standing);
 	tcase_add_test(tcase, tool_table_counts);

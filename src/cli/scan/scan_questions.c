@@ -273,6 +273,8 @@ static const struct question {
     {"plane_rotation=\"", "plane_rotation=\"coordinates\" or \"table\"",
      CHOICE(plane_rotation, PLANE_ROTATION_COORDINATES)},
     {"plane_retract=\"", "plane_retract=\"always\" or \"turning\"", CHOICE(plane_retract, PLANE_RETRACT_ALWAYS)},
+    {"shift_behind_plane=\"", "shift_behind_plane=\"keeps\" or \"cancelled\"",
+     CHOICE(shift_behind_plane, SHIFT_BEHIND_PLANE_KEEPS)},
     {"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };
 

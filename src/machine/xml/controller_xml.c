@@ -154,6 +154,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	told->m6 = ANSWER("m6", "ignored");
 	told->plane_rotation = ANSWER("plane_rotation", "coordinates", "table");
 	told->plane_retract = ANSWER("plane_retract", "always", "turning");
+	told->shift_behind_plane = ANSWER("shift_behind_plane", "keeps", "cancelled");
 }
 
 /* Allocates memory for all tables of the element. */

@@ -68,6 +68,7 @@ export const ATTRIBUTES = [
 	row('m6', ['klartext'], 'M6 does nothing, because TOOL CALL changes the tool', ['ignored']),
 	row('plane_rotation', ['klartext'], 'what PLANE without COORD ROT and TABLE ROT turns at a free axis', ['coordinates', 'table']),
 	row('plane_retract', ['klartext'], 'when MB of PLANE retracts the tool', ['always', 'turning']),
+	row('shift_behind_plane', ['klartext'], 'a datum shift, behind a plane in which CYCL DEF 7 named its axis', ['keeps', 'cancelled']),
 	row('tool_def', ['klartext'], 'L and R of TOOL DEF, where the tool table is active', ['ignored']),
 ];
 

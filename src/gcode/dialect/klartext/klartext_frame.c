@@ -183,8 +183,9 @@ bool klartext_frame_check_shift(const struct interp *interp, unsigned axes, int 
 		if (axes & klartext_of(interp)->shift.open & 1U << slot)
 			return fault(&interp->at, column,
 				     "the datum of %c was shifted before a tilted plane, and in it again: whether the "
-				     "first shift counts behind the plane is not known here; write CYCL DEF 7 with %c "
-				     "again, or end the plane before the shift",
+				     "first shift counts behind the plane is not known here; set "
+				     "shift_behind_plane=\"keeps\" or \"cancelled\" in the machine file's <controller>, "
+				     "write CYCL DEF 7 with %c again, or end the plane before the shift",
 				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 	}
 	return true;

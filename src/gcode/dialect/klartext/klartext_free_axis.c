@@ -46,11 +46,18 @@ static bool turn_table(struct interp *interp, int column,
 	angle = here + remainder(angle - here, 360);
 	if (!along_tilted_x(interp, column, &turn, slot, angle, tilt, &reached))
 		return false;
-	if (reached < 1 - DIRECTION_REACHED || fabs(angle - here) > 180 - SAME_DEGREES)
+	if (reached < 1 - DIRECTION_REACHED)
 		return fault(
 		    &interp->at, column,
 		    "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
 		    AXIS_LETTERS[slot]);
+	if (fabs(angle - here) > 180 - SAME_DEGREES && !interp->config->half_turn[slot])
+		return fault(&interp->at, column,
+			     "half a turn of %c: either way is as short; set half_turn=\"positive\" or \"negative\" of "
+			     "this axis in the machine file",
+			     AXIS_LETTERS[slot]);
+	if (fabs(angle - here) > 180 - SAME_DEGREES)
+		angle = here + interp->config->half_turn[slot] * fabs(angle - here);
 	if (interp->config->wrap[slot] == WRAP_NONE && fabs(angle - zero) > 180 + SAME_DEGREES)
 		return fault(
 		    &interp->at, column,

@@ -292,6 +292,22 @@ static bool find_free(struct interp *interp, int column, int slot, bool *is_free
 	return true;
 }
 
+/* What remains of a datum shift from before the plane, if a shift in the plane has named the same axis. */
+static void leave_shift(struct interp *interp)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const enum shift_behind_plane told = interp->config->controller.shift_behind_plane;
+	double *const shift[] = {&klartext->frame.shift.x, &klartext->frame.shift.y, &klartext->frame.shift.z};
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (told == SHIFT_BEHIND_PLANE_CANCELLED && klartext->shift.in_plane & 1U << slot)
+			*shift[slot] = 0;
+	}
+	if (!told)
+		klartext->shift.open |= klartext->shift.in_plane;
+	klartext->shift.in_plane = 0;
+}
+
 /* Returns to coordinates that are not tilted; the axes do not move. False: reported. */
 static bool leave(struct interp *interp, int column)
 {
@@ -301,8 +317,7 @@ static bool leave(struct interp *interp, int column)
 	if (interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, column, TCP_OFF))
 		return false;
 	klartext->frame.tilted = klartext->stay.waits = klartext->preset.in_plane = false;
-	klartext->shift.open |= klartext->shift.in_plane;
-	klartext->shift.in_plane = 0;
+	leave_shift(interp);
 	klartext->frame.tilt = mat3_identity();
 	klartext_frame_update(interp);
 	return true;
