@@ -153,6 +153,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: tool_def of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' plane_retract='always'/><base/>"),
      "m.xml:2: error: plane_retract of <controller>: Haas has no such parameter\n"},
+    {MACHINE("<controller dialect='haas' shift_behind_plane='keeps'/><base/>"),
+     "m.xml:2: error: shift_behind_plane of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' cycle_19_angles='axes'/><base/>"),
      "m.xml:2: error: cycle_19_angles of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' cycle_11_axes='all'/><base/>"),

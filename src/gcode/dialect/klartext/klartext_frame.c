@@ -184,8 +184,9 @@ bool klartext_frame_check_shift(const struct interp *interp, unsigned axes, int 
 			return fault(&interp->at, column,
 				     "the datum of %c was shifted before a tilted plane, and in it again: whether the "
 				     "first shift counts behind the plane is not known here; set "
-				     "shift_behind_plane=\"keeps\" or \"cancelled\" in the machine file's <controller>, "
-				     "write CYCL DEF 7 with %c again, or end the plane before the shift",
+				     "shift_behind_plane=\"keeps\" or \"cancelled\" in the machine file's "
+				     "<controller>, write CYCL DEF 7 with %c again, or end the plane before the "
+				     "shift",
 				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 	}
 	return true;
