@@ -38,6 +38,18 @@ static void expect_fault(struct gcode_case *c, const char *program, const char *
 	case_release(c);
 }
 
+/* Posts for PathPilot and Mach3 cancel scaling and rotation at the start; these controls are run as LinuxCNC here. */
+START_TEST(nothing_to_cancel)
+{
+	struct gcode_case c;
+
+	run(&dialect_linuxcnc, "G90 G54 G64 G50 G17 G40 G80 G94 G91.1 G49\nG69 G21\nG0 X5\nM30\n", "rapid 5 0 0 0 0\n");
+	init(&c, &dialect_linuxcnc);
+	expect_fault(&c, "G51 X2\nM30\n",
+		     "p.nc:1:1: error: G51: scaling (PathPilot, Mach3) is not supported");
+}
+END_TEST
+
 /*
  * Fanuc B-64484EN, "Cutting Feed", alarm PS0011; Haas, feed in G01: without any F an alarm, or the F of a program that ran
  * before. The path is the same; LinuxCNC refuses it.
@@ -396,7 +408,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {common_shift_cleared, t_beside_m6, words_of_builder_codes, haas_outputs, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {nothing_to_cancel, common_shift_cleared, t_beside_m6, words_of_builder_codes, haas_outputs, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }
