@@ -158,7 +158,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 			continue;
 		left &= ~letter_bit(letter);
 		origin = machine ? 0 : state->offset.v[slot];
-		if (polar && polar_coordinates_take(interp, slot))
+		if ((polar && polar_coordinates_take(interp, slot)) || block->polar & letter_bit(letter))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (in_doubt && !is_certain(interp, slot, value))
@@ -175,5 +175,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 	}
 	if (interp->lost && !incremental)
 		interp->lost &= ~block->letters;
+	if (block->polar && !polar_coordinates_words(interp, target))
+		return false;
 	return machine || !state->polar.on || polar_coordinates_find(interp, target);
 }

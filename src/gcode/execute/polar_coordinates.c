@@ -1,8 +1,11 @@
 #include "gcode/execute/polar_coordinates.h"
 
+#include <math.h>
+
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
+#include "geom/tolerance.h"
 
 static int slot_of_radius(const struct state *state)
 {
@@ -95,5 +98,44 @@ bool polar_coordinates_find(struct interp *interp, slot_values *target)
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		state->probed[slot] =
 		    state->probed[slot] && (state->probe_bounded[slot] || !polar_coordinates_take(interp, slot));
+	return true;
+}
+
+/* Is the place known from which @ and ^ count? False: reported. */
+static bool check_start(struct interp *interp, double radius, int column)
+{
+	const struct state *state = &interp->state;
+	const uint32_t given = interp->block.polar;
+
+	if (interp->comp.side != 0)
+		return fault(&interp->at, column,
+			     "polar coordinates (@, ^) under cutter compensation are not supported; write X and Y");
+	if (state->probed[SLOT_X] || state->probed[SLOT_Y])
+		return fault(&interp->at, column,
+			     "polar coordinates (@, ^) where a probe may have stopped anywhere are not supported; write X "
+			     "and Y");
+	if (radius > SAME_POINT || (!state->incremental && given & letter_bit('Y')))
+		return true;
+	return fault(&interp->at, column,
+		     state->incremental ? "increments of polar coordinates (@, ^) where the tool stands at X0 Y0"
+					: "@ needs ^ beside it where the tool stands at X0 Y0");
+}
+
+bool polar_coordinates_words(struct interp *interp, slot_values *target)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	const int column = block->polar & letter_bit('X') ? block_column(block, 'X') : block_column(block, 'Y');
+	const double x = target->v[SLOT_X] - state->offset.v[SLOT_X], y = target->v[SLOT_Y] - state->offset.v[SLOT_Y];
+	double radius = sqrt(x * x + y * y), angle = math_atan2_degrees(y, x);
+
+	if (!check_start(interp, radius, column))
+		return false;
+	if (block->polar & letter_bit('X'))
+		radius = block_value(block, 'X') * state->scale + (state->incremental ? radius : 0);
+	if (block->polar & letter_bit('Y'))
+		angle = block_value(block, 'Y') + (state->incremental ? angle : 0);
+	target->v[SLOT_X] = state->offset.v[SLOT_X] + radius * math_cos_degrees(angle);
+	target->v[SLOT_Y] = state->offset.v[SLOT_Y] + radius * math_sin_degrees(angle);
 	return true;
 }

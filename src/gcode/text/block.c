@@ -20,6 +20,7 @@ void block_clear(struct block *block)
 	block->motion = CODE_NONE;
 	block->idle = CODE_NONE;
 	block->corner = '\0';
+	block->polar = 0;
 	block->has_next_tool = false;
 	block->vectors = false;
 	block->plain = false;
@@ -276,6 +277,28 @@ static bool add_corner(struct block *block, const struct line_place *at, const s
 	return true;
 }
 
+#define PLANE_BITS (letter_bit('X') | letter_bit('Y'))
+
+static bool is_polar(char letter)
+{
+	return letter == '@' || letter == '^';
+}
+
+/* A radius takes the place of X, an angle that of Y: LinuxCNC's manual, "Polar Coordinates". */
+static bool add_polar(struct block *block, const struct line_place *at, const struct word *word)
+{
+	const char letter = word->letter == '@' ? 'X' : 'Y';
+
+	if (block->polar & letter_bit(letter))
+		return fault(at, word->column, "%c occurs twice in the block", word->letter);
+	block->polar |= letter_bit(letter);
+	block->letters |= letter_bit(letter);
+	block->points |= letter_bit(letter);
+	block->value[letter - 'A'] = word->value;
+	block->column[letter - 'A'] = word->column;
+	return true;
+}
+
 static bool add_word(struct block *block, const struct line_place *at, const struct word *word,
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
@@ -285,6 +308,11 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		return true;
 	if (word->comma)
 		return add_corner(block, at, word);
+	if (is_polar(word->letter) ? block->letters & ~block->polar & PLANE_BITS
+				   : block->polar && (word->letter == 'X' || word->letter == 'Y'))
+		return fault(at, word->column, "X and Y cannot stand beside polar coordinates (@, ^)");
+	if (is_polar(word->letter))
+		return add_polar(block, at, word);
 	switch (word->letter) {
 	case 'G':
 		return add_g(block, at, word, config->dialect) || config->read.all_faults;

@@ -23,6 +23,7 @@ struct block {
 	uint32_t plain_letters;	/* the words that plain blocks of this machine can have; 0: not computed yet */
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
+	uint32_t polar;	/* bits of letters: X is the radius @, Y is the angle ^ */
 	char corner;	/* 'C' or 'R' of a word after a comma, 'L' of a chamfer by its length, or NUL */
 	bool corner_point;	/* its number has a decimal point */
 	double corner_value;

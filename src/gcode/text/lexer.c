@@ -176,6 +176,8 @@ enum lexer_result lexer_next_any(struct lexer *lexer, struct word *word)
 			return read_word(lexer, byte, word);
 		if (byte >= 'a' && byte <= 'z')
 			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
+		if ((byte == '@' || byte == '^') && lexer->rules->polar_words)
+			return read_word(lexer, byte, word);
 		if (byte == '\0')
 			return LEXER_END;
 		if (lexer->rules->assignment && byte == lexer->rules->assignment_start) {

@@ -12,7 +12,7 @@
 struct lexer;
 
 struct word {
-	char letter;	/* upper case */
+	char letter;	/* upper case; @ or ^ */
 	bool point;	/* the number has a decimal point */
 	int column;	/* of the letter, from 1 */
 	double value;
@@ -35,6 +35,7 @@ struct lexer_refusal {
 struct lexer_rules {
 	enum semicolon semicolon;	/* not known: a semicolon is a fault */
 	bool comma_words;	/* a comma may precede a word, which then has another meaning */
+	bool polar_words;	/* @ and ^ are words: a radius and an angle in the plane of X and Y */
 	bool comments_nest;	/* in a comment that ends the line, a nested comment is text; no: it is a fault */
 	/*
 	 * Reads the value of a word without a plain number after its letter; letter and column are given. LEXER_END: no

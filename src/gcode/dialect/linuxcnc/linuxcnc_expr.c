@@ -452,12 +452,11 @@ static bool check_comment(const struct lexer *lexer, const char *text)
 static const struct lexer_refusal refusals[] = {
 	{'[', "an expression is allowed only after a letter or after '='"},
 	{'$', "$: spindle numbers are not supported"},
-	{'@', "@: polar coordinates are not supported"},
-	{'^', "^: polar coordinates are not supported"},
 };
 
 const struct lexer_rules linuxcnc_lexer_rules = {
 	.semicolon = SEMICOLON_STARTS_COMMENT,
+	.polar_words = true,
 	.value = read_word_value,
 	.assignment_start = '#',
 	.assignment = read_assignment,
