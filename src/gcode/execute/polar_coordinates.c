@@ -126,7 +126,8 @@ bool polar_coordinates_words(struct interp *interp, slot_values *target)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 	const int column = block->polar & letter_bit('X') ? block_column(block, 'X') : block_column(block, 'Y');
-	const double x = target->v[SLOT_X] - state->offset.v[SLOT_X], y = target->v[SLOT_Y] - state->offset.v[SLOT_Y];
+	const double x = target->v[SLOT_X] - state->offset.v[SLOT_X];
+	const double y = target->v[SLOT_Y] - state->offset.v[SLOT_Y];
 	double radius = sqrt(x * x + y * y), angle = math_atan2_degrees(y, x);
 
 	if (!check_start(interp, radius, column))
