@@ -112,8 +112,8 @@ static bool check_start(struct interp *interp, double radius, int column)
 			     "polar coordinates (@, ^) under cutter compensation are not supported; write X and Y");
 	if (state->probed[SLOT_X] || state->probed[SLOT_Y])
 		return fault(&interp->at, column,
-			     "polar coordinates (@, ^) where a probe may have stopped anywhere are not supported; write X "
-			     "and Y");
+			     "polar coordinates (@, ^) where a probe may have stopped anywhere are not supported; "
+			     "write X and Y");
 	if (radius > SAME_POINT || (!state->incremental && given & letter_bit('Y')))
 		return true;
 	return fault(&interp->at, column,
