@@ -298,7 +298,7 @@ struct bad {
 #define TILT "G68.2 X0. I180. J90."
 
 static const struct bad bads[] = {
-    {&dialect_linuxcnc, "", "G68 R5", 1, "G68 is not a G-code of the linuxcnc dialect"},
+    {&dialect_linuxcnc, "", "G68 R5", 1, "G68: coordinate rotation (PathPilot, Mach3) is not supported; post the program without it"},
     {&dialect_fanuc, "", "G68 X0. Y0.", 1,
      "G68 needs R (angle); without R, the control takes the angle from a parameter or setting"},
     {&dialect_fanuc, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
