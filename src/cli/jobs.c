@@ -262,13 +262,48 @@ static bool check_inputs(const struct options *options, const struct job_list *l
 	return good;
 }
 
-static enum run_status run_job(const struct options *options, const struct job_item *job, struct stderr_ui *ui)
+/* The stocks that the jobs are to write with --stock-out; those of jobs that have written theirs are removed. */
+struct stocks {
+	struct unwritten_stock *items;	/* owned */
+	size_t count;
+};
+
+static struct stocks stocks_of(const struct options *options, const struct job_list *list, struct arena *arena)
+{
+	struct stocks stocks = {.items = mem_zalloc(list->count + 1, sizeof(*stocks.items))};
+
+	for (size_t i = 0; options->stock_out && i < list->count; i++)
+		stocks.items[stocks.count++] = (struct unwritten_stock){
+			name_for(arena, options->stock_out, list->items[i].name), list->items[i].name};
+	return stocks;
+}
+
+/* Call it after the job; `before` has the status of its file before the job, if there was one. */
+static void remove_written(struct stocks *stocks, const struct job_item *job, const struct stat *before)
+{
+	struct stat status;
+	size_t i = 0;
+
+	while (i < stocks->count && strcmp(stocks->items[i].job, job->name) != 0)
+		i++;
+	/* A file that is written is a new one, which takes the place of the old one. */
+	if (i < stocks->count && !stat(stocks->items[i].path, &status) && !(before && same_file(before, &status)))
+		stocks->items[i] = stocks->items[--stocks->count];
+}
+
+static enum run_status run_job(const struct options *options, const struct job_item *job, struct stocks *stocks,
+			       struct stderr_ui *ui)
 {
 	struct options one = *options;
 	struct arena arena = {0};
 	enum run_status status;
+	struct stat before;
+	bool existed;
 
 	name_outputs(&one, job, &arena);
+	existed = one.stock_out && !stat(one.stock_out, &before);
+	one.unwritten_stocks = stocks->items;
+	one.unwritten_count = stocks->count;
 	one.record = one.record ? one.formats[FORMAT_RECORD].path : NULL;
 	one.job_file = options->machine;
 	one.machine = job->machine;
@@ -279,6 +314,7 @@ static enum run_status run_job(const struct options *options, const struct job_i
 	for (size_t i = 0; i < job->program_count; i++)
 		one.programs[i] = arena_strdup(&arena, job->programs[i]);
 	status = run_options(&one, ui);
+	remove_written(stocks, job, existed ? &before : NULL);
 	arena_release(&arena);
 	return status;
 }
@@ -286,6 +322,8 @@ static enum run_status run_job(const struct options *options, const struct job_i
 enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 {
 	enum run_status status = RUN_CLEAR;
+	struct arena arena = {0};
+	struct stocks stocks;
 	struct job_list list;
 	bool good;
 
@@ -295,11 +333,14 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 	       (list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
 				    check_reports(options, &list, &ui->diag))) &&
 	       check_inputs(options, &list, &ui->diag);
+	stocks = stocks_of(options, &list, &arena);
 	for (size_t i = 0; good && i < list.count; i++) {
-		enum run_status one = run_job(options, &list.items[i], ui);
+		enum run_status one = run_job(options, &list.items[i], &stocks, ui);
 
 		status = one > status ? one : status;
 	}
+	free(stocks.items);
+	arena_release(&arena);
 	job_list_release(&list);
 	return good ? status : RUN_INCOMPLETE;
 }

@@ -40,6 +40,11 @@ struct format_choice {
 	const char *path;	/* NULL: the file of --output, or standard output */
 };
 
+/* The file of --stock-out of a job that is still to be run, or that did not write it. */
+struct unwritten_stock {
+	const char *path, *job;
+};
+
 /* Strings are borrowed from argv. */
 struct options {
 	enum run_mode mode;
@@ -62,6 +67,8 @@ struct options {
 	const char *explain;	/* the word of --explain, or NULL */
 	const char *pose;	/* or NULL */
 	const char *stock_out;	/* or NULL */
+	const struct unwritten_stock *unwritten_stocks;	/* of other jobs of the same run */
+	size_t unwritten_count;
 	const char *report;	/* or NULL */
 	const char *glb;	/* or NULL */
 	const char *picture;	/* or NULL; ends in .svg or .png */

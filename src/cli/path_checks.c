@@ -194,6 +194,24 @@ bool path_checks_inputs(const struct options *options, const struct input_files 
 	return true;
 }
 
+bool path_checks_stocks(const struct options *options, const struct input_files *inputs, struct diag *diag)
+{
+	for (size_t i = 0; i < options->unwritten_count; i++) {
+		const struct unwritten_stock *stock = &options->unwritten_stocks[i];
+
+		for (size_t k = 0; k < inputs->count; k++) {
+			if (!is_same(stock->path, inputs->items[k].path))
+				continue;
+			diag_error(diag, (struct srcloc){0},
+				   "%s is from before this run: the job \"%s\" has not written its remaining stock to "
+				   "it; that job must come first, and must be checked to its end",
+				   stock->path, stock->job);
+			return false;
+		}
+	}
+	return true;
+}
+
 static bool check_meshes_within(const char *root, struct body *bodies, size_t count, struct diag *diag)
 {
 	bool good = true;

@@ -37,6 +37,9 @@ bool path_checks_meshes(const struct options *options, const struct machine *mac
  */
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
+/* False, reported: a file that was read is the stock of another job of this run, from before the run. */
+bool path_checks_stocks(const struct options *options, const struct input_files *inputs, struct diag *diag);
+
 /* False, reported: --input-root is not a folder. */
 bool path_checks_root(const struct options *options, struct diag *diag);
 

@@ -220,8 +220,8 @@ static bool load_all(struct job *job, const struct options *options, struct inpu
 	if (!job_read(job, options, diag))
 		return false;
 	add_inputs(job, options, inputs);
-	return job_prepare(job, options, diag) && check_kinds(options, job->model->scene, diag) &&
-	       check_stock(options, job->model->scene, diag);
+	return path_checks_stocks(options, inputs, diag) && job_prepare(job, options, diag) &&
+	       check_kinds(options, job->model->scene, diag) && check_stock(options, job->model->scene, diag);
 }
 
 /* Checks the programs. Reports are kept even if the check is incomplete, because they say so. */

@@ -52,6 +52,24 @@ XML
 findings -s inches.xml m.xml again.nc
 "$FIVECHECK" -q -s inches.xml m.xml beside.nc | grep -E 'rapid-contact|stock  '
 
+echo '== in a job file, the stock of another job is not taken from before the run'
+cat >jobs.xml <<'XML'
+<jobs version="1">
+  <job name="op10" machine="m.xml" setup="first.xml"><program file="slot.nc"/></job>
+  <job name="op20" machine="m.xml" setup="rest10.xml"><program file="again.nc"/></job>
+</jobs>
+XML
+sed 's/rest.stl/rest-op10.stl/' smaller.xml >rest10.xml
+"$FIVECHECK" -q --stock-out='rest-%.stl' jobs.xml
+echo "exit status $?"
+printf '%s\n' "$head" 'G1 X0 F600' 'G123' >stops.nc
+sed 's/slot.nc/stops.nc/' jobs.xml >stops.xml
+"$FIVECHECK" -q --stock-out='rest-%.stl' stops.xml
+echo "exit status $?"
+{ sed -n '1p; 3p' jobs.xml; sed -n '2p; 4p' jobs.xml; } >order.xml
+"$FIVECHECK" -q --stock-out='rest-%.stl' order.xml
+echo "exit status $?"
+
 echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note
