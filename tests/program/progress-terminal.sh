@@ -37,4 +37,4 @@ awk '/^many\(\)/, /^}/' "$0" | cat - run >both
 script -q -e -f -c 'sh ./both' log >/dev/null </dev/null
 shown >lines
 awk 'length($0) > 29' lines
-sed 's/: line [0-9]*,.*/: line/' lines | sort -u
+sed 's/: line [0-9].*/: line/' lines | sort -u
