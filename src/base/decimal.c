@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
+
 /* As an integer and a power of ten. */
 struct decimal {
 	bool negative;
@@ -13,14 +15,9 @@ struct decimal {
 	int exponent;
 };
 
-static bool is_digit(char c)
-{
-	return c >= '0' && c <= '9';
-}
-
 static const char *scan_digits(struct decimal *d, const char *at, int shift)
 {
-	for (; is_digit(*at); at++) {
+	for (; ascii_is_digit(*at); at++) {
 		if (d->digits > (UINT64_MAX - 9) / 10) {
 			d->exact = false;
 			continue;
@@ -48,7 +45,7 @@ static bool scan_decimal(struct decimal *d, const char *word, size_t length)
 		bool negative = at[1] == '-';
 		const char *first = at + 1 + (at[1] == '-' || at[1] == '+');
 
-		for (at = first; is_digit(*at); at++)
+		for (at = first; ascii_is_digit(*at); at++)
 			exponent = exponent < 10000 ? 10 * exponent + (*at - '0') : exponent;
 		if (at == first)
 			return false;

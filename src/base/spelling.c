@@ -1,8 +1,9 @@
 #include "base/spelling.h"
 
-#include <ctype.h>
 #include <stdbool.h>
 #include <string.h>
+
+#include "base/ascii.h"
 
 /* For longer names there is no suggestion. */
 #define LONGEST ((size_t)64)
@@ -14,7 +15,7 @@ static size_t least(size_t a, size_t b)
 
 static bool same_letter(char a, char b)
 {
-	return tolower((unsigned char)a) == tolower((unsigned char)b);
+	return ascii_lower(a) == ascii_lower(b);
 }
 
 /* Levenshtein's distance, with two exchanged neighbours as one error; upper and lower case are equal. */

@@ -5,12 +5,13 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "report/output.h"
 
 static bool may_stand_in_name(char c)
 {
-	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+	return ascii_is_letter(c) || ascii_is_digit(c) || c == '_' || c == '-';
 }
 
 void report_paths_add_stem(struct strbuf *out, const char *program)

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
+
 bool control_variable_name_normalise(const char *given, char name[CONTROL_VARIABLE_NAME])
 {
 	char made[CONTROL_VARIABLE_NAME];
@@ -12,7 +14,7 @@ bool control_variable_name_normalise(const char *given, char name[CONTROL_VARIAB
 			continue;
 		if (length == CONTROL_VARIABLE_NAME - 1)
 			return false;
-		made[length++] = *given >= 'a' && *given <= 'z' ? (char)(*given - 'a' + 'A') : *given;
+		made[length++] = ascii_upper(*given);
 	}
 	made[length] = '\0';
 	if (length > 0)

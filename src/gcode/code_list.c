@@ -1,8 +1,9 @@
 #include "gcode/code_list.h"
 
-#include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
+
+#include "base/ascii.h"
 
 const char *code_state_name(enum code_state state)
 {
@@ -77,7 +78,7 @@ static bool is_same_word(const char *a, const char *b)
 			a++;
 		while (*b == ' ')
 			b++;
-		if (toupper((unsigned char)*a) != toupper((unsigned char)*b))
+		if (ascii_upper(*a) != ascii_upper(*b))
 			return false;
 		if (*a == '\0')
 			return true;
@@ -90,13 +91,13 @@ static int find_number(const char *name, bool tenths)
 	long number;
 	char *rest;
 
-	if (!isdigit((unsigned char)name[0]))
+	if (!ascii_is_digit(name[0]))
 		return -1;
 	number = strtol(name, &rest, 10);
 	if (number > SHRT_MAX)
 		return -1;
 	number *= tenths ? 10 : 1;
-	if (tenths && rest[0] == '.' && isdigit((unsigned char)rest[1])) {
+	if (tenths && rest[0] == '.' && ascii_is_digit(rest[1])) {
 		number += rest[1] - '0';
 		rest += 2;
 	}
@@ -111,7 +112,7 @@ static void explain(struct strbuf *out, const struct dialect *dialect, enum code
 
 bool code_list_explain(struct strbuf *out, const struct dialect *dialect, const char *name)
 {
-	char letter = (char)toupper((unsigned char)name[0]);
+	char letter = ascii_upper(name[0]);
 	int number = letter == 'G' || letter == 'M' ? find_number(name + 1, letter == 'G') : -1;
 	const struct code *code =
 		number >= 0 ? code_find(letter == 'G' ? dialect->g_codes : dialect->m_codes, number) : NULL;

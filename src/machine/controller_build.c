@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "control/dialects.h"
 #include "machine/variable_build.h"
 
@@ -52,10 +53,9 @@ static const char *macro_name(struct arena *arena, const char *given)
 	for (; name[length]; length++) {
 		const char byte = name[length];
 
-		if (byte >= 'a' && byte <= 'z')
-			name[length] = (char)(byte - 'a' + 'A');
-		else if (!(byte >= 'A' && byte <= 'Z') && !(byte >= '0' && byte <= '9') && byte != '_')
+		if (!ascii_is_letter(byte) && !ascii_is_digit(byte) && byte != '_')
 			return NULL;
+		name[length] = ascii_upper(byte);
 	}
 	return length <= MACRO_NAME_MAX ? name : NULL;
 }

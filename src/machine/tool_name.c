@@ -3,20 +3,11 @@
 #include <math.h>
 #include <strings.h>
 
+#include "base/ascii.h"
 #include "base/units.h"
 
 /* Names are rounded: 6.35 mm is written 6.4. */
 static const double SAME_SHARE = 0.02;
-
-static bool is_letter(char byte)
-{
-	return (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z');
-}
-
-static bool is_digit(char byte)
-{
-	return byte >= '0' && byte <= '9';
-}
 
 /* The decimal number at *at, with a point or a comma; *at moves past it. */
 static double read_decimal(const char **at)
@@ -24,10 +15,10 @@ static double read_decimal(const char **at)
 	const char *text = *at;
 	double value = 0, unit = 1;
 
-	for (; is_digit(*text); text++)
+	for (; ascii_is_digit(*text); text++)
 		value = 10 * value + (*text - '0');
-	if ((*text == '.' || *text == ',') && is_digit(text[1])) {
-		for (text++; is_digit(*text); text++) {
+	if ((*text == '.' || *text == ',') && ascii_is_digit(text[1])) {
+		for (text++; ascii_is_digit(*text); text++) {
 			unit /= 10;
 			value += unit * (*text - '0');
 		}
@@ -41,7 +32,7 @@ static double read_number(const char **at)
 {
 	double value = read_decimal(at), below;
 
-	if (**at != '/' || !is_digit((*at)[1]))
+	if (**at != '/' || !ascii_is_digit((*at)[1]))
 		return value;
 	++*at;
 	below = read_decimal(at);
@@ -70,10 +61,10 @@ bool tool_name_tells_twice(const struct tool *tool)
 	for (const char *at = tool->name; *at && tool->diameter > 0;) {
 		double number;
 
-		if (!is_digit(*at) && !(*at == '.' && is_digit(at[1]))) {
+		if (!ascii_is_digit(*at) && !(*at == '.' && ascii_is_digit(at[1]))) {
 			/* "D=10" */
 			if (*at != '=') {
-				letters = is_letter(*at) ? letters + 1 : 0;
+				letters = ascii_is_letter(*at) ? letters + 1 : 0;
 				letter = *at;
 			}
 			at++;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "control/control_variable.h"
 #include "control/dialects.h"
@@ -17,7 +18,7 @@ static bool read_sizes(const char *text, struct control_variable *variable)
 		int size = 0;
 
 		text += strspn(text, " ");
-		for (; *text >= '0' && *text <= '9' && size <= SIZE_MAX_EACH; text++)
+		for (; ascii_is_digit(*text) && size <= SIZE_MAX_EACH; text++)
 			size = 10 * size + (*text - '0');
 		if (size < 1 || size > SIZE_MAX_EACH || variable->dimensions == CONTROL_DIMENSIONS)
 			return false;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "cli/init/machine_plan_value.h"
 #include "control/dialects.h"
@@ -97,7 +98,7 @@ static bool set_answer(struct machine_plan *plan, const char *text)
 	const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_");
 	char *name;
 
-	if (!length || (*text >= '0' && *text <= '9') || text[length] != '=' ||
+	if (!length || ascii_is_digit(*text) || text[length] != '=' ||
 	    !machine_plan_is_text(text + length + 1))
 		return false;
 	name = arena_strdup(&plan->arena, text);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "gcode/code_list.h"
 #include "gcode/text/line_shape.h"
@@ -43,12 +44,12 @@ static void count(struct scan_codes *codes, char letter, int number, const struc
 static void count_codes(struct scan_codes *codes, const char *block)
 {
 	for (const char *at = block; *at; at++) {
-		bool inside = at > block && (isalpha((unsigned char)at[-1]) || at[-1] == '_' || at[-1] == '<');
+		bool inside = at > block && (ascii_is_letter(at[-1]) || at[-1] == '_' || at[-1] == '<');
 		size_t length = 0;
 		double number;
 		bool point;
 
-		if ((*at != 'G' && *at != 'M') || inside || !isdigit((unsigned char)at[1]))
+		if ((*at != 'G' && *at != 'M') || inside || !ascii_is_digit(at[1]))
 			continue;
 		if (number_read(at + 1, &length, &number, &point) != NUMBER_OK)
 			continue;
@@ -66,19 +67,19 @@ static void count_codes(struct scan_codes *codes, const char *block)
 
 static bool is_start(const char *text, const char *behind)
 {
-	return strlen(text) < SHORT_WORD && isalpha((unsigned char)behind[0]) &&
-	       (isalpha((unsigned char)behind[1]) || behind[1] == '[' || behind[1] == '(');
+	return strlen(text) < SHORT_WORD && ascii_is_letter(behind[0]) &&
+	       (ascii_is_letter(behind[1]) || behind[1] == '[' || behind[1] == '(');
 }
 
 /* "B3=": without '=' it is an axis with its value, like B3.5. */
 static bool is_coordinate(const char *text, char after)
 {
-	return isalpha((unsigned char)text[0]) && isdigit((unsigned char)text[1]) && !text[2] && after != '=';
+	return ascii_is_letter(text[0]) && ascii_is_digit(text[1]) && !text[2] && after != '=';
 }
 
 static bool is_name_byte(char byte)
 {
-	return isalpha((unsigned char)byte) || byte == '_';
+	return ascii_is_letter(byte) || byte == '_';
 }
 
 /* The text of a word without blanks, if it has only letters and digits. */
@@ -99,7 +100,7 @@ static bool stands_at(const char *block, const char *at, const char *text)
 
 	return !strncmp(at, text, length) && !is_start(text, at + length) && !is_coordinate(text, at[length]) &&
 	       (at == block || !is_name_byte(at[-1])) &&
-	       !(isdigit((unsigned char)at[length]) && isdigit((unsigned char)text[length - 1]));
+	       !(ascii_is_digit(at[length]) && ascii_is_digit(text[length - 1]));
 }
 
 /* SETMS is not SETM: is there a longer word here that begins with this one? */

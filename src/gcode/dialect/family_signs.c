@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/text/line_shape.h"
 
 static const struct family klartext = {"Heidenhain Klartext", {"klartext", NULL}};
@@ -122,7 +123,7 @@ static bool has_code(const char *block, const char *code)
 	for (const char *at = strstr(block, code); at; at = strstr(at + 1, code)) {
 		const char next = at[strlen(code)];
 
-		if (!isdigit((unsigned char)next) && next != '.')
+		if (!ascii_is_digit(next) && next != '.')
 			return true;
 	}
 	return false;
@@ -135,7 +136,7 @@ static void unspace(const char *line, char out[LINE_SHAPE_MAX])
 
 	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
 		if (!isspace((unsigned char)*line))
-			out[length++] = (char)toupper((unsigned char)*line);
+			out[length++] = ascii_upper(*line);
 	}
 	out[length] = '\0';
 }
@@ -159,7 +160,7 @@ static bool has_call(const char *line, const char *text, bool begins)
 static bool has_address(const char *block, const char *address)
 {
 	for (const char *at = strstr(block, address); at; at = strstr(at + 1, address)) {
-		if (at == block || isdigit((unsigned char)at[-1]) || strchr(".)]", at[-1]))
+		if (at == block || ascii_is_digit(at[-1]) || strchr(".)]", at[-1]))
 			return true;
 	}
 	return false;
@@ -182,7 +183,7 @@ static bool is_proc(const char *line)
 	if (strncmp(at, "PROC", 4) != 0 || (at[4] != ' ' && at[4] != '\t'))
 		return false;
 	at += 4 + strspn(at + 4, " \t");
-	name = isalpha((unsigned char)*at) || *at == '_' ? strcspn(at, " \t(;\r\n") : 0;
+	name = ascii_is_letter(*at) || *at == '_' ? strcspn(at, " \t(;\r\n") : 0;
 	at += name;
 	at += strspn(at, " \t\r\n");
 	return name > 0 && (*at == '\0' || *at == '(' || *at == ';' || starts_with(at, "SAVE") ||
@@ -194,7 +195,7 @@ static bool is_okuma_variable(const char *text)
 {
 	const size_t digits = starts_with(text, "VC") ? strspn(text + 2, "0123456789") : 0;
 
-	return digits > 0 && !isalpha((unsigned char)text[2 + digits]) && text[2 + digits] != '_';
+	return digits > 0 && !ascii_is_letter(text[2 + digits]) && text[2 + digits] != '_';
 }
 
 /* "VC1=5", "X=VC1": on Sinumerik, too, if the program defines such a name. */
@@ -219,11 +220,11 @@ static bool assigns_address(const char *block)
 	for (const char *at = strchr(block, '='); at && at < end && at[1] != '='; at = strchr(at + 1, '=')) {
 		const char *letter = at - 1;
 
-		while (letter > block && isdigit((unsigned char)*letter))
+		while (letter > block && ascii_is_digit(*letter))
 			letter--;
 		if (letter >= block && !is_okuma_variable(at + 1) &&
 		    strchr(letter < at - 1 ? "MS" : "ABCFIJKMSUVWXYZ", *letter) &&
-		    (letter == block || isdigit((unsigned char)letter[-1]) || letter[-1] == '.'))
+		    (letter == block || ascii_is_digit(letter[-1]) || letter[-1] == '.'))
 			return true;
 	}
 	return false;

@@ -3,15 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/text/number.h"
 
 /* Exponents must be below this. */
 #define EXPONENT_MAX 100
-
-static bool is_digit(char byte)
-{
-	return byte >= '0' && byte <= '9';
-}
 
 static bool is_sign(char byte)
 {
@@ -87,11 +83,6 @@ struct next_operator {
 	size_t position;
 };
 
-static bool is_letter(char byte)
-{
-	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
-}
-
 /* Consumes the operator's name if it comes next. */
 static bool take_name(struct expr *expr, const char *name)
 {
@@ -100,9 +91,9 @@ static bool take_name(struct expr *expr, const char *name)
 
 	if (!lexer_keyword(expr->lexer, name))
 		return false;
-	if (!expr->rules->whole_words || !is_letter(*name) ||
-	    (expr->lexer->position == position + length && !is_letter(text[length]) && !is_digit(text[length]) &&
-	     text[length] != '_'))
+	if (!expr->rules->whole_words || !ascii_is_letter(*name) ||
+	    (expr->lexer->position == position + length && !ascii_is_letter(text[length]) &&
+	     !ascii_is_digit(text[length]) && text[length] != '_'))
 		return true;
 	expr->lexer->position = position;
 	return false;
@@ -113,7 +104,7 @@ static void take_operator(struct expr *expr, struct next_operator *next)
 	const struct expr_rules *rules = expr->rules;
 	char byte = lexer_peek(expr->lexer);
 
-	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
+	byte = ascii_lower(byte);
 	*next = (struct next_operator){NULL, lexer_column(expr->lexer), expr->lexer->position};
 	for (size_t i = 0; i < rules->operator_count && !next->operator; i++) {
 		if (rules->operators[i].name[0] == byte && take_name(expr, rules->operators[i].name))
@@ -199,9 +190,9 @@ static bool read_exponent(struct expr *expr, double *value)
 	    text[-1] == ' ' || text[-1] == '\t')
 		return true;
 	text += text[2] == '-' || text[2] == '+' ? 3 : 2;
-	if (!is_digit(*text))
+	if (!ascii_is_digit(*text))
 		return true;
-	for (; is_digit(*text); text++)
+	for (; ascii_is_digit(*text); text++)
 		exponent = exponent < EXPONENT_MAX ? 10 * exponent + (*text - '0') : exponent;
 	if (exponent >= EXPONENT_MAX)
 		return fault(lexer->at, lexer_column(lexer), "an exponent has at most two digits");
@@ -254,7 +245,7 @@ static bool read_unsigned(struct expr *expr, struct expr_operand *value)
 	int column = lexer_column(expr->lexer);
 
 	*value = (struct expr_operand){0};
-	if (is_digit(byte) || byte == '.' || (byte == ',' && rules->decimal_comma))
+	if (ascii_is_digit(byte) || byte == '.' || (byte == ',' && rules->decimal_comma))
 		return expr_number(expr, &value->number);
 	if (starts_variable(rules, byte))
 		return rules->variable(expr, value);
@@ -316,7 +307,7 @@ bool expr_follows(struct lexer *lexer, const struct expr_rules *rules)
 	for (; is_sign(byte = lexer_peek(lexer)); sign = true)
 		lexer_take(lexer);
 	follows = byte == rules->open || starts_variable(rules, byte) ||
-		  (sign && rules->signs_repeat && (is_digit(byte) || byte == '.')) ||
+		  (sign && rules->signs_repeat && (ascii_is_digit(byte) || byte == '.')) ||
 		  function_read(lexer, rules->functions, rules->function_count);
 	lexer->position = position;
 	return follows;

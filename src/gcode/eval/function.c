@@ -1,5 +1,6 @@
 #include "gcode/eval/function.h"
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/units.h"
 
@@ -9,7 +10,7 @@ const struct function_name *function_read(struct lexer *lexer, const struct func
 {
 	char byte = lexer_peek(lexer);
 
-	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
+	byte = ascii_lower(byte);
 	for (size_t i = 0; i < count; i++) {
 		if (names[i].lower[0] == byte && lexer_keyword(lexer, names[i].lower))
 			return &names[i];

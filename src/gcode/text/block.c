@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/text/lexer.h"
 
@@ -340,7 +341,7 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 		if (!strspn(text + strspn(text, " \t"), "0123456789"))
 			return fault(lexer->at, column, "':' without a number");
 		lexer_take(lexer);
-		while (lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+		while (ascii_is_digit(lexer_peek(lexer)))
 			lexer_take(lexer);
 		block->words++;
 		return true;
@@ -364,7 +365,7 @@ static bool read_slashes(struct lexer *lexer, const struct block_rules *rules)
 	while (lexer_peek(lexer) == '/' && (!any || rules->numbered_switches)) {
 		any = true;
 		lexer_take(lexer);
-		if (rules->numbered_switches && lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+		if (rules->numbered_switches && ascii_is_digit(lexer_peek(lexer)))
 			lexer_take(lexer);
 	}
 	return any;

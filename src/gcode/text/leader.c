@@ -1,8 +1,8 @@
 #include "gcode/text/leader.h"
 
-#include <ctype.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/text/line_shape.h"
 
 /* The most lines of a header. */
@@ -12,7 +12,7 @@
 static bool begins_with_g(const char *block)
 {
 	block += *block == 'N' ? 1 + strspn(block + 1, "0123456789") : 0;
-	return *block == 'G' && isdigit((unsigned char)block[1]);
+	return *block == 'G' && ascii_is_digit(block[1]);
 }
 
 void leader_skip(struct reader *reader)

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/text/line_shape.h"
 #include "gcode/text/number.h"
 
@@ -15,11 +16,7 @@ bool lexer_keyword(struct lexer *lexer, const char *keyword)
 	size_t position = lexer->position;
 
 	for (; *keyword; keyword++, lexer_take(lexer)) {
-		char byte = lexer_peek(lexer);
-
-		if (byte >= 'A' && byte <= 'Z')
-			byte = (char)(byte - 'A' + 'a');
-		if (byte != *keyword) {
+		if (ascii_lower(lexer_peek(lexer)) != *keyword) {
 			lexer->position = position;
 			return false;
 		}
@@ -153,10 +150,8 @@ static enum lexer_result read_comma_word(struct lexer *lexer, struct word *word)
 	char letter;
 
 	lexer_take(lexer);
-	letter = lexer_peek(lexer);
-	if (letter >= 'a' && letter <= 'z')
-		letter = (char)(letter - 'a' + 'A');
-	if (letter < 'A' || letter > 'Z') {
+	letter = ascii_upper(lexer_peek(lexer));
+	if (!ascii_is_letter(letter)) {
 		fault_report(lexer->at, lexer_column(lexer), "a letter is missing after ','");
 		return LEXER_FAULT;
 	}
@@ -172,10 +167,8 @@ enum lexer_result lexer_next_any(struct lexer *lexer, struct word *word)
 		word->comma = false;
 		if (byte == ',' && lexer->rules->comma_words)
 			return read_comma_word(lexer, word);
-		if (byte >= 'A' && byte <= 'Z')
-			return read_word(lexer, byte, word);
-		if (byte >= 'a' && byte <= 'z')
-			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
+		if (ascii_is_letter(byte))
+			return read_word(lexer, ascii_upper(byte), word);
 		if ((byte == '@' || byte == '^') && lexer->rules->polar_words)
 			return read_word(lexer, byte, word);
 		if (byte == '\0')

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/axes.h"
 
 void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX])
@@ -14,21 +15,21 @@ void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX])
 	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
 		comment = comment ? *line != ')' : *line == '(';
 		if (!comment && *line != ')' && !isspace((unsigned char)*line))
-			out[length++] = (char)toupper((unsigned char)*line);
+			out[length++] = ascii_upper(*line);
 	}
 	out[length] = '\0';
 }
 
 static bool starts_value(char byte)
 {
-	return isdigit((unsigned char)byte) || (byte != '\0' && strchr("+-.#[", byte));
+	return ascii_is_digit(byte) || (byte != '\0' && strchr("+-.#[", byte));
 }
 
 bool line_shape_moves_axes(const char *line)
 {
 	for (const char *at = line; *at; at++)
-		if (slot_of_letter((char)toupper((unsigned char)*at)) >= 0 &&
-		    starts_value(at[1 + strspn(at + 1, " \t")]) && (at == line || !isalpha((unsigned char)at[-1])))
+		if (slot_of_letter(ascii_upper(*at)) >= 0 &&
+		    starts_value(at[1 + strspn(at + 1, " \t")]) && (at == line || !ascii_is_letter(at[-1])))
 			return true;
 	return false;
 }
@@ -36,7 +37,7 @@ bool line_shape_moves_axes(const char *line)
 bool line_shape_has_word(const char *block)
 {
 	for (const char *at = block; *at; at++)
-		if (isalpha((unsigned char)*at) && starts_value(at[1]))
+		if (ascii_is_letter(*at) && starts_value(at[1]))
 			return true;
 	return false;
 }
@@ -45,7 +46,7 @@ bool line_shape_is_block(const char *block)
 {
 	const char *at = block + (*block == '/');
 
-	while (isalpha((unsigned char)*at)) {
+	while (ascii_is_letter(*at)) {
 		size_t sign = at[1] == '+' || at[1] == '-', digits = strspn(at + 1 + sign, "0123456789.");
 
 		if (digits == 0)

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/ascii.h"
+
 /* 10^22 is the last power of ten that a double holds exactly. */
 #define EXACT_POWER_MAX 22
 #define EXACT_MANTISSA_MAX ((uint64_t)1 << 53)
@@ -22,11 +24,6 @@ static bool is_blank(char c)
 	return c == ' ' || c == '\t';
 }
 
-static bool is_digit(char c)
-{
-	return (unsigned char)(c - '0') <= 9;
-}
-
 /* Writes the number as an integer with an exponent, which strtod reads in the same way in every locale. */
 static double slow_value(const char *text, size_t begin, size_t end, int fraction_digits)
 {
@@ -34,7 +31,7 @@ static double slow_value(const char *text, size_t begin, size_t end, int fractio
 	size_t length = 0;
 
 	for (size_t i = begin; i < end; i++) {
-		if (is_digit(text[i]))
+		if (ascii_is_digit(text[i]))
 			clean[length++] = text[i];
 	}
 	snprintf(clean + length, sizeof(clean) - length, "e-%d", fraction_digits);
@@ -67,7 +64,7 @@ static enum number_status read_slowly(const char *text, size_t *position, double
 	for (begin = at;; at++) {
 		char c = text[at];
 
-		if (is_digit(c)) {
+		if (ascii_is_digit(c)) {
 			digits++;
 			fraction_digits += seen_point;
 			significant += significant > 0 || c != '0';

@@ -1,5 +1,6 @@
 #include "machine/xml/controller_xml.h"
 
+#include "base/ascii.h"
 #include "control/dialects.h"
 #include "machine/description.h"
 #include "machine/xml/variable_xml.h"
@@ -23,9 +24,9 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, void *contex
 }
 
 /* May the name of a program begin with this byte? */
-static bool is_letter(char byte)
+static bool may_begin_name(char byte)
 {
-	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
+	return ascii_is_letter(byte) || byte == '_';
 }
 
 static void read_macro(struct xml_reader *xml, const xmlNode *node, void *context)
@@ -40,7 +41,7 @@ static void read_macro(struct xml_reader *xml, const xmlNode *node, void *contex
 	xml_require(xml, node, "action", NULL);
 	macro->at = node;
 	macro->has_program = program != NULL;
-	if (program && is_letter(program[0]))
+	if (program && may_begin_name(program[0]))
 		macro->name = arena_strdup(&described->arena, program);
 	else
 		macro->program = xml_whole(xml, node, "program", 0);

@@ -1,10 +1,10 @@
 #include "gcode/dialect/fanuc/macro_b.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/apart.h"
+#include "base/ascii.h"
 #include "gcode/dialect/fanuc/builder_macro.h"
 #include "gcode/dialect/fanuc/macro_b_call.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
@@ -40,7 +40,7 @@ static bool pass_over(struct lexer *lexer)
 		char byte = lexer_peek(lexer);
 		int column = lexer_column(lexer);
 
-		if (depth > 0 || !isalpha((unsigned char)byte)) {
+		if (depth > 0 || !ascii_is_letter(byte)) {
 			depth += (byte == '[') - (byte == ']');
 			lexer_take(lexer);
 			continue;
@@ -48,7 +48,7 @@ static bool pass_over(struct lexer *lexer)
 		if (lexer_keyword(lexer, "and") || lexer_keyword(lexer, "or") || lexer_keyword(lexer, "xor") ||
 		    lexer_keyword(lexer, "mod"))
 			continue;
-		for (letters = 0; isalpha((unsigned char)lexer_peek(lexer)); letters++)
+		for (letters = 0; ascii_is_letter(lexer_peek(lexer)); letters++)
 			lexer_take(lexer);
 		if (letters < 2 || lexer_peek(lexer) != '[')
 			return fault(lexer->at, column, "a macro statement needs a block of its own");
@@ -221,7 +221,7 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 
 static bool is_letters(const char *text)
 {
-	while (isalpha((unsigned char)*text))
+	while (ascii_is_letter(*text))
 		text++;
 	return *text == '\0';
 }
@@ -247,7 +247,7 @@ static bool take_name(struct interp *interp, bool *done)
 		lexer.position = (size_t)(text - interp->at.text) + length + 1;
 		if (!end_statement(&lexer))
 			return false;
-	} else if ((*text == 'O' || *text == 'o') && isalpha((unsigned char)squeezed[1]) &&
+	} else if ((*text == 'O' || *text == 'o') && ascii_is_letter(squeezed[1]) &&
 		   (is_letters(squeezed) ||
 		    ((text[1] == ' ' || text[1] == '\t') && !line_shape_moves_axes(text)))) {
 		caution(&interp->at, 1, "no program number after O; this line is ignored");
@@ -288,7 +288,7 @@ static void skip_slash(struct lexer *lexer)
 {
 	while (lexer_peek(lexer) == '/') {
 		lexer_take(lexer);
-		if (isdigit((unsigned char)lexer_peek(lexer)))
+		if (ascii_is_digit(lexer_peek(lexer)))
 			lexer_take(lexer);
 	}
 }
@@ -392,7 +392,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	if (!*done)
 		return true;
 	/* G-codes first: they are the most frequent. */
-	if ((byte == 'G' || byte == 'g') && isdigit((unsigned char)lexer->at->text[lexer->position + 1]))
+	if ((byte == 'G' || byte == 'g') && ascii_is_digit(lexer->at->text[lexer->position + 1]))
 		return do_g(interp, lexer, done);
 	if (byte == '#')
 		return do_assignments(interp, lexer);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "gcode/dialect/fanuc/macro_b_operators.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
@@ -17,11 +18,6 @@ struct macro_reader {
 	bool argument;	/* of a macro call */
 	double steps;	/* ROUND rounds to this number of steps per unit */
 };
-
-static bool is_digit(char byte)
-{
-	return byte >= '0' && byte <= '9';
-}
 
 /* The expression at the lexer's position. */
 static struct expr begin(struct macro_reader *reader, struct lexer *lexer)
@@ -53,7 +49,7 @@ static bool read_variable_number(struct expr *expr, int *number)
 		return fault(lexer->at, column, "named variables are not supported");
 	default:
 		position = lexer->position;
-		if (!is_digit(lexer_peek(lexer)) ||
+		if (!ascii_is_digit(lexer_peek(lexer)) ||
 		    number_read(lexer->at->text, &position, &operand.number, &point) != NUMBER_OK || point)
 			return fault(lexer->at, column,
 				     "# needs a variable number or an expression in brackets");

@@ -1,9 +1,9 @@
 #include "gcode/dialect/fanuc/macro_b_seek.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/program_files.h"
 #include "gcode/text/line_search.h"
@@ -38,7 +38,7 @@ static long take_digits(const char **at)
 {
 	long value = 0;
 
-	for (; isdigit((unsigned char)**at); ++*at)
+	for (; ascii_is_digit(**at); ++*at)
 		value = value < 100000000 ? value * 10 + (**at - '0') : value;
 	return value;
 }
@@ -53,7 +53,7 @@ static void condense(const char *text, char *out)
 			if (*text == '\0')
 				break;
 		} else if (*text != ' ' && *text != '\t') {
-			out[length++] = (char)toupper((unsigned char)*text);
+			out[length++] = ascii_upper(*text);
 		}
 	}
 	out[length] = '\0';
@@ -67,13 +67,13 @@ static void read_gist(const char *text, enum colon colon, struct gist *gist)
 	condense(text, buffer);
 	*gist = (struct gist){.percent = *at == '%'};
 	if (*at == '/')
-		at += isdigit((unsigned char)at[1]) ? 2 : 1;
-	if ((*at == 'O' || (*at == ':' && colon != COLON_BLOCK)) && isdigit((unsigned char)at[1])) {
+		at += ascii_is_digit(at[1]) ? 2 : 1;
+	if ((*at == 'O' || (*at == ':' && colon != COLON_BLOCK)) && ascii_is_digit(at[1])) {
 		at++;
 		gist->has_program = true;
 		gist->program = take_digits(&at);
 	}
-	if ((*at == 'N' || *at == ':') && isdigit((unsigned char)at[1])) {
+	if ((*at == 'N' || *at == ':') && ascii_is_digit(at[1])) {
 		at++;
 		gist->has_block = true;
 		gist->block = take_digits(&at);
@@ -94,14 +94,14 @@ static int loop_number(const char *rest, bool end)
 	const char *at = rest;
 
 	if (end)
-		return !strncmp(rest, "EN", 2) && isdigit((unsigned char)rest[rest[2] == 'D' ? 3 : 2])
+		return !strncmp(rest, "EN", 2) && ascii_is_digit(rest[rest[2] == 'D' ? 3 : 2])
 			   ? rest[rest[2] == 'D' ? 3 : 2] - '0'
 			   : 0;
 	if (!strncmp(rest, "WHILE[", 6) || !strncmp(rest, "WH[", 3)) {
 		at = strrchr(rest, ']');
 		at = at ? at + 1 : rest;
 	}
-	return !strncmp(at, "DO", 2) && isdigit((unsigned char)at[2]) ? at[2] - '0' : 0;
+	return !strncmp(at, "DO", 2) && ascii_is_digit(at[2]) ? at[2] - '0' : 0;
 }
 
 /* ------------------------------------------------------------------ a search */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/ascii.h"
 #include "base/minmax.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -171,12 +172,12 @@ static bool bare_name(const char *path, char name[KLARTEXT_NAME])
 		path = *at == '\\' || *at == '/' || *at == ':' ? at + 1 : path;
 	length = strcspn(path, ".");
 	if (length >= KLARTEXT_NAME || (path[length] && strcasecmp(path + length, ".h") != 0) ||
-	    !isalpha((unsigned char)path[0]))
+	    !ascii_is_letter(path[0]))
 		return false;
 	for (size_t i = 0; i < length; i++) {
 		if (!isalnum((unsigned char)path[i]) && path[i] != '_')
 			return false;
-		name[i] = klartext_upper(path[i]);
+		name[i] = ascii_upper(path[i]);
 	}
 	name[length] = '\0';
 	return true;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
@@ -214,7 +215,7 @@ static bool take_block(void *context, struct lexer *lexer)
 	char word[KLARTEXT_WORD];
 	int column;
 
-	while (lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+	while (ascii_is_digit(lexer_peek(lexer)))
 		lexer_take(lexer);
 	if (klartext_ends(lexer) || lexer_peek(lexer) == '*')
 		return true;

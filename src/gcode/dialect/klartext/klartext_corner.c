@@ -1,9 +1,9 @@
 #include "gcode/dialect/klartext/klartext_corner.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
@@ -27,10 +27,10 @@ static bool begins_corner(const char *text, size_t length)
 {
 	size_t at = 0;
 
-	while (at < length && (text[at] == ' ' || text[at] == '\t' || (text[at] >= '0' && text[at] <= '9')))
+	while (at < length && (text[at] == ' ' || text[at] == '\t' || ascii_is_digit(text[at])))
 		at++;
 	return length - at >= 3 && (!strncmp(text + at, "RND", 3) || !strncmp(text + at, "CHF", 3)) &&
-	       (length - at == 3 || !isalpha((unsigned char)text[at + 3]));
+	       (length - at == 3 || !ascii_is_letter(text[at + 3]));
 }
 
 bool klartext_corner_follows(struct interp *interp)

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
@@ -200,12 +201,6 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	return true;
 }
 
-static bool is_letter(char byte)
-{
-	byte = klartext_upper(byte);
-	return byte >= 'A' && byte <= 'Z';
-}
-
 /* Words of the lines n.1, n.2 ... of older cycles: X+10, IX-5, ROT+30, SCL 0.5, SET UP 2, T0.05, F100, #5. */
 static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 {
@@ -229,7 +224,7 @@ static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 	}
 	/* V.ZEIT, HSC-MODE:1 */
 	while ((lexer_peek(lexer) == '.' || lexer_peek(lexer) == '-') &&
-	       is_letter(lexer->at->text[lexer->position + 1])) {
+	       ascii_is_letter(lexer->at->text[lexer->position + 1])) {
 		lexer_take(lexer);
 		klartext_word(lexer, more);
 	}
@@ -250,7 +245,7 @@ static bool is_q_word(struct lexer *lexer)
 	const char byte = lexer_peek(lexer);
 	const char *text = lexer->at->text + lexer->position;
 
-	return (byte == 'Q' || byte == 'q') && text[1] >= '0' && text[1] <= '9';
+	return (byte == 'Q' || byte == 'q') && ascii_is_digit(text[1]);
 }
 
 static bool read_words(struct lexer *lexer, struct klartext_cycle *cycle)
@@ -319,7 +314,7 @@ static bool skip_name_of_lines(struct lexer *lexer)
 	while (!klartext_ends(lexer)) {
 		const char *text = lexer->at->text + lexer->position;
 
-		if ((text[0] == '+' || text[0] == '-') && text[1] >= '0' && text[1] <= '9')
+		if ((text[0] == '+' || text[0] == '-') && ascii_is_digit(text[1]))
 			return fault(lexer->at, lexer_column(lexer),
 				     "a value behind the name of a cycle: values stand in the lines .1 and on");
 		lexer_take(lexer);
@@ -453,7 +448,7 @@ bool klartext_define_read(struct lexer *lexer)
 	/* "9 .0", as some posts write it. */
 	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
-	if (*text == '.' && text[1] >= '0' && text[1] <= '9') {
+	if (*text == '.' && ascii_is_digit(text[1])) {
 		lexer->position += 2;
 		return read_part(lexer, number, text[1] - '0', column);
 	}

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 
 static bool is_separator(char byte)
@@ -24,7 +25,7 @@ static const char *bare_of(const char *path)
 
 static bool same_byte(char a, char b)
 {
-	return klartext_upper(a) == klartext_upper(b) || (is_separator(a) && is_separator(b));
+	return ascii_upper(a) == ascii_upper(b) || (is_separator(a) && is_separator(b));
 }
 
 /* Compares two folders as far as both are written: "A\X.H" may be "TNC:\A\X.H". */
@@ -79,7 +80,7 @@ static bool find_spelling(struct interp *interp, const char *file, int column, s
 		size_t i = 0;
 
 		for (; file[i]; i++)
-			spelling[i] = way == 0 ? file[i] : way == 1 ? klartext_upper(file[i]) : klartext_lower(file[i]);
+			spelling[i] = way == 0 ? file[i] : way == 1 ? ascii_upper(file[i]) : ascii_lower(file[i]);
 		spelling[i] = '\0';
 		if (!sources_find(&interp->program.sources, &interp->config->read, spelling, &interp->at, column,
 				  source))

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
@@ -227,12 +228,12 @@ static bool asks_definition(const struct lexer *before)
 
 	if (lexer_peek(&lexer) == '+')
 		lexer_take(&lexer);
-	if (klartext_upper(lexer_peek(&lexer)) != 'Q')
+	if (ascii_upper(lexer_peek(&lexer)) != 'Q')
 		return false;
 	lexer_take(&lexer);
-	while (klartext_upper(lexer_peek(&lexer)) == 'L' || klartext_upper(lexer_peek(&lexer)) == 'R')
+	while (ascii_upper(lexer_peek(&lexer)) == 'L' || ascii_upper(lexer_peek(&lexer)) == 'R')
 		lexer_take(&lexer);
-	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
+	while (ascii_is_digit(lexer_peek(&lexer)))
 		lexer_take(&lexer);
 	return klartext_take(&lexer, "IS");
 }

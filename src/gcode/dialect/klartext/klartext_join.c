@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 
 enum joined { JOINED_NOT, JOINED_FORMULA, JOINED_BLOCK };
@@ -18,7 +19,7 @@ static enum joined kind_of_line(struct interp *interp)
 		return JOINED_NOT;
 	/* Skips a block number and the mark for block skip, which stands before or after the number. */
 	lexer.position += strspn(text + lexer.position, " \t0123456789/");
-	if (klartext_upper(lexer_peek(&lexer)) == 'Q')
+	if (ascii_upper(lexer_peek(&lexer)) == 'Q')
 		return JOINED_FORMULA;
 	if (strchr(text, ';') || !klartext_word(&lexer, word))
 		return JOINED_NOT;
@@ -31,9 +32,7 @@ static enum joined kind_of_line(struct interp *interp)
 
 static bool begins_with_digit(const char *text)
 {
-	const char byte = text[strspn(text, " \t")];
-
-	return byte >= '0' && byte <= '9';
+	return ascii_is_digit(text[strspn(text, " \t")]);
 }
 
 /* Does this line begin a new block? A block that ignores its words would otherwise swallow it. */

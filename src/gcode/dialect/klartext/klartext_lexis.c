@@ -2,10 +2,7 @@
 
 #include <string.h>
 
-static bool is_letter(char byte)
-{
-	return (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z');
-}
+#include "base/ascii.h"
 
 struct lexer klartext_lexer(struct interp *interp)
 {
@@ -49,9 +46,9 @@ size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD])
 {
 	size_t length = 0;
 
-	for (char byte = lexer_peek(lexer); is_letter(byte); byte = lexer->at->text[lexer->position]) {
+	for (char byte = lexer_peek(lexer); ascii_is_letter(byte); byte = lexer->at->text[lexer->position]) {
 		if (length < KLARTEXT_WORD - 1)
-			word[length] = klartext_upper(byte);
+			word[length] = ascii_upper(byte);
 		length++;
 		lexer_take(lexer);
 	}
@@ -62,10 +59,10 @@ size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD])
 /* "Q5", "QL5": a parameter may follow a word without a blank, as in REPQ5. */
 static bool is_parameter(const char *text)
 {
-	if (klartext_upper(*text) != 'Q')
+	if (ascii_upper(*text) != 'Q')
 		return false;
 	text += text[1] != '\0' && strchr("LlRr", text[1]) ? 2 : 1;
-	return *text >= '0' && *text <= '9';
+	return ascii_is_digit(*text);
 }
 
 bool klartext_take(struct lexer *lexer, const char *word)
@@ -75,11 +72,11 @@ bool klartext_take(struct lexer *lexer, const char *word)
 
 	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
-	while (word[length] && klartext_upper(text[length]) == word[length])
+	while (word[length] && ascii_upper(text[length]) == word[length])
 		length++;
 	if (word[length])
 		return false;
-	if (is_letter(text[length]) && is_letter(word[length - 1]) && !is_parameter(text + length))
+	if (ascii_is_letter(text[length]) && ascii_is_letter(word[length - 1]) && !is_parameter(text + length))
 		return false;
 	lexer->position += length;
 	return true;

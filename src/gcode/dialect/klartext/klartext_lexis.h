@@ -5,21 +5,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/ascii.h"
 #include "gcode/state.h"
 #include "gcode/text/lexer.h"
 
 /* Letters of the longest keyword. */
 #define KLARTEXT_WORD 16
-
-static inline char klartext_upper(char byte)
-{
-	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
-}
-
-static inline char klartext_lower(char byte)
-{
-	return byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
-}
 
 /* A lexer for the current line, whose context is the interpreter. */
 struct lexer klartext_lexer(struct interp *interp);

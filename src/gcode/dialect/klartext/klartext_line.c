@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/klartext/klartext_approach.h"
 #include "gcode/dialect/klartext/klartext_call.h"
 #include "gcode/dialect/klartext/klartext_circle.h"
@@ -231,7 +232,7 @@ static bool check_comp(struct lexer *lexer, const struct statement *statement)
 /* Words of a positioning block without L: "X+10 R0 FMAX", "R0 FMAX M99", "M3". */
 static bool starts_word(const char *word, char behind)
 {
-	bool value = (behind >= '0' && behind <= '9') || (behind != '\0' && strchr("+-.,Qq", behind) != NULL);
+	bool value = ascii_is_digit(behind) || (behind != '\0' && strchr("+-.,Qq", behind) != NULL);
 	bool blank = behind == '\0' || behind == ' ' || behind == '\t' || behind == ';';
 
 	if (word[0] == '\0' || (word[0] == 'I' && slot_of_letter(*++word) < 0))

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_points.h"
@@ -41,7 +42,7 @@ static bool read_item(struct lexer *lexer, struct item *item)
 	const struct interp *interp = lexer->context;
 
 	*item = (struct item){.column = klartext_column(lexer)};
-	while (lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+	while (ascii_is_digit(lexer_peek(lexer)))
 		lexer_take(lexer);
 	if (lexer_peek(lexer) != '(')
 		return fault(lexer->at, klartext_column(lexer), "'(' is needed here");

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 
 bool klartext_skip_number(struct lexer *lexer)
@@ -42,10 +43,10 @@ static bool is_parameter(struct lexer *lexer)
 {
 	const char *text;
 
-	if (klartext_upper(lexer_peek(lexer)) != 'Q')
+	if (ascii_upper(lexer_peek(lexer)) != 'Q')
 		return false;
 	text = lexer->at->text + lexer->position + 1;
-	return *text >= '0' && *text <= '9' && strchr(text, '=');
+	return ascii_is_digit(*text) && strchr(text, '=');
 }
 
 bool klartext_skip_definition(struct interp *interp)

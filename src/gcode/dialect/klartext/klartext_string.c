@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -12,7 +13,7 @@ bool klartext_string_follows(struct lexer *lexer)
 
 	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
-	return klartext_upper(text[0]) == 'Q' && klartext_upper(text[1]) == 'S' && text[2] >= '0' && text[2] <= '9';
+	return ascii_upper(text[0]) == 'Q' && ascii_upper(text[1]) == 'S' && ascii_is_digit(text[2]);
 }
 
 static struct klartext_string *find(struct klartext *klartext, int number)

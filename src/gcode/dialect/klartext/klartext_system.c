@@ -1,5 +1,6 @@
 #include "gcode/dialect/klartext/klartext_system.h"
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -232,7 +233,7 @@ static struct klartext_q *read_target(struct lexer *lexer, int *number)
 {
 	struct klartext_q *q;
 
-	if (klartext_upper(lexer_peek(lexer)) != 'Q') {
+	if (ascii_upper(lexer_peek(lexer)) != 'Q') {
 		fault_report(lexer->at, klartext_column(lexer), "a Q parameter is needed here");
 		return NULL;
 	}

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -170,12 +171,12 @@ static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 	for (;;) {
 		const int column = klartext_column(lexer);
 		struct lexer ahead = *lexer;
-		const bool increment = klartext_upper(lexer_peek(&ahead)) == 'I';
+		const bool increment = ascii_upper(lexer_peek(&ahead)) == 'I';
 		int slot;
 
 		if (increment)
 			lexer_take(&ahead);
-		slot = klartext_upper(lexer_peek(&ahead)) - 'A' + SLOT_A;
+		slot = ascii_upper(lexer_peek(&ahead)) - 'A' + SLOT_A;
 		if (slot < SLOT_A || slot > SLOT_C)
 			break;
 		lexer_take(&ahead);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/text/number.h"
@@ -85,7 +86,7 @@ struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
 		count = KLARTEXT_QL_COUNT;
 		lexer_take(lexer);
 	}
-	for (*number = 0; text[lexer->position] >= '0' && text[lexer->position] <= '9'; lexer_take(lexer)) {
+	for (*number = 0; ascii_is_digit(text[lexer->position]); lexer_take(lexer)) {
 		*number = 10 * *number + (text[lexer->position] - '0');
 		if (*number >= count) {
 			fault_report(lexer->at, column, "Q parameters go from %s0 to %s%d",
@@ -165,7 +166,7 @@ static bool ask_data(const struct lexer *lexer, int column, const char *name, in
 /* Asks the machine file for the value that a parameter has before the program assigns it. */
 static bool ask_kept(const struct lexer *lexer, int column, const char *name, int length)
 {
-	if (klartext_upper(name[1]) == 'L')
+	if (ascii_upper(name[1]) == 'L')
 		return fault(lexer->at, column, "%.*s has no value: the program has not assigned one", length, name);
 	return fault(lexer->at, column,
 		     "%.*s has no value: the program has not assigned one; if the control holds one from before, "
@@ -216,8 +217,7 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 /* A parameter: "Q1", "QL2" */
 static bool is_q(const char *text)
 {
-	return klartext_upper(text[0]) == 'Q' &&
-	       ((text[1] >= '0' && text[1] <= '9') || (text[1] && strchr("LlRr", text[1])));
+	return ascii_upper(text[0]) == 'Q' && (ascii_is_digit(text[1]) || (text[1] && strchr("LlRr", text[1])));
 }
 
 /*
@@ -235,7 +235,7 @@ static size_t behind_sign(struct lexer *lexer)
 		position++;
 	if (position == lexer->position + 1)
 		return 0;
-	return (text[position] >= '0' && text[position] <= '9') || is_q(text + position) ? position : 0;
+	return ascii_is_digit(text[position]) || is_q(text + position) ? position : 0;
 }
 
 bool klartext_value_follows(struct lexer *lexer)
@@ -245,7 +245,7 @@ bool klartext_value_follows(struct lexer *lexer)
 
 	if (byte == '+' || byte == '-')
 		byte = *++text;
-	return is_q(text) || (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
+	return is_q(text) || ascii_is_digit(byte) || byte == '.' || byte == ',' || behind_sign(lexer);
 }
 
 /* Reads a value that number_take_usual() does not read. */

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -26,7 +27,7 @@ static char next_byte(struct lexer *lexer)
 {
 	char byte = lexer_peek(lexer);
 
-	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+	return ascii_upper(byte);
 }
 
 static char byte_after(const struct lexer *lexer, size_t distance)
@@ -39,7 +40,7 @@ static char byte_after(const struct lexer *lexer, size_t distance)
 		if (byte == '\0')
 			return byte;
 	}
-	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+	return ascii_upper(byte);
 }
 
 /* With TCPM and AXIS SPAT, a spatial angle is modal. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <strings.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
@@ -319,7 +320,7 @@ bool linuxcnc_expr_name(struct lexer *lexer, char *name)
 	for (lexer_take(lexer); (byte = lexer_peek(lexer)) != '>'; lexer_take(lexer)) {
 		if (byte == '\0' || length == PARAM_NAME_MAX)
 			return fault(lexer->at, column, "this parameter name is not closed: '>' is missing");
-		name[length++] = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
+		name[length++] = ascii_lower(byte);
 	}
 	lexer_take(lexer);
 	name[length] = '\0';

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/text/number.h"
 
@@ -34,7 +35,7 @@ const char *oword_title(const char *name, char *buffer)
 
 static bool stands_in_number(char byte)
 {
-	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ' ' || byte == '\t';
+	return ascii_is_digit(byte) || byte == '.' || byte == ' ' || byte == '\t';
 }
 
 /* '/' (this line is not skipped) and N, which may have a fraction. */

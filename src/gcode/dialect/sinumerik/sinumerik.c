@@ -156,7 +156,7 @@ static bool run_words(struct interp *interp, struct lexer *lexer)
 
 	interp->moves = 0;
 	/* Every statement begins with two letters or more. */
-	if (sinumerik_is_letter(text[0]) && sinumerik_is_letter(text[1])) {
+	if (sinumerik_starts_name(text[0]) && sinumerik_starts_name(text[1])) {
 		if (!run_declaration(interp, lexer, &done) || (!done && !sinumerik_flow_run(interp, lexer, &done)))
 			return false;
 	}

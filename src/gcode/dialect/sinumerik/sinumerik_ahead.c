@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
 /* Has the block the M-code with these digits? */
@@ -32,8 +33,8 @@ static enum sinumerik_ahead look_at_run(const char *words, size_t *at)
 {
 	enum sinumerik_ahead ahead = SINUMERIK_AHEAD_NOTHING;
 
-	while (sinumerik_is_letter(words[*at])) {
-		const bool is_m = sinumerik_upper(words[*at]) == 'M';
+	while (sinumerik_starts_name(words[*at])) {
+		const bool is_m = ascii_upper(words[*at]) == 'M';
 		const size_t number = *at + 1 + strspn(words + *at + 1, "+-"),
 			     length = strspn(words + number, "0123456789.");
 		const enum sinumerik_ahead code = is_m ? ahead_of(words + number, length) : SINUMERIK_AHEAD_NOTHING;
@@ -58,7 +59,7 @@ enum sinumerik_ahead sinumerik_ahead_of_line(const char *words)
 		enum sinumerik_ahead run = SINUMERIK_AHEAD_NOTHING;
 
 		quoted = quoted != (words[at] == '"');
-		if (quoted || !sinumerik_is_letter(words[at]))
+		if (quoted || !sinumerik_starts_name(words[at]))
 			at++;
 		else
 			run = look_at_run(words, &at);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_coupling.h"
@@ -139,7 +140,7 @@ static bool read_l(struct reading *r, size_t start, size_t end, int column)
 	char name[SINUMERIK_NAME + 1] = "L";
 	size_t length = end - start;
 
-	while (length > 0 && !sinumerik_is_digit(r->lexer->at->text[start + length - 1]))
+	while (length > 0 && !ascii_is_digit(r->lexer->at->text[start + length - 1]))
 		length--;
 	if (length == 0 || length > 8 || strspn(r->lexer->at->text + start, "0123456789") < length)
 		return fault(r->lexer->at, column, "L needs the number of a subprogram");
@@ -218,7 +219,7 @@ static bool read_plain(struct reading *r, char letter, int column, bool *done)
 	if (letter == 'L')
 		return read_l(r, start, position, column);
 	if (letter == 'E' ||
-	    ((text[position] == 'E' || text[position] == 'e') && sinumerik_upper(text[position + 1]) == 'X'))
+	    ((text[position] == 'E' || text[position] == 'e') && ascii_upper(text[position + 1]) == 'X'))
 		return fault(lexer->at, column, letter == 'E' ? "E is neither an axis of the machine nor an address"
 							       : "a number with an exponent (EX) needs '=' before it");
 	return take_word(r, letter, column, value, SINUMERIK_WAY_MODAL);
@@ -419,9 +420,9 @@ static bool read_named(struct reading *r)
 		return sinumerik_assign(r->interp, r->lexer, name, column);
 	if (name[1] == '\0' && name[0] == 'F' && lexer_peek(r->lexer) == '(')
 		return fault(r->lexer->at, column, "F needs '=' before an expression");
-	if (name[0] == 'R' && sinumerik_is_digit(name[1]))
+	if (name[0] == 'R' && ascii_is_digit(name[1]))
 		return fault(r->lexer->at, column, "%s needs '=' and a value; the radius of a circle is CR=", name);
-	if (name[1] == '\0' || !sinumerik_is_letter(name[1]))
+	if (name[1] == '\0' || !sinumerik_starts_name(name[1]))
 		return fault(r->lexer->at, column, "%c without a number", name[0]);
 	return set_call(r, name, column);
 }
@@ -431,7 +432,7 @@ bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sin
 	struct reading reading = {interp, lexer, block};
 
 	for (;;) {
-		const char byte = sinumerik_upper(lexer_peek(lexer));
+		const char byte = ascii_upper(lexer_peek(lexer));
 		const int column = lexer_column(lexer);
 		bool done = false;
 
@@ -440,13 +441,13 @@ bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sin
 		block->any = true;
 		if (block->call[0] && block->call_has_arguments)
 			return true;
-		if (byte >= 'A' && byte <= 'Z' && !sinumerik_is_letter(lexer->at->text[lexer->position + 1])) {
+		if (byte >= 'A' && byte <= 'Z' && !sinumerik_starts_name(lexer->at->text[lexer->position + 1])) {
 			if (!read_plain(&reading, byte, column, &done))
 				return false;
 			if (done)
 				continue;
 		}
-		if (sinumerik_is_letter(byte) || byte == '$') {
+		if (sinumerik_starts_name(byte) || byte == '$') {
 			if (!read_named(&reading))
 				return false;
 			continue;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
@@ -81,7 +82,7 @@ static bool find_label(struct interp *interp, const char *start, size_t length, 
 	bool found;
 
 	for (size_t i = 0; i < length && i < SINUMERIK_NAME; i++)
-		name[i] = sinumerik_upper(start[i]);
+		name[i] = ascii_upper(start[i]);
 	if (!sinumerik_seek_label(interp, name, SINUMERIK_ANYWHERE, column, at, &found))
 		return false;
 	return found || fault(&interp->at, column, "no line of this program has the label %s of the contour", name);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_gud.h"
@@ -262,7 +263,7 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 		if (!sinumerik_expr_text(flow->interp, lexer, &text))
 			return false;
 		for (size_t i = 0; i <= strlen(text.bytes) && i < sizeof(jump->target) - 1; i++)
-			jump->target[i] = sinumerik_upper(text.bytes[i]);
+			jump->target[i] = ascii_upper(text.bytes[i]);
 		return true;
 	}
 	return sinumerik_name_read(lexer, jump->target) ||

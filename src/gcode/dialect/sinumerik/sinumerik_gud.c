@@ -56,7 +56,7 @@ static bool may_be_variable(const char *name)
 {
 	struct sinumerik_word word;
 
-	return sinumerik_is_letter(name[0]) && sinumerik_is_letter(name[1]) && !sinumerik_codes_word(name, &word) &&
+	return sinumerik_starts_name(name[0]) && sinumerik_starts_name(name[1]) && !sinumerik_codes_word(name, &word) &&
 	       !sinumerik_functions_is(name);
 }
 

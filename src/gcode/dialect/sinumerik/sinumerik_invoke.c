@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_contour.h"
@@ -56,11 +57,11 @@ static bool read_repeats(struct interp *interp, struct lexer *lexer, const struc
 	char next;
 
 	if (sinumerik_cycle_drills(block->call) || sinumerik_region_is(block->call) || block->modal ||
-	    sinumerik_block_has(block, 'P') || sinumerik_upper(lexer_peek(lexer)) != 'P')
+	    sinumerik_block_has(block, 'P') || ascii_upper(lexer_peek(lexer)) != 'P')
 		return true;
 	lexer_take(lexer);
 	next = lexer->at->text[lexer->position];
-	if (sinumerik_is_letter(next)) {
+	if (sinumerik_starts_name(next)) {
 		lexer->position = position;
 		return true;
 	}

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
@@ -17,7 +18,7 @@ static struct sinumerik_macro *find(const struct sinumerik *sinumerik, const cha
 		struct sinumerik_macro *macro = &sinumerik->macros.items[i];
 		size_t k = 0;
 
-		while (k < length && macro->name[k] == sinumerik_upper(name[k]))
+		while (k < length && macro->name[k] == ascii_upper(name[k]))
 			k++;
 		if (k == length && macro->name[k] == '\0')
 			return macro;
@@ -73,7 +74,7 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 	struct sinumerik_word word;
 	const char *text;
 
-	if (!sinumerik_name_read(lexer, name) || !sinumerik_is_letter(name[1]))
+	if (!sinumerik_name_read(lexer, name) || !sinumerik_starts_name(name[1]))
 		return fault(lexer->at, column,
 			     "DEFINE needs a name that begins with two letters, of at most %d bytes", SINUMERIK_NAME);
 	if (sinumerik_codes_word(name, &word))

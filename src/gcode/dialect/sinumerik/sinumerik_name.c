@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/eval/expr.h"
 
 size_t sinumerik_name_read(struct lexer *lexer, char name[SINUMERIK_NAME + 1])
@@ -11,12 +12,12 @@ size_t sinumerik_name_read(struct lexer *lexer, char name[SINUMERIK_NAME + 1])
 
 	lexer_peek(lexer);
 	at = lexer->position;
-	if (!sinumerik_is_letter(text[at]) && text[at] != '$')
+	if (!sinumerik_starts_name(text[at]) && text[at] != '$')
 		return 0;
 	for (; sinumerik_is_name(text[at]) || (length == 0 && text[at] == '$'); at++, length++) {
 		if (length == SINUMERIK_NAME)
 			return 0;
-		name[length] = sinumerik_upper(text[at]);
+		name[length] = ascii_upper(text[at]);
 	}
 	name[length] = '\0';
 	lexer->position = at;

@@ -2,31 +2,21 @@
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
 
+#include "base/ascii.h"
 #include "gcode/text/lexer.h"
 
 /* 840D sl, NC programming: a name has at most 32 bytes. */
 #define SINUMERIK_NAME 32
 
-/* An upper-case letter; other bytes stay as they are. */
-static inline char sinumerik_upper(char byte)
+/* The bytes that a name may start with: letters and '_'. */
+static inline bool sinumerik_starts_name(char byte)
 {
-	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
-}
-
-static inline bool sinumerik_is_digit(char byte)
-{
-	return byte >= '0' && byte <= '9';
-}
-
-/* The bytes that a name starts with: letters and '_'. */
-static inline bool sinumerik_is_letter(char byte)
-{
-	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
+	return ascii_is_letter(byte) || byte == '_';
 }
 
 static inline bool sinumerik_is_name(char byte)
 {
-	return sinumerik_is_letter(byte) || sinumerik_is_digit(byte);
+	return sinumerik_starts_name(byte) || ascii_is_digit(byte);
 }
 
 /* All functions below read at the position of the lexer. */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/ascii.h"
 #include "base/units.h"
 #include "control/control_variable.h"
 #include "gcode/dialect/sinumerik/sinumerik_functions.h"
@@ -284,13 +285,13 @@ static bool constant_value(struct lexer *lexer, double *value)
 	static const char digits[] = "0123456789ABCDEF";
 	const int column = expr_column(lexer);
 	const char *text = lexer->at->text + lexer->position + 1;
-	const int base = sinumerik_upper(*text) == 'H' ? 16 : sinumerik_upper(*text) == 'B' ? 2 : 0;
+	const int base = ascii_upper(*text) == 'H' ? 16 : ascii_upper(*text) == 'B' ? 2 : 0;
 
 	*value = 0;
 	if (base == 0 || text[1] == '\'')
 		return fault(lexer->at, column, "'H' or 'B' and digits stand between such quotes: 'H1F', 'B101'");
 	for (text++; *text && *text != '\''; text++) {
-		const char *digit = strchr(digits, sinumerik_upper(*text));
+		const char *digit = strchr(digits, ascii_upper(*text));
 
 		if (!digit || digit - digits >= base)
 			return fault(lexer->at, column, "this is no whole number to the base of %d", base);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
@@ -103,7 +104,7 @@ static bool read_label(struct interp *interp, struct lexer *lexer, char name[SIN
 	if (length == 0 || length > SINUMERIK_NAME)
 		return fault(lexer->at, column, "\"%s\" is no label", text.bytes);
 	for (size_t i = 0; i <= length; i++)
-		name[i] = sinumerik_upper(text.bytes[i]);
+		name[i] = ascii_upper(text.bytes[i]);
 	return true;
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_builder.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
@@ -17,7 +18,7 @@ static void spell_folder(char *folder)
 	bool begins = true;
 
 	for (char *at = folder; *at; at++)
-		*at = (char)(*at == '\\' ? '/' : sinumerik_upper(*at));
+		*at = (char)(*at == '\\' ? '/' : ascii_upper(*at));
 	for (const char *at = folder; *at; at++) {
 		if (begins && !strncmp(at, "_N_", 3) && at[3])
 			at += 3;
@@ -65,7 +66,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 		bool same = true;
 
 		for (size_t k = 0; k < 4; k++)
-			same = same && sinumerik_upper(base[length - 4 + k]) == types[i][k];
+			same = same && ascii_upper(base[length - 4 + k]) == types[i][k];
 		if (same) {
 			length -= 4;
 			*type = types[i][1];
@@ -75,7 +76,7 @@ bool sinumerik_program_name(struct interp *interp, const char *path, int column,
 	if (length == 0 || length > SINUMERIK_NAME)
 		return fault(&interp->at, column, "\"%s\" names no subprogram", path);
 	for (size_t i = 0; i < length; i++)
-		name[i] = sinumerik_upper(base[i]);
+		name[i] = ascii_upper(base[i]);
 	name[length] = '\0';
 	return check_folder(interp, path, folder, name, column);
 }
@@ -100,13 +101,11 @@ static bool find_file(struct interp *interp, const char *name, char type, int co
 
 		if (i % 14 == 0 && entry->source)
 			break;
-		if (type && end[0] && type != sinumerik_upper(end[1]))
+		if (type && end[0] && type != ascii_upper(end[1]))
 			continue;
 		snprintf(file, sizeof(file), "%s%s", name, end);
-		for (char *at = file; *at && i % 2 && at < file + strlen(name); at++) {
-			if (*at >= 'A' && *at <= 'Z')
-				*at = (char)(*at - 'A' + 'a');
-		}
+		for (char *at = file; *at && i % 2 && at < file + strlen(name); at++)
+			*at = ascii_lower(*at);
 		other.source = sources_open(sources, options, i / 14, file);
 		if (other.source && entry->source && other.source != entry->source)
 			return line_search_refuse(&interp->at, column, name, entry, &other);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_ahead.h"
 #include "gcode/program.h"
 #include "gcode/text/line_search.h"
@@ -24,7 +25,7 @@ static size_t copy_name(const char *text, size_t at, char name[SINUMERIK_NAME + 
 			return at +
 			       strspn(text + at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
 		}
-		name[length++] = sinumerik_upper(text[at]);
+		name[length++] = ascii_upper(text[at]);
 	}
 	name[length] = '\0';
 	return at;
@@ -38,20 +39,19 @@ struct sinumerik_head sinumerik_seek_head(const char *text)
 
 	if (text[head.rest] == '/') {
 		head.skipped = true;
-		head.rest = skip_blanks(text, head.rest + 1 + sinumerik_is_digit(text[head.rest + 1]));
+		head.rest = skip_blanks(text, head.rest + 1 + ascii_is_digit(text[head.rest + 1]));
 	}
-	if ((sinumerik_upper(text[head.rest]) == 'N' || text[head.rest] == ':') &&
-	    sinumerik_is_digit(text[head.rest + 1])) {
+	if ((ascii_upper(text[head.rest]) == 'N' || text[head.rest] == ':') && ascii_is_digit(text[head.rest + 1])) {
 		size_t length = 0;
 
-		head.number[length++] = sinumerik_upper(text[head.rest]);
-		for (at = head.rest + 1; sinumerik_is_digit(text[at]); at++) {
+		head.number[length++] = ascii_upper(text[head.rest]);
+		for (at = head.rest + 1; ascii_is_digit(text[at]); at++) {
 			if (length < SINUMERIK_NAME)
 				head.number[length++] = text[at];
 		}
 		head.rest = skip_blanks(text, at);
 	}
-	if (!sinumerik_is_letter(text[head.rest]))
+	if (!sinumerik_starts_name(text[head.rest]))
 		return head;
 	at = skip_blanks(text, copy_name(text, head.rest, name));
 	if (text[at] == ':' && text[at + 1] != '=' && name[0]) {
@@ -66,7 +66,7 @@ static bool is_word(const char *text, size_t at, const char *word)
 	const size_t length = strlen(word);
 
 	for (size_t i = 0; i < length; i++) {
-		if (sinumerik_upper(text[at + i]) != word[i])
+		if (ascii_upper(text[at + i]) != word[i])
 			return false;
 	}
 	return !sinumerik_is_name(text[at + length]);
@@ -106,7 +106,7 @@ static char read_head(const char *text, char name[SINUMERIK_NAME + 1])
 	if (!is_head(text))
 		return '\0';
 	at = skip_blanks(text, skip_blanks(text, 0) + 1);
-	if (text[at] == '_' && sinumerik_upper(text[at + 1]) == 'N' && text[at + 2] == '_')
+	if (text[at] == '_' && ascii_upper(text[at + 1]) == 'N' && text[at + 2] == '_')
 		at += 3;
 	copy_name(text, at, name);
 	length = strlen(name);
@@ -385,7 +385,7 @@ static bool opens(const char *words, const struct structure *structure)
 		return false;
 	at = skip_blanks(words, strlen(structure->open));
 	if (structure == &structures[SINUMERIK_UNTIL])
-		return !sinumerik_is_letter(words[at]);
+		return !sinumerik_starts_name(words[at]);
 	return structure->open[0] != 'I' || !has_jump(words);
 }
 

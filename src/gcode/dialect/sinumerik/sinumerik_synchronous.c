@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/eval/expr.h"
 
@@ -31,8 +32,8 @@ static size_t find_do(const char *text, size_t at)
 
 	for (; text[at] && (quoted || text[at] != ';'); at++) {
 		quoted = quoted != (text[at] == '"');
-		if (!quoted && !sinumerik_is_name(text[at - 1]) && sinumerik_upper(text[at]) == 'D' &&
-		    sinumerik_upper(text[at + 1]) == 'O' && !sinumerik_is_name(text[at + 2]))
+		if (!quoted && !sinumerik_is_name(text[at - 1]) && ascii_upper(text[at]) == 'D' &&
+		    ascii_upper(text[at + 1]) == 'O' && !sinumerik_is_name(text[at + 2]))
 			return at;
 	}
 	return at;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/text/number.h"
@@ -146,12 +147,8 @@ static bool make(struct expr *expr, struct sinumerik_text *text)
 	expr->depth--;
 	if (!strcmp(name, "SUBSTR"))
 		return cut(expr, text) && expr_close(expr);
-	for (char *byte = text->bytes; *byte; byte++) {
-		if (!strcmp(name, "TOUPPER"))
-			*byte = sinumerik_upper(*byte);
-		else if (*byte >= 'A' && *byte <= 'Z')
-			*byte = (char)(*byte - 'A' + 'a');
-	}
+	for (char *byte = text->bytes; *byte; byte++)
+		*byte = !strcmp(name, "TOUPPER") ? ascii_upper(*byte) : ascii_lower(*byte);
 	return expr_close(expr);
 }
 
