@@ -148,7 +148,7 @@ static void add_result(struct pair_check *check, size_t step, enum query_answer 
 }
 
 static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
-			 const struct check_options *options, struct contact *contact)
+			      const struct check_options *options, struct contact *contact)
 {
 	if (options->method == CHECK_CERTIFIED)
 		return strategy_advance_step(&check->methods->strategy, sweep, step, contact);
@@ -256,7 +256,7 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 }
 
 long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
-		const struct check_options *options)
+		    const struct check_options *options)
 {
 	double proved = strategy_proven(&check->methods->strategy);
 	size_t skipped, next_open = 0;

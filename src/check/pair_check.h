@@ -130,7 +130,7 @@ void pair_check_jump(struct pair_check *check);
  * block, up to the first one that ends the check. Returns the number of boxes and single steps examined.
  */
 long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
-		const struct check_options *options);
+		    const struct check_options *options);
 
 /* Measures the clearance at a position with the axes at rest, where the pair is known to be apart. */
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at);

@@ -198,7 +198,7 @@ static void leave_open(struct pair_check *check, size_t i)
 }
 
 long pair_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
-			const struct measure_plan *plan, const struct check_options *options)
+		  const struct measure_plan *plan, const struct check_options *options)
 {
 	const long before = looked_at(check, sweep);
 	const double proved = proved_so_far(check, options), enough = clear_from(check, options);

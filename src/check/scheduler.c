@@ -88,7 +88,7 @@ void scheduler_jump(struct scheduler *scheduler)
 /* ------------------------------------------------------------------ tasks */
 
 static void add_task(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from,
-		    size_t to)
+		     size_t to)
 {
 	scheduler->tasks = mem_grow(scheduler->tasks, &scheduler->task_capacity, scheduler->task_count + 1,
 				   sizeof(*scheduler->tasks));

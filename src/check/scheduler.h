@@ -67,7 +67,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
  * after scheduler_run, else before. False: interrupted.
  */
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
-		     const struct check_options *options);
+		       const struct check_options *options);
 
 /* Another tool is in the spindle: its pairs forget what was proved at the last position. */
 void scheduler_change_tool(struct scheduler *scheduler);

@@ -100,7 +100,7 @@ static void add_meshes(struct input_files *inputs, const struct body *bodies, si
 }
 
 void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
-		      const struct setup *setup, bool meshes)
+			   const struct setup *setup, bool meshes)
 {
 	add(inputs, "machine", options->machine);
 	if (options->setup)

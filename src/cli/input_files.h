@@ -43,7 +43,7 @@ void input_files_release(struct input_files *inputs);
 
 /* Adds machine, setup, waivers, programs other than standard input, and with `meshes` also the meshes. */
 void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
-		      const struct setup *setup, bool meshes);
+			   const struct setup *setup, bool meshes);
 
 /* Sorts by kind and name. Call it after the check, when all subprograms are known. */
 void input_files_sort(struct input_files *inputs);

@@ -218,7 +218,7 @@ static void add_input(struct job_inputs *inputs, const char *path)
 }
 
 /* Is the file none of the inputs? False: reported. */
-static bool spares_inputs(const struct job_inputs *inputs, const struct output_option *output, struct diag *diag)
+static bool is_no_input(const struct job_inputs *inputs, const struct output_option *output, struct diag *diag)
 {
 	struct stat status;
 
@@ -255,7 +255,7 @@ static bool check_inputs(const struct options *options, const struct job_list *l
 		name_outputs(&one, job, &arena);
 		options_list_outputs(&one, outputs);
 		for (int i = 0; good && i < OUTPUT_OPTIONS; i++)
-			good = spares_inputs(&inputs, &outputs[i], diag);
+			good = is_no_input(&inputs, &outputs[i], diag);
 		arena_release(&arena);
 	}
 	free(inputs.items);

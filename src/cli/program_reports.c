@@ -52,7 +52,7 @@ static void choose_name(struct program_reports *reports, size_t index)
 }
 
 /* No file of a program may be an input or another output. False: reported. */
-static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path,
+static bool check_derived_paths(const struct program_reports *reports, const char *option, const char *path,
 			  struct diag *diag)
 {
 	const struct options *options = reports->options;
@@ -121,9 +121,9 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 		else
 			reports->programs[i].name = mem_strndup("", 0);
 	}
-	if (spares_inputs(reports, "report", options->report, diag) &&
-	    spares_inputs(reports, "glb", options->glb, diag) &&
-	    spares_inputs(reports, "picture", options->picture, diag))
+	if (check_derived_paths(reports, "report", options->report, diag) &&
+	    check_derived_paths(reports, "glb", options->glb, diag) &&
+	    check_derived_paths(reports, "picture", options->picture, diag))
 		return true;
 	program_reports_release(reports);
 	return false;

@@ -383,7 +383,7 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 }
 
 /* Adds the files that were read so far to the inputs. False, reported: an output is one of them. */
-static bool spares_inputs(const struct job *job, const struct options *options, struct input_files *inputs,
+static bool check_inputs_so_far(const struct job *job, const struct options *options, struct input_files *inputs,
 			  struct diag *diag)
 {
 	input_files_add_files(inputs, options, job->model->machine, job->model->setup, true);
@@ -399,7 +399,7 @@ static enum run_status run_table(struct job *job, const struct options *options,
 
 	input_files_init(&inputs);
 	if (output_open(&out, options->output, diag) && job_read(job, options, diag) &&
-	    job_prepare(job, options, diag) && spares_inputs(job, options, &inputs, diag)) {
+	    job_prepare(job, options, diag) && check_inputs_so_far(job, options, &inputs, diag)) {
 		status = run_mode(job, options, &inputs, diag, &out);
 		/* Only now the files of subprograms are known. */
 		if (!path_checks_inputs(options, &inputs, diag))

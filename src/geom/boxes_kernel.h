@@ -119,8 +119,8 @@ LANES_FUNCTION lanes distance_of(lanes square, float displacement)
 }
 
 static LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,
-			      const struct box *other, float enough, float *apart,
-			      float *lost)
+					       const struct box *other, float enough, float *apart,
+					       float *lost)
 {
 	const struct box_view *own = &motion->views[side], *others = &motion->views[1 - side];
 	lanes own_lost, others_lost;

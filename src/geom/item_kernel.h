@@ -5,7 +5,7 @@
 #include "geom/simd_kernels.h"
 
 static LANES_TARGET void AT_LEVEL(bvh_items_bounds)(const struct bvh_item *items, size_t count, struct bvh_item *box,
-					     struct bvh_item *middles)
+						    struct bvh_item *middles)
 {
 	lanes least = lanes_all(FLT_MAX), least_middle = lanes_all(FLT_MAX);
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 bool sinks_open(struct sinks *sinks, enum report_format format, const char *path, bool colour,
-		   struct diag *diag)
+		struct diag *diag)
 {
 	struct sink *sink = &sinks->items[sinks->count];
 

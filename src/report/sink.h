@@ -28,7 +28,7 @@ struct sinks {
 
 /* Adds a sink; each format can be used once. False: reported. */
 bool sinks_open(struct sinks *sinks, enum report_format format, const char *path, bool colour,
-		   struct diag *diag);
+		struct diag *diag);
 
 /* Writes the beginning of all reports. */
 void sinks_begin(struct sinks *sinks, const struct report_run *run);

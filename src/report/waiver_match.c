@@ -61,7 +61,7 @@ static bool names(const struct waiver *waiver, const struct machine *machine, co
 }
 
 const struct waiver *waiver_match_find(const struct waiver_match *waiving, int *matched, const struct machine *machine,
-				const char *program, const struct finding *finding)
+				       const char *program, const struct finding *finding)
 {
 	const struct waiver *found = NULL;
 

@@ -24,7 +24,7 @@ bool waiver_match_is_expired(const struct waiver_match *waiving, const struct wa
  * The caller clears matched[] before each program. An expired waiver is returned only if no other one matches.
  */
 const struct waiver *waiver_match_find(const struct waiver_match *waiving, int *matched, const struct machine *machine,
-				const char *program, const struct finding *finding);
+				       const char *program, const struct finding *finding);
 
 /* Appends "until 2026-12-31: the reason", on one line. */
 void waiver_match_add_reason(struct strbuf *out, const struct waiver *waiver);

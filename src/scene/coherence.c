@@ -177,7 +177,7 @@ bool coherence_separates_subtrees(struct coherence *coherence, const struct moti
 }
 
 double coherence_gap(struct coherence *coherence, const xform *pose, const struct body_pair *pair, const struct box *a,
-		  const struct box *b)
+		     const struct box *b)
 {
 	double best = -INFINITY;
 

@@ -63,6 +63,6 @@ bool coherence_separates_subtrees(struct coherence *coherence, const struct moti
 
 /* The largest gap in mm between two boxes at one pose along any of the axes; negative: no axis separates them. */
 double coherence_gap(struct coherence *coherence, const xform *pose, const struct body_pair *pair, const struct box *a,
-		  const struct box *b);
+		     const struct box *b);
 
 #endif

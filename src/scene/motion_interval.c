@@ -184,7 +184,7 @@ static void finish_box(struct motion_interval *interval, const struct body_pair 
 }
 
 void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
-		 const struct chord *chord)
+			  const struct chord *chord)
 {
 	interval->kind = kind;
 	interval->chord = *chord;

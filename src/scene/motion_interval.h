@@ -95,7 +95,7 @@ struct motion_interval {
 
 /* Fills in an interval that covers the whole chord or box. */
 void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
-		 const struct chord *chord);
+			  const struct chord *chord);
 
 /* Fills in the two halves, whose storage the caller provides. */
 void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair,

@@ -118,7 +118,7 @@ static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodi
 }
 
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
-			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
+				  const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
 {
 	const struct body_pair bodies = scene_pair_bodies(scene, pair);
 	enum inside inside = INSIDE_NO;
@@ -146,7 +146,7 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
 }
 
 bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
-		   vec3 *point, struct diag *diag)
+			   vec3 *point, struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body;
 	const xform link = machine_pose(scene->machine, a->link, q);

@@ -21,7 +21,7 @@ enum pose_state {
  * that is NULL.
  */
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
-			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
+				  const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
 
 /* Is a component of one body inside the other, with the surfaces apart? For INSIDE_YES *point is filled in. */
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
@@ -43,6 +43,6 @@ void static_query_report_undecided(const struct scene *scene, const struct scene
  * `tolerance` mm counts. *point is in machine coordinates.
  */
 bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
-		   vec3 *point, struct diag *diag);
+			   vec3 *point, struct diag *diag);
 
 #endif

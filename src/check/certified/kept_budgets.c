@@ -67,7 +67,7 @@ bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, con
 }
 
 bool kept_budgets_cover_box(struct kept_budgets *budgets, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const struct position_errors *errors, bool recall)
+			    const axis_values *q1, const struct position_errors *errors, bool recall)
 {
 	if (motion_budget_covers_box(&budgets->now, low, high, q1, errors))
 		return true;

@@ -31,15 +31,15 @@ void kept_budgets_resume(struct kept_budgets *budgets, const axis_values *q);
  * it is used up yet.
  */
 bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
-		   const struct position_errors *errors);
+			 const struct position_errors *errors);
 
 /*
  * As in motion_budget.h, with the current budget. If it does not cover the motion, kept ones are tried, and one that
  * does becomes the current one; for a box only with `recall`. The axes come from q0.
  */
 bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
-		   const struct position_errors *errors);
+			const struct position_errors *errors);
 bool kept_budgets_cover_box(struct kept_budgets *budgets, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const struct position_errors *errors, bool recall);
+			    const axis_values *q1, const struct position_errors *errors, bool recall);
 
 #endif

@@ -148,7 +148,7 @@ static void use_in_box(const struct motion_budget *budget, const axis_values *lo
 }
 
 bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const struct position_errors *errors)
+			      const axis_values *q1, const struct position_errors *errors)
 {
 	double used[VIEWS];
 
@@ -162,7 +162,7 @@ bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *l
 }
 
 double motion_budget_rest(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
-		   const struct position_errors *errors)
+			  const struct position_errors *errors)
 {
 	double used[VIEWS];
 

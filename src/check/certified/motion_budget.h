@@ -55,13 +55,13 @@ bool motion_budget_covers(struct motion_budget *budget, const axis_values *q1, c
 
 /* The same for every position between low and high. If all are covered, q1 becomes the current position. */
 bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const struct position_errors *errors);
+			      const axis_values *q1, const struct position_errors *errors);
 
 /*
  * mm: the room that remains at every position between low and high. Below 0, or -INFINITY if there is no budget:
  * nothing is proved there. The current position is unchanged.
  */
 double motion_budget_rest(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
-		   const struct position_errors *errors);
+			  const struct position_errors *errors);
 
 #endif

@@ -44,7 +44,7 @@ bool block_tables_are_wanted(const struct block_tables *tables);
 
 /* Adds a block of a program. block_tables_commit reports a write that failed. */
 void block_tables_add(struct block_tables *tables, const struct scene *scene, const char *program,
-		const struct check_block *block);
+		      const struct check_block *block);
 
 /* output_commit and output_discard for both tables, which are then closed. */
 bool block_tables_commit(struct block_tables *tables, struct diag *diag);

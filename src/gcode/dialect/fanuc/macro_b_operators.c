@@ -13,7 +13,7 @@
 
 /* A vacant operand counts as 0 (B-63944EN, undefined variable); Haas's manual does not define this case. */
 bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
-			  struct expr_operand *value)
+			    struct expr_operand *value)
 {
 	if (!isnan(value->number))
 		return true;
@@ -146,7 +146,7 @@ static bool apply_arithmetic(const struct macro_b_rules *rules, const struct lin
 }
 
 bool macro_b_operators_apply(const struct macro_b_rules *rules, const struct line_place *at, int column,
-		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
+			     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
 	if (operation <= EXPR_LE)
 		return compare(rules, at, column, operation, left, right);

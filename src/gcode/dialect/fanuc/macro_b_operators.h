@@ -9,11 +9,11 @@
 
 /* *left becomes the result. False: reported at the column. */
 bool macro_b_operators_apply(const struct macro_b_rules *rules, const struct line_place *at, int column,
-		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right);
+			     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right);
 
 /* Sets a vacant value to 0 on controls where vacant values count as 0; else it is a fault, reported at the column. */
 bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
-			  struct expr_operand *value);
+			    struct expr_operand *value);
 
 /* Do the values differ, but by so little that controls may disagree? */
 bool macro_b_operators_nearly_equal(double left, double right);
