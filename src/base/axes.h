@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+#include "base/same_double.h"
+
 /* X Y Z and U V W are linear (mm), A B C rotary (radians inside, degrees in files). */
 enum axis_slot { SLOT_X, SLOT_Y, SLOT_Z, SLOT_A, SLOT_B, SLOT_C, SLOT_U, SLOT_V, SLOT_W, SLOT_COUNT };
 
@@ -17,6 +19,16 @@ typedef struct axis_values {
 static inline bool slot_is_rotary(int slot)
 {
 	return slot >= SLOT_A && slot <= SLOT_C;
+}
+
+/* See same_double: exactly equal. */
+static inline bool axis_values_same(const axis_values *a, const axis_values *b)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(a->v[slot], b->v[slot]))
+			return false;
+	}
+	return true;
 }
 
 /* The point at the share s of the straight line from a to b. */

@@ -6,6 +6,16 @@ void program_release(struct program *program)
 {
 	sources_release(&program->sources);
 	strbuf_release(&program->last_pass);
+	strbuf_release(&program->line);
+}
+
+void program_keep_line(struct program *program, struct line_place *at)
+{
+	if (at->text == program->line.text)
+		return;
+	strbuf_clear(&program->line);
+	strbuf_add(&program->line, at->text, strlen(at->text));
+	at->text = strbuf_text(&program->line);
 }
 
 bool program_jump(struct program *program, const struct position *to, const struct line_place *at, int column)

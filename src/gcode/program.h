@@ -25,6 +25,7 @@ struct program {
 	bool faulty;
 	bool repeated;	/* the program has been restarted */
 	struct strbuf last_pass;	/* the state at the end of the last pass */
+	struct strbuf line;	/* the current line, if it was kept or a macro has changed it */
 };
 
 void program_release(struct program *program);
@@ -36,6 +37,9 @@ static inline long program_lines(const struct program *program)
 
 	return sources->count ? sources->items[0]->reader.furthest : 0;
 }
+
+/* Copies the text of the current line, which reading further lines would overwrite; at->text is then the copy. */
+void program_keep_line(struct program *program, struct line_place *at);
 
 /* Jumps to the line at `to`. False: reported at the column. */
 bool program_jump(struct program *program, const struct position *to, const struct line_place *at, int column);

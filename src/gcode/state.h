@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/call_chain.h"
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/canon.h"
 #include "gcode/config.h"
@@ -32,6 +33,16 @@
 typedef struct slot_values {
 	double v[SLOT_COUNT];
 } slot_values;
+
+/* See same_double: exactly equal. */
+static inline bool slot_values_same(const slot_values *a, const slot_values *b)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(a->v[slot], b->v[slot]))
+			return false;
+	}
+	return true;
+}
 
 /* X, Y and Z. */
 static inline vec3 slot_values_linear(const slot_values *values)

@@ -17,6 +17,11 @@ static inline bool same_vec3(vec3 a, vec3 b)
 	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
 }
 
+static inline bool vec3_is_zero(vec3 a)
+{
+	return same_vec3(a, (vec3){0, 0, 0});
+}
+
 static inline vec3 vec3_add(vec3 a, vec3 b)
 {
 	return (vec3){a.x + b.x, a.y + b.y, a.z + b.z};

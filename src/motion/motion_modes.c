@@ -20,18 +20,10 @@ struct motion_modes motion_modes_of(const struct canon_move *move)
 	};
 }
 
-static bool same_axes(const axis_values *a, const axis_values *b)
-{
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(a->v[slot], b->v[slot]))
-			return false;
-	}
-	return true;
-}
-
 bool motion_modes_same(const struct motion_modes *a, const struct motion_modes *b)
 {
-	return a->work_offset == b->work_offset && same_axes(&a->work, &b->work) && same_axes(&a->shift, &b->shift) &&
-	       same_double(a->length, b->length) && a->tcp == b->tcp && a->turned == b->turned &&
+	return a->work_offset == b->work_offset && axis_values_same(&a->work, &b->work) &&
+	       axis_values_same(&a->shift, &b->shift) && same_double(a->length, b->length) &&
+	       a->tcp == b->tcp && a->turned == b->turned &&
 	       same_double(a->feed, b->feed) && same_double(a->spindle_speed, b->spindle_speed);
 }

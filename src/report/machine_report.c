@@ -15,12 +15,7 @@ struct machine_report {
 
 const char *machine_report_role(enum body_role role)
 {
-	static const char *const names[] = {
-		[ROLE_MACHINE] = "body", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part", [ROLE_STOCK] = "stock",
-		[ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank", [ROLE_CUTTER] = "cutter",
-	};
-
-	return names[role];
+	return role == ROLE_MACHINE ? "body" : body_roles[role];
 }
 
 static void add_indent(struct strbuf *out, int depth)

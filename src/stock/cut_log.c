@@ -31,9 +31,7 @@ int cut_log_fault(const struct cut_log *log)
 
 static bool same_place(const struct cutter_place *a, const struct cutter_place *b)
 {
-	return same_double(a->origin.x, b->origin.x) && same_double(a->origin.y, b->origin.y) &&
-	       same_double(a->origin.z, b->origin.z) && same_double(a->up.x, b->up.x) &&
-	       same_double(a->up.y, b->up.y) && same_double(a->up.z, b->up.z);
+	return same_vec3(a->origin, b->origin) && same_vec3(a->up, b->up);
 }
 
 static struct cut_chunk *new_chunk(struct cut_log *log, int cutter, double start)

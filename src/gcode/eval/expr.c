@@ -24,12 +24,6 @@ static bool starts_variable(const struct expr_rules *rules, char byte)
 	return false;
 }
 
-int expr_column(struct lexer *lexer)
-{
-	lexer_peek(lexer);
-	return lexer_column(lexer);
-}
-
 /* --------------------------------------------------------------- brackets */
 
 bool expr_enter(struct expr *expr)
@@ -220,7 +214,7 @@ bool expr_number(struct expr *expr, double *value)
 	case NUMBER_MISSING:
 		break;
 	}
-	return fault(lexer->at, expr_column(lexer), "a value is needed here");
+	return fault(lexer->at, lexer_next_column(lexer), "a value is needed here");
 }
 
 static bool read_function(struct expr *expr, struct expr_operand *value)
@@ -276,7 +270,7 @@ static bool read_signs(struct expr *expr, bool *negative, bool *any)
 
 bool expr_value(struct expr *expr, struct expr_operand *value)
 {
-	int start = expr_column(expr->lexer), column;
+	int start = lexer_next_column(expr->lexer), column;
 	bool negative, any;
 
 	if (!read_signs(expr, &negative, &any))

@@ -102,7 +102,4 @@ bool expr_enter(struct expr *expr);
 /* A plain number. */
 bool expr_number(struct expr *expr, double *value);
 
-/* Column of the next byte that is no blank. */
-int expr_column(struct lexer *lexer);
-
 #endif

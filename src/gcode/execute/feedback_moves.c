@@ -71,11 +71,8 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 			     "G38.%d in feed per revolution (G95); write G94 first", block->motion % 10);
 	if (block->motion != G38_2 && block->motion != G38_4)
 		return true;
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(target->v[slot], start.v[slot]))
-			return true;
-	}
-	return fault(&interp->at, column, "G38.%d ends where the probe already stands, and does not move it",
+	return !slot_values_same(target, &start) ||
+	       fault(&interp->at, column, "G38.%d ends where the probe already stands, and does not move it",
 		     block->motion % 10);
 }
 

@@ -149,9 +149,7 @@ static bool go(struct interp *interp, const struct spline_piece *piece, struct c
 {
 	slot_values target = rotated_frame_straight(&interp->state);
 
-	target.v[SLOT_X] = piece->end.x;
-	target.v[SLOT_Y] = piece->end.y;
-	target.v[SLOT_Z] = piece->end.z;
+	slot_values_set_linear(&target, piece->end);
 	move->spread[0] = piece->beside.x;
 	move->spread[1] = piece->beside.y;
 	move->spread[2] = piece->beside.z;

@@ -54,9 +54,7 @@ static bool go_to(struct moves *moves, vec3 point, const struct canon_move *move
 	const vec3 straight = rotated_frame_straight_point(&moves->interp->state, point);
 	struct canon_move part = *move;
 
-	moves->at.v[SLOT_X] = straight.x;
-	moves->at.v[SLOT_Y] = straight.y;
-	moves->at.v[SLOT_Z] = straight.z;
+	slot_values_set_linear(&moves->at, straight);
 	return motion_commands_go(moves->interp, &moves->at, &part);
 }
 

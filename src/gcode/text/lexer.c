@@ -11,6 +11,12 @@ void lexer_init(struct lexer *lexer, const struct line_place *at, const struct l
 	*lexer = (struct lexer){.at = at, .rules = rules, .context = context};
 }
 
+int lexer_next_column(struct lexer *lexer)
+{
+	lexer_peek(lexer);
+	return lexer_column(lexer);
+}
+
 bool lexer_keyword(struct lexer *lexer, const char *keyword)
 {
 	size_t position = lexer->position;

@@ -89,6 +89,9 @@ static inline int lexer_column(const struct lexer *lexer)
 	return (int)lexer->position + 1;
 }
 
+/* Skips blanks. Column of the next byte, which is no blank. */
+int lexer_next_column(struct lexer *lexer);
+
 /* lexer_next for every kind of word. */
 enum lexer_result lexer_next_any(struct lexer *lexer, struct word *word);
 

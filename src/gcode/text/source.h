@@ -38,6 +38,11 @@ struct position {
 	long line;
 };
 
+static inline bool position_is_same(const struct position *a, const struct position *b)
+{
+	return a->source == b->source && a->offset == b->offset;
+}
+
 /* Opens the program itself; `in` is borrowed. names: the owner of the file names; NULL: sources owns them. */
 void sources_open_main(struct sources *sources, FILE *in, const char *name, struct file_names *names);
 

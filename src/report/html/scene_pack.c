@@ -17,12 +17,7 @@
 /* "machine", "fixture", "part", "stock", "holder", "shank", "cutter" */
 static const char *role_name(enum body_role role)
 {
-	static const char *const names[] = {
-		[ROLE_MACHINE] = "machine", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part", [ROLE_STOCK] = "stock",
-		[ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank", [ROLE_CUTTER] = "cutter",
-	};
-
-	return names[role];
+	return role == ROLE_MACHINE ? "machine" : body_roles[role];
 }
 
 /* A value of an axis that may be unlimited. */

@@ -27,18 +27,13 @@ static vec3 snap(vec3 p, double grid)
 	return (vec3){grid * rint(p.x / grid), grid * rint(p.y / grid), grid * rint(p.z / grid)};
 }
 
-static bool same_place(vec3 p, vec3 q)
-{
-	return same_double(p.x, q.x) && same_double(p.y, q.y) && same_double(p.z, q.z);
-}
-
 static void add_triangle(struct draft *draft, const vec3 p[3], uint8_t paint)
 {
 	const double grid = draft->grid;
 	struct draft_triangle triangle = {.p = {snap(p[0], grid), snap(p[1], grid), snap(p[2], grid)}, .paint = paint};
 	const vec3 *q = triangle.p;
 
-	if (same_place(q[0], q[1]) || same_place(q[1], q[2]) || same_place(q[2], q[0]))
+	if (same_vec3(q[0], q[1]) || same_vec3(q[1], q[2]) || same_vec3(q[2], q[0]))
 		return;
 	draft->triangles = mem_grow(draft->triangles, &draft->capacity, draft->count + 1, sizeof(*draft->triangles));
 	draft->triangles[draft->count++] = triangle;

@@ -114,11 +114,6 @@ static bool do_if(struct interp *interp, struct lexer *lexer)
 
 /* ------------------------------------------------------------------- loops */
 
-static bool same_place(const struct position *a, const struct position *b)
-{
-	return a->source == b->source && a->offset == b->offset;
-}
-
 static bool read_loop_number(struct lexer *lexer, const char *what, int *number)
 {
 	int column;
@@ -165,7 +160,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 	column = lexer_column(lexer);
 	if (!read_loop_number(lexer, "the number of DO", &number) || !end_statement(lexer))
 		return false;
-	if (!(call->loop_count > 0 && same_place(&call->loops[call->loop_count - 1].start, &here)) &&
+	if (!(call->loop_count > 0 && position_is_same(&call->loops[call->loop_count - 1].start, &here)) &&
 	    !open_loop(interp, number, column))
 		return false;
 	macro_b_of(interp)->jumped = true;
@@ -188,10 +183,9 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 
 	if (!read_loop_number(lexer, "the number of END", &number) || !end_statement(lexer))
 		return false;
-	if (!top || !same_place(&top->end, &here))
+	if (!top || !position_is_same(&top->end, &here))
 		return fault(lexer->at, column, "END%d without DO%d; a jump into a loop is not allowed",
-			     number,
-			     number);
+			     number, number);
 	return macro_b_seek_jump(interp, &top->start, column);
 }
 
@@ -207,7 +201,7 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 	if (macro_b_of(interp)->level == 0 && !macro_b_of(interp)->started)
 		macro_b_of(interp)->calls[0].program = here;
 	macro_b_of(interp)->started = true;
-	if (same_place(&call->program, &here))
+	if (position_is_same(&call->program, &here))
 		return true;
 	if (macro_b_of(interp)->level == 0)
 		return fault(lexer->at, lexer_column(lexer), "another program begins here before M2, M30 or M99%s",

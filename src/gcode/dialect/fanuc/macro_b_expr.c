@@ -32,7 +32,7 @@ static struct expr begin(struct macro_reader *reader, struct lexer *lexer)
 static bool read_variable_number(struct expr *expr, int *number)
 {
 	struct lexer *lexer = expr->lexer;
-	int column = expr_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct expr_operand operand;
 	size_t position;
 	bool point;
@@ -267,7 +267,7 @@ static enum lexer_result read_word(struct lexer *lexer, struct word *word, bool 
 	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 	double steps = argument ? 0 : steps_of(reader.interp, word->letter);
-	int column = expr_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct expr_operand value;
 	char byte = lexer_peek(lexer);
 
@@ -345,7 +345,7 @@ bool macro_b_expr_sum(struct lexer *lexer, double *value)
 {
 	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
-	int column = expr_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct expr_operand operand;
 
 	if (!expr_sum(&expr, &operand))
@@ -360,7 +360,7 @@ bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true
 {
 	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
-	int column = expr_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct expr_operand operand;
 
 	if (!expr_bracket(&expr, what, &operand))
@@ -377,7 +377,7 @@ bool macro_b_expr_integer(struct lexer *lexer, const char *what, int *value)
 {
 	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
-	int column = expr_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct expr_operand operand;
 
 	if (!expr_value(&expr, &operand))

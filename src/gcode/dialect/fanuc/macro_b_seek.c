@@ -153,18 +153,6 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 	return meet_loop(interp, search, &gist, line, column);
 }
 
-/* Copies the text of the current line, because a search reads other lines into the reader's buffer. */
-static void keep_line(struct interp *interp)
-{
-	struct strbuf *line = &macro_b_of(interp)->line;
-
-	if (interp->at.text == line->text)
-		return;
-	strbuf_clear(line);
-	strbuf_add(line, interp->at.text, strlen(interp->at.text));
-	interp->at.text = strbuf_text(line);
-}
-
 /* A line of a search. */
 struct judged {
 	struct interp *interp;
@@ -196,7 +184,7 @@ static bool look(struct interp *interp, struct search *search, const struct posi
 	struct judged judged = {interp, search, column, search->own_line};
 	struct line_search lines = {.judge = judge, .context = &judged, .last = to, .most = 1};
 
-	keep_line(interp);
+	program_keep_line(&interp->program, &interp->at);
 	line_search_run(&lines, from);
 	search->unfinished |= lines.unfinished;
 	if (lines.count)
@@ -430,7 +418,7 @@ bool macro_b_seek_jump(struct interp *interp, const struct position *to, int col
 {
 	struct macro_b_call *call = macro_b_call_in_hand(interp);
 
-	keep_line(interp);
+	program_keep_line(&interp->program, &interp->at);
 	while (call->loop_count > 0) {
 		const struct macro_b_loop *top = &call->loops[call->loop_count - 1];
 

@@ -29,6 +29,5 @@ void macro_b_state_free(void *state)
 	struct macro_b *macro = state;
 
 	labels_release(&macro->found);
-	strbuf_release(&macro->line);
 	free(macro);
 }

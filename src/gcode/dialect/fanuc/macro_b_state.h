@@ -4,7 +4,6 @@
 
 #include <stdbool.h>
 
-#include "base/strbuf.h"
 #include "gcode/dialect/fanuc/macro_b_rules.h"
 #include "gcode/state.h"
 #include "gcode/text/label.h"
@@ -78,7 +77,6 @@ struct macro_b {
 	struct builder_call builder;
 	bool cautioned_angle, cautioned_builder;
 	struct labels found;	/* the results of earlier searches */
-	struct strbuf line;	/* the current line, while other lines are read */
 };
 
 static inline struct macro_b *macro_b_of(const struct interp *interp)

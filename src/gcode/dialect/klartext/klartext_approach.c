@@ -76,7 +76,7 @@ static const char *const kinds[] = {"LT", "LN", "CT", "LCT"};
 /* LT, LN, CT or LCT; a P in front of it means polar coordinates. */
 static bool read_kind(struct lexer *lexer, enum klartext_way *kind, bool *polar)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char word[KLARTEXT_WORD];
 	const char *bare = word;
 

@@ -33,7 +33,7 @@ static bool call_pattern(struct lexer *lexer, int column)
 bool klartext_call_run(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct klartext_words words;
 	double shift;
 

@@ -7,8 +7,8 @@
 #include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
-#include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_label.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_region.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -24,7 +24,7 @@ bool klartext_contour_labels(struct lexer *lexer)
 	char word[KLARTEXT_WORD];
 
 	while (!klartext_ends(lexer)) {
-		const int column = klartext_column(lexer);
+		const int column = lexer_next_column(lexer);
 		int label;
 
 		if (lexer_peek(lexer) == '/')
@@ -45,7 +45,7 @@ bool klartext_contour_labels(struct lexer *lexer)
 /* "P1 = LBL 1": a pocket (P) or an island (I). False: reported. */
 static bool read_contour(struct lexer *lexer, int *label)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char kind[KLARTEXT_WORD];
 	int number;
 
@@ -56,7 +56,7 @@ static bool read_contour(struct lexer *lexer, int *label)
 		return fault(lexer->at, column, "CONTOUR DEF reads contours as P1 = LBL 1 and I2 = LBL 2");
 	lexer_take(lexer);
 	if (!klartext_take(lexer, "LBL") || !klartext_value_follows(lexer))
-		return fault(lexer->at, klartext_column(lexer),
+		return fault(lexer->at, lexer_next_column(lexer),
 			     "CONTOUR DEF reads contours of labels with a number, as in P1 = LBL 1");
 	return klartext_integer(lexer, "a label", 1, 65535, label);
 }
@@ -70,10 +70,10 @@ bool klartext_contour_define(struct lexer *lexer)
 	struct klartext_contour *contour = &klartext_of(lexer->context)->contour;
 
 	if (!klartext_take(lexer, "DEF"))
-		return fault(lexer->at, klartext_column(lexer), "CONTOUR needs DEF");
+		return fault(lexer->at, lexer_next_column(lexer), "CONTOUR needs DEF");
 	contour->count = 0;
 	while (!klartext_ends(lexer)) {
-		const int column = klartext_column(lexer);
+		const int column = lexer_next_column(lexer);
 		int label;
 
 		if (!read_contour(lexer, &label))
@@ -219,7 +219,7 @@ static bool take_block(void *context, struct lexer *lexer)
 		lexer_take(lexer);
 	if (klartext_ends(lexer) || lexer_peek(lexer) == '*')
 		return true;
-	column = klartext_column(lexer);
+	column = lexer_next_column(lexer);
 	klartext_word(lexer, word);
 	if (!strcmp(word, "RND") || !strcmp(word, "CHF"))
 		return true;
@@ -249,7 +249,7 @@ static bool find_outline(const struct klartext_call_of *call, struct outline *ou
 
 		outline->has[0] = outline->has[1] = outline->has_pole = false;
 		snprintf(name, sizeof(name), "%d", contour->labels[i]);
-		if (!klartext_flow_read_label(call->interp, name, call->column, take_block, outline))
+		if (!klartext_label_read_section(call->interp, name, call->column, take_block, outline))
 			return false;
 	}
 	return outline->begun ||

@@ -35,7 +35,6 @@ static bool begins_corner(const char *text, size_t length)
 
 bool klartext_corner_follows(struct interp *interp)
 {
-	struct klartext_lines *lines = &klartext_of(interp)->lines;
 	struct reader *reader = &interp->program.source->reader;
 	const struct position next = source_next(interp->program.source);
 	const long furthest = reader->furthest;
@@ -44,10 +43,8 @@ bool klartext_corner_follows(struct interp *interp)
 
 	if (reader_peek(reader, LOOK_AHEAD, &text))
 		return begins_corner(text, LOOK_AHEAD);
-	/* The next line is not in the buffer. Reading it overwrites the current line, so the current line is copied. */
-	strbuf_clear(&lines->text);
-	strbuf_addf(&lines->text, "%s", interp->at.text);
-	interp->at.text = strbuf_text(&lines->text);
+	/* The next line is not in the buffer. */
+	program_keep_line(&interp->program, &interp->at);
 	corner = reader_next(reader, &text) == READER_LINE && begins_corner(text, strlen(text));
 	reader_seek(reader, next.offset, next.line);
 	reader->furthest = furthest;
@@ -108,7 +105,7 @@ bool klartext_corner_read(struct lexer *lexer, bool chamfer)
 {
 	struct interp *interp = lexer->context;
 	struct klartext_corner *corner = &klartext_of(interp)->corner;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	double feed = 0;
 
 	if (!corner->waits || corner->size > 0)

@@ -167,7 +167,7 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer), number;
+	int column = lexer_next_column(lexer), number;
 	struct klartext_cycle_word *word;
 	char text[KLARTEXT_WORD];
 
@@ -187,7 +187,7 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 		if (!klartext_value(lexer, &word->value))
 			return false;
 	} else if (!klartext_word(lexer, text)) {
-		return fault(lexer->at, klartext_column(lexer), "a value is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "a value is needed here");
 	} else if (!strcmp(text, "FMAX") || !strcmp(text, "MAX")) {
 		word->value = FMAX_VALUE;
 	} else if (!strcmp(text, "FAUTO") || !strcmp(text, "AUTO")) {
@@ -204,7 +204,7 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 /* Words of the lines n.1, n.2 ... of older cycles: X+10, IX-5, ROT+30, SCL 0.5, SET UP 2, T0.05, F100, #5. */
 static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct klartext_cycle_word *word = add_word(lexer, cycle, column);
 	char text[KLARTEXT_WORD], more[KLARTEXT_WORD];
 
@@ -252,7 +252,7 @@ static bool read_words(struct lexer *lexer, struct klartext_cycle *cycle)
 {
 	while (!klartext_ends(lexer)) {
 		if (lexer_peek(lexer) == '~')
-			return fault(lexer->at, klartext_column(lexer),
+			return fault(lexer->at, lexer_next_column(lexer),
 				     "'~' is the last sign of a line: write the comment before it");
 		if (!(cycle->by_q ? read_q(lexer, cycle) : read_old(lexer, cycle)))
 			return false;
@@ -356,7 +356,7 @@ static bool read_program(struct lexer *lexer)
 	struct klartext *klartext = klartext_of(lexer->context);
 
 	if (!klartext_take(lexer, "PGM"))
-		return fault(lexer->at, klartext_column(lexer), "CYCL DEF 12.1 needs PGM and a name");
+		return fault(lexer->at, lexer_next_column(lexer), "CYCL DEF 12.1 needs PGM and a name");
 	return klartext_name(lexer, "a program's name", klartext->cycles.program, KLARTEXT_NAME) &&
 	       klartext_expect_end(lexer);
 }
@@ -404,7 +404,7 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 
 bool klartext_define_probe(struct lexer *lexer)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct klartext_cycle *definition = &klartext_of(lexer->context)->cycles.definition;
 	double value;
 	int number;
@@ -436,7 +436,7 @@ bool klartext_define_probe(struct lexer *lexer)
 bool klartext_define_read(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer), number;
+	int column = lexer_next_column(lexer), number;
 	size_t digits;
 	const char *text = lexer->at->text + lexer->position;
 
@@ -464,7 +464,7 @@ bool klartext_define_read(struct lexer *lexer)
 bool klartext_define_read_global(struct lexer *lexer)
 {
 	struct klartext *klartext = klartext_of(lexer->context);
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	int number;
 
 	if (!klartext_take(lexer, "DEF"))

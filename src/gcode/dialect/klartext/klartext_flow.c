@@ -1,195 +1,18 @@
 #include "gcode/dialect/klartext/klartext_flow.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_folder.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
+#include "gcode/dialect/klartext/klartext_label.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_rest.h"
-#include "gcode/dialect/klartext/klartext_skip.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
-#include "gcode/text/line_search.h"
-
-/* Bytes of the key of a label, which consists of its source and its name. */
-#define KEY (KLARTEXT_NAME + 24)
-
-enum { LABEL_FOUND, LABEL_TWICE };	/* twice: `body` is the line of the second one */
-
-/* ------------------------------------------------------------------ labels */
-
-/* A label's name: digits or a text in quotes. Leading zeros of a number do not count. */
-static bool read_label(struct lexer *lexer, char name[KLARTEXT_NAME])
-{
-	char byte = lexer_peek(lexer);
-	int number;
-
-	if (byte == '"' || byte == '\'')
-		return klartext_name(lexer, "a label's name", name, KLARTEXT_NAME);
-	if (klartext_string_follows(lexer))
-		return klartext_string_name(lexer, "a label's name", name);
-	if (!klartext_value_follows(lexer))
-		return klartext_name(lexer, "a label", name, KLARTEXT_NAME);
-	if (!klartext_integer(lexer, "a label", 0, 65535, &number))
-		return false;
-	snprintf(name, KLARTEXT_NAME, "%d", number);
-	return true;
-}
-
-static void make_key(char key[KEY], const struct sources *sources, const struct source *source, const char *name)
-{
-	size_t index = 0;
-
-	while (index < sources->count && sources->items[index] != source)
-		index++;
-	snprintf(key, KEY, "%zu %s", index, name);
-}
-
-/* Reads the name after "LBL". False: the line has no label. */
-static bool label_of_line(struct interp *interp, const char *text, char name[KLARTEXT_NAME])
-{
-	struct diag unheard = {0};
-	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
-	struct lexer lexer = klartext_lexer(interp);
-	bool slash;
-
-	lexer.at = &at;
-	klartext_skip_head(&lexer, &slash);
-	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") &&
-	       lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) && strcmp(name, "0") != 0;
-}
-
-static bool add_label(struct interp *interp, const char *name)
-{
-	struct klartext_calls *calls = &klartext_of(interp)->calls;
-	struct source *source = interp->program.source;
-	struct label *label;
-	char key[KEY];
-
-	make_key(key, &interp->program.sources, source, name);
-	label = labels_find(&calls->labels, key);
-	if (label && label->kind == LABEL_FOUND && label->at.line != source->reader.line) {
-		label->kind = LABEL_TWICE;
-		label->body = source_here(source);
-	}
-	if (label)
-		return true;
-	label = labels_add(&calls->labels, key, LABEL_FOUND);
-	if (!label)
-		return fault(&interp->at, 1, "more than %d labels", LABELS_MAX);
-	label->at = source_here(source);
-	label->body = source_next(source);
-	return true;
-}
-
-/* Copies the text of the current line, because the reader will overwrite it. */
-static void keep_line(struct interp *interp)
-{
-	struct klartext_lines *lines = &klartext_of(interp)->lines;
-
-	if (interp->at.text == lines->text.text)
-		return;
-	strbuf_clear(&lines->text);
-	strbuf_addf(&lines->text, "%s", interp->at.text);
-	interp->at.text = strbuf_text(&lines->text);
-}
-
-static enum line_sought note_label(void *interp, const char *text, long line)
-{
-	char name[KLARTEXT_NAME];
-
-	(void)line;
-	return label_of_line(interp, text, name) && !add_label(interp, name) ? LINE_SOUGHT : LINE_OTHER;
-}
-
-/* Reads the whole current file once, for this label, and notes all its labels. False: reported. */
-static bool scan_labels(struct interp *interp, const char *title, int column)
-{
-	struct source *source = interp->program.source;
-	const struct position first = {source, 0, 1};
-	struct line_search lines = {
-	    .judge = note_label, .context = interp, .cancel = interp->config->read.cancel, .most = 1};
-	char key[KEY];
-
-	make_key(key, &interp->program.sources, source, "");
-	if (labels_find(&klartext_of(interp)->calls.labels, key))
-		return true;
-	keep_line(interp);
-	if (!line_search_run(&lines, source == interp->program.start.source ? &interp->program.start : &first))
-		return lines.unfinished && line_search_refuse_pipe(&interp->at, column, title);
-	return !lines.count && labels_add(&klartext_of(interp)->calls.labels, key, LABEL_FOUND);
-}
-
-static struct label *find_label(struct interp *interp, const char *name, int column)
-{
-	char key[KEY], title[KLARTEXT_NAME + 8];
-	struct label *label;
-
-	if (!strcmp(name, "0")) {
-		fault_report(&interp->at, column, "LBL 0 ends subprograms: nothing can call it or jump there");
-		return NULL;
-	}
-	snprintf(title, sizeof(title), "LBL %s", name);
-	if (!scan_labels(interp, title, column))
-		return NULL;
-	make_key(key, &interp->program.sources, interp->program.source, name);
-	label = labels_find(&klartext_of(interp)->calls.labels, key);
-	if (!label)
-		fault_report(&interp->at, column, "the program has no %s", title);
-	else if (label->kind == LABEL_TWICE)
-		line_search_refuse(&interp->at, column, title, &label->at, &label->body);
-	return label && label->kind == LABEL_FOUND ? label : NULL;
-}
-
-/* Is it "LBL 0"? */
-static bool ends_label(struct interp *interp, const char *text)
-{
-	struct diag unheard = {0};
-	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
-	struct lexer lexer = klartext_lexer(interp);
-	char name[KLARTEXT_NAME];
-	bool slash;
-
-	lexer.at = &at;
-	klartext_skip_head(&lexer, &slash);
-	return !(slash && interp->config->read.block_delete) && klartext_take(&lexer, "LBL") &&
-	       read_label(&lexer, name) && !strcmp(name, "0");
-}
-
-bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,
-			      void *context)
-{
-	struct reader *reader = &interp->program.source->reader;
-	const struct position next = source_next(interp->program.source);
-	const struct label *label = find_label(interp, name, column);
-	const long furthest = reader->furthest;
-	const char *text;
-	bool good, ended = false;
-
-	if (!label)
-		return false;
-	keep_line(interp);
-	good = program_jump(&interp->program, &label->body, &interp->at, column);
-	while (good && !ended && reader_next(reader, &text) == READER_LINE) {
-		const struct line_place at = {
-		    .diag = interp->diag, .file = interp->at.file, .line = reader->line, .text = text};
-		struct lexer lexer = klartext_lexer(interp);
-
-		lexer.at = &at;
-		ended = ends_label(interp, text);
-		good = ended || line(context, &lexer);
-	}
-	reader->furthest = furthest;
-	if (good && !ended)
-		good = fault(&interp->at, column, "LBL %s has no LBL 0 that ends it", name);
-	return program_jump(&interp->program, &next, &interp->at, column) && good;
-}
 
 /* ------------------------------------------------------------------- levels */
 
@@ -229,10 +52,10 @@ bool klartext_flow_label(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	const struct klartext_calls *calls = &klartext_of(interp)->calls;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	char name[KLARTEXT_NAME];
 
-	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
+	if (!klartext_label_read_name(lexer, name) || !klartext_expect_end(lexer))
 		return false;
 	if (strcmp(name, "0") != 0 || calls->level == 0 || calls->items[calls->level].kind != KLARTEXT_LABEL)
 		return true;
@@ -240,11 +63,6 @@ bool klartext_flow_label(struct lexer *lexer)
 }
 
 /* ------------------------------------------------------------------- CALL */
-
-static bool same_place(const struct position *a, const struct position *b)
-{
-	return a->source == b->source && a->offset == b->offset;
-}
 
 /*
  * "Program section repeats": CALL LBL n REP m runs the section from the label to the call m more times. The manuals do
@@ -260,7 +78,7 @@ static bool repeat(struct interp *interp, const struct position here, const stru
 			     "REP repeats the section from the label to this block, but the label stands behind it: a "
 			     "subprogram is called without REP, once for each time that it runs");
 	for (int i = 0; i < calls->repeat_count; i++) {
-		if (calls->repeats[i].level == calls->level && same_place(&calls->repeats[i].at, &here))
+		if (calls->repeats[i].level == calls->level && position_is_same(&calls->repeats[i].at, &here))
 			item = &calls->repeats[i];
 	}
 	if (!item && calls->repeat_count == KLARTEXT_REPEATS_MAX)
@@ -290,12 +108,12 @@ static bool call_label(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 	/* Taken before the search for labels moves the reader. */
 	const struct position here = source_here(interp->program.source);
-	int column = klartext_column(lexer), count = 0;
+	int column = lexer_next_column(lexer), count = 0;
 	char name[KLARTEXT_NAME], title[KLARTEXT_NAME + 8];
 	const struct label *label;
 	bool repeats;
 
-	if (!read_label(lexer, name))
+	if (!klartext_label_read_name(lexer, name))
 		return false;
 	repeats = klartext_take(lexer, "REP");
 	if (repeats) {
@@ -310,7 +128,7 @@ static bool call_label(struct lexer *lexer)
 				return false;
 		}
 	}
-	if (!klartext_expect_end(lexer) || !(label = find_label(interp, name, column)))
+	if (!klartext_expect_end(lexer) || !(label = klartext_label_find(interp, name, column)))
 		return false;
 	if (repeats)
 		return repeat(interp, here, label, count, column);
@@ -337,7 +155,7 @@ bool klartext_flow_call_program(struct interp *interp, const char *name, int col
 
 static bool call_program(struct lexer *lexer)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	char name[KLARTEXT_NAME];
 
 	return klartext_string_name(lexer, "a program's name", name) && klartext_expect_end(lexer) &&
@@ -358,7 +176,7 @@ bool klartext_flow_select(struct lexer *lexer)
 static bool call_selected(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 
 	if (!klartext_take(lexer, "PGM") || !klartext_expect_end(lexer))
 		return fault(lexer->at, column, "CALL SELECTED needs PGM");
@@ -375,7 +193,7 @@ bool klartext_flow_call(struct lexer *lexer)
 		return call_program(lexer);
 	if (klartext_take(lexer, "SELECTED"))
 		return call_selected(lexer);
-	return fault(lexer->at, klartext_column(lexer), "CALL needs LBL or PGM");
+	return fault(lexer->at, lexer_next_column(lexer), "CALL needs LBL or PGM");
 }
 
 /* ------------------------------------------------------------------- jumps */
@@ -404,13 +222,13 @@ bool klartext_flow_jump(struct lexer *lexer, int number)
 	if (!klartext_formula_condition(lexer, number, &holds))
 		return false;
 	if (!klartext_take(lexer, "GOTO") || !klartext_take(lexer, "LBL"))
-		return fault(lexer->at, klartext_column(lexer), "FN %d needs GOTO LBL here", number);
-	column = klartext_column(lexer);
-	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
+		return fault(lexer->at, lexer_next_column(lexer), "FN %d needs GOTO LBL here", number);
+	column = lexer_next_column(lexer);
+	if (!klartext_label_read_name(lexer, name) || !klartext_expect_end(lexer))
 		return false;
 	if (!holds)
 		return true;
-	label = find_label(interp, name, column);
+	label = klartext_label_find(interp, name, column);
 	if (!label)
 		return false;
 	klartext_of(interp)->calls.jumped = true;

@@ -1,4 +1,4 @@
-/* klartext_flow.h - labels, CALL LBL, REP, CALL PGM, the jumps of FN 9 to FN 12, and the ends of programs. */
+/* klartext_flow.h - LBL, CALL LBL, REP, CALL PGM, the jumps of FN 9 to FN 12, and the ends of programs. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FLOW_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FLOW_H
 
@@ -30,13 +30,5 @@ bool klartext_flow_select(struct lexer *lexer);
 
 /* Calls another program, as CALL PGM does. False: reported at the column. */
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
-
-/*
- * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The position in the
- * program does not change. False: reported, or a call returned false.
- */
-typedef bool (*klartext_flow_line)(void *context, struct lexer *lexer);
-bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,
-			      void *context);
 
 #endif

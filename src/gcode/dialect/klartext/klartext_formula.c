@@ -164,7 +164,7 @@ static bool compute(struct expr *expr, int column, const struct function_name *f
 static bool variable(struct expr *expr, struct expr_operand *value)
 {
 	if (!klartext_value_follows(expr->lexer))
-		return fault(expr->lexer->at, klartext_column(expr->lexer),
+		return fault(expr->lexer->at, lexer_next_column(expr->lexer),
 			     "a string (QS) in a formula is not supported");
 	return klartext_q_read(expr->lexer, &value->number);
 }
@@ -197,7 +197,7 @@ static bool assign(struct lexer *lexer, struct klartext_q *q, int number, int co
 
 bool klartext_formula_assign(struct lexer *lexer)
 {
-	int column = klartext_column(lexer), number;
+	int column = lexer_next_column(lexer), number;
 	struct expr expr = {.lexer = lexer, .rules = &rules};
 	struct expr_operand value;
 	struct klartext_q *q;
@@ -259,7 +259,7 @@ static bool read_definition(struct lexer *lexer, bool *holds)
 	klartext_take(lexer, "IS");
 	undefined = klartext_take(lexer, "UNDEFINED");
 	if (!undefined && !klartext_take(lexer, "DEFINED"))
-		return fault(lexer->at, klartext_column(lexer), "IS needs DEFINED or UNDEFINED");
+		return fault(lexer->at, lexer_next_column(lexer), "IS needs DEFINED or UNDEFINED");
 	*holds = undefined == q->undefined;
 	return true;
 }
@@ -267,18 +267,18 @@ static bool read_definition(struct lexer *lexer, bool *holds)
 bool klartext_formula_condition(struct lexer *lexer, int number, bool *holds)
 {
 	static const char *const names[] = {"EQU", "NE", "GT", "LT"};
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	double a, b;
 
 	if (!klartext_take(lexer, "IF"))
 		return fault(lexer->at, column, "FN %d needs IF here", number);
-	column = klartext_column(lexer);
+	column = lexer_next_column(lexer);
 	if (number == 9 && asks_definition(lexer))
 		return read_definition(lexer, holds);
 	if (!klartext_value(lexer, &a))
 		return false;
 	if (!klartext_take(lexer, names[number - 9]))
-		return fault(lexer->at, klartext_column(lexer), "FN %d compares by %s", number, names[number - 9]);
+		return fault(lexer->at, lexer_next_column(lexer), "FN %d compares by %s", number, names[number - 9]);
 	if (!klartext_value(lexer, &b))
 		return false;
 	/* The control rounds differently and may find numbers this close equal. */
@@ -298,7 +298,7 @@ static bool take_operator(struct lexer *lexer, int number)
 
 	if (klartext_take(lexer, names[number]))
 		return true;
-	return fault(lexer->at, klartext_column(lexer), "FN %d needs %s between its values", number, names[number]);
+	return fault(lexer->at, lexer_next_column(lexer), "FN %d needs %s between its values", number, names[number]);
 }
 
 /* Refuses values for which a function has no result. False: reported. */
@@ -343,7 +343,7 @@ static double result(int number, double a, double b)
 bool klartext_formula_function(struct lexer *lexer, int number)
 {
 	static const char *const unary[] = {[5] = "SQRT", [6] = "SIN", [7] = "COS"};
-	int column = klartext_column(lexer), index;
+	int column = lexer_next_column(lexer), index;
 	double a, b = 0;
 	struct klartext_q *q;
 
@@ -354,7 +354,7 @@ bool klartext_formula_function(struct lexer *lexer, int number)
 		return false;
 	if (number == 0 && klartext_take(lexer, "SET")) {
 		if (!klartext_take(lexer, "UNDEFINED"))
-			return fault(lexer->at, klartext_column(lexer), "SET needs UNDEFINED");
+			return fault(lexer->at, lexer_next_column(lexer), "SET needs UNDEFINED");
 		*q = (struct klartext_q){.undefined = true};
 		return klartext_expect_end(lexer);
 	}
@@ -362,7 +362,7 @@ bool klartext_formula_function(struct lexer *lexer, int number)
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);
 	if (number >= 5 && number <= 7 && !klartext_take(lexer, unary[number]))
-		return fault(lexer->at, klartext_column(lexer), "FN %d needs %s here", number, unary[number]);
+		return fault(lexer->at, lexer_next_column(lexer), "FN %d needs %s here", number, unary[number]);
 	if (!klartext_value(lexer, &a))
 		return false;
 	if ((number >= 1 && number <= 4) || number == 8 || number == 13) {

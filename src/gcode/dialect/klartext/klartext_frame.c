@@ -10,11 +10,6 @@
 
 /* --------------------------------------------------------------- the frame */
 
-static bool is_zero(vec3 v)
-{
-	return same_double(v.x, 0) && same_double(v.y, 0) && same_double(v.z, 0);
-}
-
 static bool is_one(double factor)
 {
 	return same_double(factor, 1);
@@ -53,7 +48,7 @@ void klartext_frame_update(struct interp *interp)
 		klartext_of(interp)->last.known = false;
 	frame->turn = turn;
 	frame->origin = vec3_add(frame->origin, frame->shift);
-	frame->any = frame->tilted || klartext_frame_is_inner(frame) || !is_zero(frame->shift);
+	frame->any = frame->tilted || klartext_frame_is_inner(frame) || !vec3_is_zero(frame->shift);
 	interp->state.own_frame = frame->any;
 }
 
@@ -61,7 +56,7 @@ bool klartext_frame_is_inner(const struct klartext_frame *frame)
 {
 	return frame->mirror[0] || frame->mirror[1] || frame->mirror[2] || !same_double(frame->rotation, 0) ||
 	       !is_one(frame->factor.x) || !is_one(frame->factor.y) || !is_one(frame->factor.z) ||
-	       !is_zero(frame->inner);
+	       !vec3_is_zero(frame->inner);
 }
 
 static vec3 offset_of(const struct interp *interp)

@@ -77,7 +77,6 @@ static bool read_line(struct lexer *lexer, struct klartext_free_ahead *ahead, bo
 
 bool klartext_free_ahead_read(struct interp *interp, struct klartext_free_ahead *ahead)
 {
-	struct strbuf *kept = &klartext_of(interp)->lines.text;
 	struct reader *reader = &interp->program.source->reader;
 	const struct position next = source_next(interp->program.source);
 	const long furthest = reader->furthest;
@@ -85,10 +84,7 @@ bool klartext_free_ahead_read(struct interp *interp, struct klartext_free_ahead 
 	bool done = false;
 
 	*ahead = (struct klartext_free_ahead){0};
-	/* Reading overwrites the current line, so the line is copied. */
-	strbuf_clear(kept);
-	strbuf_addf(kept, "%s", interp->at.text);
-	interp->at.text = strbuf_text(kept);
+	program_keep_line(&interp->program, &interp->at);
 	while (!done && reader_next(reader, &text) == READER_LINE) {
 		struct line_place at = interp->at;
 		struct lexer lexer = klartext_lexer(interp);

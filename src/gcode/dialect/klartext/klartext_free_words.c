@@ -60,7 +60,7 @@ bool klartext_free_words_split(struct lexer *lexer, struct klartext_free *free, 
 
 	klartext_free_words_clear(free);
 	while (!klartext_ends(&ahead)) {
-		const int column = klartext_column(&ahead);
+		const int column = lexer_next_column(&ahead);
 		char word[KLARTEXT_WORD];
 		const char *relation;
 		bool taken = false;

@@ -56,7 +56,7 @@ static bool run_other(struct lexer *lexer, int number, int column)
 
 bool klartext_function_run(struct lexer *lexer)
 {
-	int column = klartext_column(lexer), number;
+	int column = lexer_next_column(lexer), number;
 
 	if (!klartext_integer(lexer, "the number of FN", 0, 99, &number))
 		return false;
@@ -105,11 +105,11 @@ static bool read_tcpm_feed(struct lexer *lexer, int column)
 static bool read_tcpm(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	bool positions = false, path = false, spatial = false, vector = false;
 
 	while (!klartext_ends(lexer)) {
-		int word = klartext_column(lexer);
+		int word = lexer_next_column(lexer);
 
 		if (klartext_take(lexer, "FMAX"))
 			continue;
@@ -190,7 +190,7 @@ static bool ends_nothing(struct lexer *lexer)
 
 bool klartext_function_mode(struct lexer *lexer)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	struct lexer ahead = *lexer;
 	char word[KLARTEXT_WORD];
 
@@ -215,7 +215,7 @@ bool klartext_function_mode(struct lexer *lexer)
 		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return klartext_ends(lexer) ||
-		       fault(lexer->at, klartext_column(lexer),
+		       fault(lexer->at, lexer_next_column(lexer),
 			     "FUNCTION MODE MILL with another kinematics is not supported: leave its "
 			     "name out, and check the program with the machine file of these "
 			     "kinematics");

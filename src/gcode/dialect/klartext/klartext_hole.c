@@ -22,9 +22,7 @@ static bool go(struct drill *drill, double feed)
 	    .turn = drill->hole->turns ? TURN_OF_TAP : TURN_UNKNOWN, .feed.linear = feed};
 	slot_values target = drill->interp->state.position;
 
-	target.v[SLOT_X] = position.x;
-	target.v[SLOT_Y] = position.y;
-	target.v[SLOT_Z] = position.z;
+	slot_values_set_linear(&target, position);
 	return motion_commands_go(drill->interp, &target, &move);
 }
 

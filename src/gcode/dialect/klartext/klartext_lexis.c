@@ -24,7 +24,7 @@ bool klartext_expect_end(struct lexer *lexer)
 {
 	if (klartext_ends(lexer))
 		return true;
-	return fault(lexer->at, klartext_column(lexer), "the block should end here");
+	return fault(lexer->at, lexer_next_column(lexer), "the block should end here");
 }
 
 bool klartext_continues(const char *text)
@@ -34,12 +34,6 @@ bool klartext_continues(const char *text)
 	while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
 		length--;
 	return length > 0 && text[length - 1] == '~';
-}
-
-int klartext_column(struct lexer *lexer)
-{
-	lexer_peek(lexer);
-	return lexer_column(lexer);
 }
 
 size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD])
@@ -84,7 +78,7 @@ bool klartext_take(struct lexer *lexer, const char *word)
 
 bool klartext_name(struct lexer *lexer, const char *what, char *name, size_t size)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	const char *text = lexer->at->text + lexer->position, *start = text;
 	size_t length;
 

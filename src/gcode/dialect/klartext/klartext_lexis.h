@@ -32,9 +32,6 @@ bool klartext_expect_end(struct lexer *lexer);
 /* Does the next line continue this line? */
 bool klartext_continues(const char *text);
 
-/* Column of the next byte that is no blank. */
-int klartext_column(struct lexer *lexer);
-
 /* Reads the next letters, in upper case; longer words are cut off. Returns their number. */
 size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD]);
 

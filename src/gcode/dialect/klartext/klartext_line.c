@@ -45,7 +45,7 @@ static bool begin(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	struct klartext *klartext = klartext_of(interp);
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	const char *text = lexer->at->text, *unit;
 	size_t length = strcspn(text, ";");
 
@@ -83,7 +83,7 @@ static bool begin(struct lexer *lexer)
 static bool end(struct lexer *lexer)
 {
 	return klartext_take(lexer, "PGM") ? klartext_flow_end(lexer)
-					   : fault(lexer->at, klartext_column(lexer), "END needs PGM");
+					   : fault(lexer->at, lexer_next_column(lexer), "END needs PGM");
 }
 
 /* Blocks that neither move anything nor change what moves do. */
@@ -99,7 +99,7 @@ static bool ignore(struct lexer *lexer)
 static bool section(struct lexer *lexer)
 {
 	return klartext_take(lexer, "MONITORING") ||
-	       fault(lexer->at, klartext_column(lexer), "SECTION needs MONITORING");
+	       fault(lexer->at, lexer_next_column(lexer), "SECTION needs MONITORING");
 }
 
 static bool tool(struct lexer *lexer)
@@ -108,7 +108,7 @@ static bool tool(struct lexer *lexer)
 		return klartext_tool_call(lexer);
 	if (klartext_take(lexer, "DEF"))
 		return klartext_tool_define(lexer);
-	return fault(lexer->at, klartext_column(lexer), "TOOL needs CALL or DEF");
+	return fault(lexer->at, lexer_next_column(lexer), "TOOL needs CALL or DEF");
 }
 
 static bool cycle(struct lexer *lexer)
@@ -117,7 +117,7 @@ static bool cycle(struct lexer *lexer)
 		return klartext_define_read(lexer);
 	if (klartext_take(lexer, "CALL"))
 		return klartext_call_run(lexer);
-	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
+	return fault(lexer->at, lexer_next_column(lexer), "CYCL needs DEF or CALL");
 }
 
 /* Some posts write CYCLE for CYCL. A control that does not accept it stops there, so nothing moves. */
@@ -141,7 +141,7 @@ static bool choose(struct lexer *lexer)
 static bool probe(struct lexer *lexer)
 {
 	return klartext_take(lexer, "PROBE") ? klartext_define_probe(lexer)
-					     : fault(lexer->at, klartext_column(lexer), "TCH needs PROBE");
+					     : fault(lexer->at, lexer_next_column(lexer), "TCH needs PROBE");
 }
 
 /* The most frequent statements come first. `bare`: no event is sent for such a block. */
@@ -274,13 +274,13 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	}
 	if (starts_word(word, behind))
 		return klartext_straight_run(lexer);
-	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
+	return fault(lexer->at, lexer_next_column(lexer), "%s is no block of this control", word[0] ? word : "this");
 }
 
 /* "%NAME G71" begins a program in DIN/ISO, which these controls read as well. */
 static bool refuse_iso(struct lexer *lexer)
 {
-	return fault(lexer->at, klartext_column(lexer),
+	return fault(lexer->at, lexer_next_column(lexer),
 		     "this is a DIN/ISO program of the control (%%NAME G71); only Klartext is supported");
 }
 
@@ -307,7 +307,7 @@ static bool check_begun(struct lexer *lexer)
 		return true;
 	if (byte == '%')
 		return refuse_iso(lexer);
-	return fault(lexer->at, klartext_column(lexer),
+	return fault(lexer->at, lexer_next_column(lexer),
 		     "a Klartext program begins with BEGIN PGM, which says MM or INCH");
 }
 
@@ -382,7 +382,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	klartext_of(interp)->lines.numbered = numbered;
 	*bare = true;
 	if (klartext_of(interp)->lines.comment_goes_on && !numbered && is_like_block(lexer))
-		return fault(lexer->at, klartext_column(lexer),
+		return fault(lexer->at, lexer_next_column(lexer),
 			     "'~' has this line belong to the comment before it, but it reads like a block: take the "
 			     "'~' away, or begin the line with ';'");
 	if (is_comment(lexer, numbered)) {
@@ -390,7 +390,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 		return true;
 	}
 	if (may_belong_before(lexer, numbered))
-		return fault(lexer->at, klartext_column(lexer),
+		return fault(lexer->at, lexer_next_column(lexer),
 			     "'~' behind the comment of the block before leaves open whether this line belongs to it: "
 			     "take the '~' away, or write it before the comment's ';' and without the comment");
 	if (klartext_of(interp)->lines.behind_end)

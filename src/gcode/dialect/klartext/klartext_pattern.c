@@ -49,9 +49,7 @@ static bool go_within(const struct visit *visit, double half_x, double half_y, d
 
 	point.z = height;
 	at = klartext_frame_position(interp, point);
-	target.v[SLOT_X] = at.x;
-	target.v[SLOT_Y] = at.y;
-	target.v[SLOT_Z] = at.z;
+	slot_values_set_linear(&target, at);
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 

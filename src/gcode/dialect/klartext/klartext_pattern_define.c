@@ -41,14 +41,14 @@ static bool read_item(struct lexer *lexer, struct item *item)
 					    "NUMX", "NUMY", "ROT", "ROTX", "ROTY", "START", "STEP"};
 	const struct interp *interp = lexer->context;
 
-	*item = (struct item){.column = klartext_column(lexer)};
+	*item = (struct item){.column = lexer_next_column(lexer)};
 	while (ascii_is_digit(lexer_peek(lexer)))
 		lexer_take(lexer);
 	if (lexer_peek(lexer) != '(')
-		return fault(lexer->at, klartext_column(lexer), "'(' is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "'(' is needed here");
 	lexer_take(lexer);
 	while (lexer_peek(lexer) != ')') {
-		const int column = klartext_column(lexer);
+		const int column = lexer_next_column(lexer);
 		char name[KLARTEXT_WORD];
 		int word = 0;
 
@@ -160,7 +160,7 @@ static bool add_item(struct lexer *lexer, const char *kind, const struct item *i
 static bool read_items(struct lexer *lexer)
 {
 	while (!klartext_ends(lexer)) {
-		const int column = klartext_column(lexer);
+		const int column = lexer_next_column(lexer);
 		char kind[KLARTEXT_WORD];
 		struct item item;
 
@@ -179,7 +179,7 @@ bool klartext_pattern_define_read(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 
 	if (!klartext_take(lexer, "DEF"))
-		return fault(lexer->at, klartext_column(lexer), "PATTERN needs DEF");
+		return fault(lexer->at, lexer_next_column(lexer), "PATTERN needs DEF");
 	klartext_points_begin(interp);
 	klartext_of(interp)->points.line = lexer->at->line;
 	return read_items(lexer);

@@ -32,7 +32,7 @@ static bool read_feed(struct lexer *lexer, struct klartext_swivel *request)
 static bool read_retract(struct lexer *lexer, struct klartext_swivel *request)
 {
 	const struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 
 	request->retracts = true;
 	request->retract.to_limit = klartext_take(lexer, "MAX");
@@ -47,7 +47,7 @@ static bool read_retract(struct lexer *lexer, struct klartext_swivel *request)
 static bool read_option(struct lexer *lexer, struct klartext_swivel *request)
 {
 	const struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 
 	if (klartext_take(lexer, "MOVE"))
 		request->positioning = KLARTEXT_TURN_MOVE;
@@ -114,7 +114,7 @@ bool klartext_plane_run(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	struct klartext *klartext = klartext_of(interp);
-	struct klartext_swivel request = {.column = klartext_column(lexer)};
+	struct klartext_swivel request = {.column = lexer_next_column(lexer)};
 	struct klartext_tilt tilt;
 
 	if (!klartext_tilt_read(lexer, &klartext->frame.tilt, &tilt) || !read_options(lexer, &request) ||

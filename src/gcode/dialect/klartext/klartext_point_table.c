@@ -182,7 +182,7 @@ bool klartext_point_table_select(struct lexer *lexer)
 {
 	static const char *const endings[] = {"", ".pnt", ".PNT"};
 	struct interp *interp = lexer->context;
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct table table = {.interp = interp};
 	struct source *source;
 	char name[KLARTEXT_NAME];

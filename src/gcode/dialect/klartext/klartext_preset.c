@@ -18,11 +18,6 @@ static bool shifts_others(const struct interp *interp)
 	return false;
 }
 
-static bool is_zero(vec3 v)
-{
-	return same_double(v.x, 0) && same_double(v.y, 0) && same_double(v.z, 0);
-}
-
 /*
  * iTNC 530 and TNC 640 user's manuals, "DATUM SETTING (Cycle 247)": the preset takes a datum shift back; newer controls
  * cancel a mirror image, a rotation and a scaling, too.
@@ -48,7 +43,7 @@ static bool may_select(struct interp *interp, const struct klartext_cycle_word *
 		return fault(at, word->column,
 			     "presets from 0 to %d are supported, as G54 and G54.1 P1 to P%d of the setup",
 			     EXTENDED_COUNT, EXTENDED_COUNT);
-	if (klartext_frame_is_inner(frame) || (frame->tilted && (!is_zero(frame->shift) || shifts_others(interp))))
+	if (klartext_frame_is_inner(frame) || (frame->tilted && (!vec3_is_zero(frame->shift) || shifts_others(interp))))
 		return fault(at, word->column,
 			     "a preset while a mirror image, a rotation, a scaling or a shift in a tilted plane is in "
 			     "force: which of them it cancels is not known here; cancel them first");
@@ -91,15 +86,6 @@ bool klartext_preset_check_plane(struct interp *interp, int column)
 							      "PLANE RESET first");
 }
 
-static bool same_values(const slot_values *a, const slot_values *b)
-{
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(a->v[slot], b->v[slot]))
-			return false;
-	}
-	return true;
-}
-
 bool klartext_preset_check(struct interp *interp, int column)
 {
 	struct klartext_preset *preset = &klartext_of(interp)->preset;
@@ -111,7 +97,7 @@ bool klartext_preset_check(struct interp *interp, int column)
 	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
 		if (!state->work_known[system])
 			continue;
-		others += known > 0 && !same_values(&state->work[system], &state->work[only]);
+		others += known > 0 && !slot_values_same(&state->work[system], &state->work[only]);
 		known++;
 		only = system;
 	}

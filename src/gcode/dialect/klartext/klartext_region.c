@@ -17,9 +17,7 @@ static bool go(const struct klartext_call_of *call, const struct klartext_region
 	const struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = interp->state.position;
 
-	target.v[SLOT_X] = position.x;
-	target.v[SLOT_Y] = position.y;
-	target.v[SLOT_Z] = position.z;
+	slot_values_set_linear(&target, position);
 	return parallel_moves_go(interp, &target, &move, &box);
 }
 

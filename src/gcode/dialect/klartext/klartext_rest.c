@@ -14,16 +14,10 @@ static bool says_nothing(struct lexer *lexer)
 bool klartext_rest_check(struct interp *interp)
 {
 	struct reader *reader = &interp->program.source->reader;
-	struct strbuf *line = &klartext_of(interp)->lines.text;
 	bool cautioned = false;
 	const char *text;
 
-	/* Copies the text of END PGM, because the reader will overwrite it. */
-	if (interp->at.text != line->text) {
-		strbuf_clear(line);
-		strbuf_addf(line, "%s", interp->at.text);
-		interp->at.text = strbuf_text(line);
-	}
+	program_keep_line(&interp->program, &interp->at);
 	while (reader_next(reader, &text) == READER_LINE) {
 		struct line_place at = interp->at;
 		struct lexer lexer = klartext_lexer(interp);

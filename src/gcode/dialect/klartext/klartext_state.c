@@ -19,7 +19,6 @@ void klartext_state_free(void *state)
 	struct klartext *klartext = state;
 
 	labels_release(&klartext->calls.labels);
-	strbuf_release(&klartext->lines.text);
 	strbuf_release(&klartext->calls.folders);
 	strbuf_release(&klartext->lines.joined);
 	strbuf_release(&klartext->corner.path_text);

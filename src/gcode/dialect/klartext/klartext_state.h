@@ -22,7 +22,6 @@ struct klartext_lines {
 	bool skips, skips_next; /* a definition with '/' is skipped: also its parameters; the next line in any case */
 	bool cautioned_cycle; /* the caution about CYCLE was given */
 	bool cautioned_teeth; /* the caution about FZ was given */
-	struct strbuf text; /* the current line, while other lines are read */
 	struct strbuf joined; /* a block or a formula of several lines */
 };
 

@@ -29,7 +29,7 @@ static struct klartext_string *find(struct klartext *klartext, int number)
 static bool read_number(struct lexer *lexer, int *number)
 {
 	if (!klartext_string_follows(lexer))
-		return fault(lexer->at, klartext_column(lexer),
+		return fault(lexer->at, lexer_next_column(lexer),
 			     "a string parameter, QS and its number, is needed here");
 	lexer->position += 2;
 	return klartext_integer(lexer, "the number of QS", 0, KLARTEXT_Q_COUNT - 1, number);
@@ -37,7 +37,7 @@ static bool read_number(struct lexer *lexer, int *number)
 
 static bool read_value(struct lexer *lexer, char text[KLARTEXT_NAME])
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	const struct klartext_string *string;
 	int number;
 
@@ -64,7 +64,7 @@ bool klartext_string_name(struct lexer *lexer, const char *what, char name[KLART
 /* Reads a text in quotation marks, which may be empty, or a string parameter. */
 static bool read_term(struct lexer *lexer, char text[KLARTEXT_NAME])
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	const char *rest = lexer->at->text + lexer->position;
 
 	if (rest[0] == '"' && rest[1] == '"') {
@@ -99,7 +99,7 @@ bool klartext_string_set(struct lexer *lexer, int column, int number, const char
 
 bool klartext_string_assign(struct lexer *lexer)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char whole[KLARTEXT_NAME] = "", term[KLARTEXT_NAME];
 	int number;
 
@@ -125,12 +125,12 @@ bool klartext_string_assign(struct lexer *lexer)
 bool klartext_string_declare(struct lexer *lexer)
 {
 	return klartext_take(lexer, "STRING") ? klartext_string_assign(lexer)
-					      : fault(lexer->at, klartext_column(lexer), "DECLARE needs STRING");
+					      : fault(lexer->at, lexer_next_column(lexer), "DECLARE needs STRING");
 }
 
 bool klartext_string_number(struct lexer *lexer, double *value)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char text[KLARTEXT_NAME];
 
 	if (lexer_peek(lexer) != '(')
@@ -138,12 +138,12 @@ bool klartext_string_number(struct lexer *lexer, double *value)
 	lexer_take(lexer);
 	lexer_peek(lexer);
 	if (strncmp(lexer->at->text + lexer->position, "SRC_", 4) != 0)
-		return fault(lexer->at, klartext_column(lexer), "TONUMB needs SRC_QS and a number here");
+		return fault(lexer->at, lexer_next_column(lexer), "TONUMB needs SRC_QS and a number here");
 	lexer->position += 4;
 	if (!read_value(lexer, text))
 		return false;
 	if (lexer_peek(lexer) != ')')
-		return fault(lexer->at, klartext_column(lexer), "')' is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "')' is needed here");
 	lexer_take(lexer);
 	return decimal_read(text, strlen(text), value) || fault(lexer->at, column, "\"%s\" is no number", text);
 }

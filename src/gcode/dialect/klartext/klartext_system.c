@@ -210,7 +210,7 @@ static bool read_number(struct lexer *lexer, const char *name, int *value)
 static bool read_query(struct lexer *lexer, struct klartext_query *query)
 {
 	if (!klartext_take(lexer, "ID"))
-		return fault(lexer->at, klartext_column(lexer), "SYSREAD needs ID and its number");
+		return fault(lexer->at, lexer_next_column(lexer), "SYSREAD needs ID and its number");
 	if (!read_number(lexer, "ID", &query->id))
 		return false;
 	if (klartext_take(lexer, "NR") && !read_number(lexer, "NR", &query->number))
@@ -234,7 +234,7 @@ static struct klartext_q *read_target(struct lexer *lexer, int *number)
 	struct klartext_q *q;
 
 	if (ascii_upper(lexer_peek(lexer)) != 'Q') {
-		fault_report(lexer->at, klartext_column(lexer), "a Q parameter is needed here");
+		fault_report(lexer->at, lexer_next_column(lexer), "a Q parameter is needed here");
 		return NULL;
 	}
 	q = klartext_q_find(lexer, number);
@@ -256,7 +256,7 @@ bool klartext_system_read(struct lexer *lexer)
 	int number;
 
 	if (!klartext_take(lexer, "SYSREAD"))
-		return fault(lexer->at, klartext_column(lexer), "FN 18 needs SYSREAD here");
+		return fault(lexer->at, lexer_next_column(lexer), "FN 18 needs SYSREAD here");
 	q = read_target(lexer, &number);
 	if (!q || !read_query(lexer, &query) || !klartext_expect_end(lexer))
 		return false;
@@ -277,7 +277,7 @@ bool klartext_system_read_table(struct lexer *lexer)
 	int number;
 
 	if (!klartext_take(lexer, "TABREAD"))
-		return fault(lexer->at, klartext_column(lexer), "FN 28 needs TABREAD here");
+		return fault(lexer->at, lexer_next_column(lexer), "FN 28 needs TABREAD here");
 	/* A text is read into a string parameter, whose value then is unknown. */
 	if (klartext_take(lexer, "QS")) {
 		klartext_string_forget(klartext_of(lexer->context));

@@ -15,7 +15,7 @@ static const vec3 unit_x = {1, 0, 0}, unit_y = {0, 1, 0}, unit_z = {0, 0, 1};
 static bool need(struct lexer *lexer, const char *name, double *value)
 {
 	if (!klartext_take(lexer, name))
-		return fault(lexer->at, klartext_column(lexer), "%s is needed here", name);
+		return fault(lexer->at, lexer_next_column(lexer), "%s is needed here", name);
 	return klartext_value(lexer, value);
 }
 
@@ -65,7 +65,7 @@ static bool read_euler(struct lexer *lexer, mat3 *tilt)
  */
 static bool read_projected(struct lexer *lexer, mat3 *tilt)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	double principal, minor, rotation;
 	mat3 turn;
 
@@ -107,7 +107,7 @@ static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column
  */
 static bool read_vector(struct lexer *lexer, mat3 *tilt)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	vec3 b = {0, 0, 0}, n = {0, 0, 0};
 
 	return need(lexer, "BX", &b.x) && need(lexer, "BY", &b.y) && need(lexer, "BZ", &b.z) &&
@@ -129,7 +129,7 @@ static bool read_point(struct lexer *lexer, char number, vec3 *point)
  */
 static bool read_points(struct lexer *lexer, mat3 *tilt)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	vec3 p[3], base;
 
 	for (int i = 0; i < 3; i++) {
@@ -154,7 +154,7 @@ static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
 	else if (klartext_take(lexer, "SPC"))
 		axis = unit_z;
 	else
-		return fault(lexer->at, klartext_column(lexer), "PLANE RELATIVE needs SPA, SPB or SPC");
+		return fault(lexer->at, lexer_next_column(lexer), "PLANE RELATIVE needs SPA, SPB or SPC");
 	if (!klartext_value(lexer, &angle))
 		return false;
 	turn = turned(axis, angle);
@@ -169,7 +169,7 @@ static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 	const bool *has_axis = ((const struct interp *)lexer->context)->config->has_axis;
 
 	for (;;) {
-		const int column = klartext_column(lexer);
+		const int column = lexer_next_column(lexer);
 		struct lexer ahead = *lexer;
 		const bool increment = ascii_upper(lexer_peek(&ahead)) == 'I';
 		int slot;
@@ -191,12 +191,12 @@ static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 		tilt->angle[slot] += increment ? state->position.v[slot] - state->offset.v[slot] : 0;
 		tilt->axes |= 1U << slot;
 	}
-	return tilt->axes || fault(lexer->at, klartext_column(lexer), "PLANE AXIAL needs A, B or C");
+	return tilt->axes || fault(lexer->at, lexer_next_column(lexer), "PLANE AXIAL needs A, B or C");
 }
 
 bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext_tilt *tilt)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	char kind[KLARTEXT_WORD];
 
 	klartext_word(lexer, kind);

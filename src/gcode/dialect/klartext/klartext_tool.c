@@ -61,7 +61,7 @@ static bool read_tool(struct lexer *lexer, int *number, int *column)
 {
 	char byte = lexer_peek(lexer), name[KLARTEXT_NAME];
 
-	*column = klartext_column(lexer);
+	*column = lexer_next_column(lexer);
 	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer))
 		return klartext_string_name(lexer, "a tool's name", name) && find_by_name(lexer, name, *column, number);
 	if (read_index(lexer, name))
@@ -96,7 +96,7 @@ bool klartext_tool_define(struct lexer *lexer)
 	if (!read_tool(lexer, &number, &column))
 		return false;
 	while (!klartext_ends(lexer)) {
-		column = klartext_column(lexer);
+		column = lexer_next_column(lexer);
 		if (klartext_take(lexer, "L")) {
 			if (!klartext_value(lexer, &value) ||
 			    !check_length(lexer, number, value * interp->state.scale, column))
@@ -121,7 +121,7 @@ bool klartext_tool_define(struct lexer *lexer)
 static bool read_oversize(struct lexer *lexer, struct request *request)
 {
 	struct interp *interp = lexer->context;
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	const bool length = klartext_take(lexer, "DL");
 	const bool corner = !length && (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2"));
 	double value;
@@ -143,7 +143,7 @@ static bool read_oversize(struct lexer *lexer, struct request *request)
 
 static bool read_word(struct lexer *lexer, struct request *request)
 {
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 
 	if (klartext_take(lexer, "Z"))
 		return true;
@@ -168,7 +168,7 @@ static bool read_request(struct lexer *lexer, struct request *request)
 {
 	char byte = lexer_peek(lexer);
 
-	*request = (struct request){.column = klartext_column(lexer)};
+	*request = (struct request){.column = lexer_next_column(lexer)};
 	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer) || klartext_value_follows(lexer)) {
 		request->has_tool = true;
 		if (!read_tool(lexer, &request->number, &request->column))

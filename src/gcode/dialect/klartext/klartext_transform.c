@@ -38,9 +38,9 @@ static bool read_row(struct lexer *lexer, struct klartext_cycle *cycle)
 	struct klartext_cycle_word *row = &cycle->words[0];
 
 	if (!klartext_take(lexer, "TABLINE"))
-		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM TABLE needs TABLINE and a row");
+		return fault(lexer->at, lexer_next_column(lexer), "TRANS DATUM TABLE needs TABLINE and a row");
 	*row = (struct klartext_cycle_word){
-	    .name = "#", .given = true, .column = klartext_column(lexer), .line = lexer->at->line};
+	    .name = "#", .given = true, .column = lexer_next_column(lexer), .line = lexer->at->line};
 	cycle->count = 1;
 	return klartext_value(lexer, &row->value) && (klartext_ends(lexer) || klartext_transform_table(lexer));
 }
@@ -60,7 +60,7 @@ static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 	if (klartext_take(lexer, "TABLE"))
 		return read_row(lexer, cycle) && klartext_frame_cycle_shift(lexer->context, cycle);
 	if (!klartext_take(lexer, "AXIS"))
-		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM needs AXIS, TABLE or RESET");
+		return fault(lexer->at, lexer_next_column(lexer), "TRANS DATUM needs AXIS, TABLE or RESET");
 	return klartext_define_read_axes(lexer, cycle) && check_datum(lexer, cycle) &&
 	       klartext_frame_cycle_shift(lexer->context, cycle);
 }
@@ -74,7 +74,7 @@ static bool mirror(struct lexer *lexer, struct klartext_cycle *cycle)
 	if (klartext_take(lexer, "RESET"))
 		return klartext_expect_end(lexer) && klartext_frame_cycle_mirror(interp, cycle);
 	if (!klartext_take(lexer, "AXIS") || !klartext_define_read_axes(lexer, cycle))
-		return fault(lexer->at, klartext_column(lexer), "TRANS MIRROR needs AXIS and the letters of axes");
+		return fault(lexer->at, lexer_next_column(lexer), "TRANS MIRROR needs AXIS and the letters of axes");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool named = false;
 
@@ -111,7 +111,7 @@ static bool scale(struct lexer *lexer, struct klartext_cycle *cycle)
 
 bool klartext_transform_run(struct lexer *lexer)
 {
-	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = klartext_column(lexer)};
+	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = lexer_next_column(lexer)};
 
 	if (klartext_take(lexer, "DATUM"))
 		return shift(lexer, &cycle);
@@ -127,24 +127,24 @@ bool klartext_transform_run(struct lexer *lexer)
 /* "PRESET SELECT": selects a preset by its number, as CYCL DEF 247 does. With KEEP TRANS the transformations stay. */
 bool klartext_transform_preset(struct lexer *lexer)
 {
-	struct klartext_cycle cycle = {.number = 247, .line = lexer->at->line, .column = klartext_column(lexer)};
+	struct klartext_cycle cycle = {.number = 247, .line = lexer->at->line, .column = lexer_next_column(lexer)};
 	struct klartext_cycle_word *word = &cycle.words[0];
 
 	if (!klartext_take(lexer, "SELECT"))
 		return fault(lexer->at, cycle.column,
 			     "PRESET other than PRESET SELECT changes the preset table, which is not known here");
 	if (lexer_peek(lexer) != '#')
-		return fault(lexer->at, klartext_column(lexer), "PRESET SELECT needs # and the number of the preset");
+		return fault(lexer->at, lexer_next_column(lexer), "PRESET SELECT needs # and the number of the preset");
 	lexer_take(lexer);
 	*word = (struct klartext_cycle_word){.name = "Q339", .given = true};
-	word->column = klartext_column(lexer);
+	word->column = lexer_next_column(lexer);
 	word->line = lexer->at->line;
 	cycle.count = 1;
 	if (!klartext_value(lexer, &word->value))
 		return false;
 	if (klartext_take(lexer, "KEEP")) {
 		if (!klartext_take(lexer, "TRANS"))
-			return fault(lexer->at, klartext_column(lexer), "KEEP needs TRANS");
+			return fault(lexer->at, lexer_next_column(lexer), "KEEP needs TRANS");
 		if (klartext_frame_cycle_is_shifted(lexer->context, klartext_of(lexer->context)->frame.shift))
 			return fault(lexer->at, cycle.column,
 				     "KEEP TRANS while a datum shift is in force is not supported: write TRANS DATUM "
@@ -158,7 +158,7 @@ bool klartext_transform_preset(struct lexer *lexer)
 bool klartext_transform_table(struct lexer *lexer)
 {
 	struct klartext_preset *preset = &klartext_of(lexer->context)->preset;
-	const int column = klartext_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[KLARTEXT_NAME];
 
 	if (!klartext_name(lexer, "a table's name", name, sizeof(name)))

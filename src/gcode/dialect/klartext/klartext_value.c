@@ -70,7 +70,7 @@ struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
 	struct interp *interp = lexer->context;
 	struct klartext *klartext = klartext_of(interp);
 	const char *text = lexer->at->text;
-	int column = klartext_column(lexer), count = KLARTEXT_Q_COUNT;
+	int column = lexer_next_column(lexer), count = KLARTEXT_Q_COUNT;
 	char kind = 'Q';
 	struct klartext_q *array = klartext->values.q;
 
@@ -176,7 +176,7 @@ static bool ask_kept(const struct lexer *lexer, int column, const char *name, in
 
 bool klartext_q_read(struct lexer *lexer, double *value)
 {
-	int column = klartext_column(lexer), number;
+	int column = lexer_next_column(lexer), number;
 	const char *name = lexer->at->text + lexer->position;
 	const struct klartext_q *q = klartext_q_find(lexer, &number);
 	int length = (int)(lexer->at->text + lexer->position - name);
@@ -295,7 +295,7 @@ bool klartext_value(struct lexer *lexer, double *value)
 
 bool klartext_integer(struct lexer *lexer, const char *what, int least, int greatest, int *value)
 {
-	int column = klartext_column(lexer);
+	int column = lexer_next_column(lexer);
 	double number;
 
 	if (!klartext_value(lexer, &number))

@@ -263,7 +263,8 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 		int slot = slot_of_letter(next_byte(lexer));
 
 		if (slot < 0 || !interp->config->has_axis[slot])
-			return fault(lexer->at, klartext_column(lexer), "the machine has no %c axis", next_byte(lexer));
+			return fault(lexer->at, lexer_next_column(lexer), "the machine has no %c axis",
+				     next_byte(lexer));
 		words->m[words->m_count - 1].way += (double)(1U << slot);
 		lexer_take(lexer);
 	}
@@ -408,7 +409,7 @@ static bool read_word(struct lexer *lexer, struct klartext_words *words)
 bool klartext_words_read(struct lexer *lexer, struct klartext_words *words)
 {
 	memset(words, 0, offsetof(struct klartext_words, m));
-	words->first_column = klartext_column(lexer);
+	words->first_column = lexer_next_column(lexer);
 	while (!klartext_ends(lexer)) {
 		if (!read_word(lexer, words))
 			return false;

@@ -213,7 +213,7 @@ static bool to_integer(struct lexer *lexer, int column, double number, int *valu
 
 static bool read_integer(struct expr *expr, int *value)
 {
-	int column = expr_column(expr->lexer);
+	int column = lexer_next_column(expr->lexer);
 	struct expr_operand operand;
 
 	return expr_value(expr, &operand) && to_integer(expr->lexer, column, operand.number, value);
@@ -329,7 +329,7 @@ bool linuxcnc_expr_name(struct lexer *lexer, char *name)
 
 static bool read_number_of_parameter(struct expr *expr, int *number)
 {
-	int column = expr_column(expr->lexer);
+	int column = lexer_next_column(expr->lexer);
 
 	if (!expr_enter(expr) || !read_integer(expr, number))
 		return false;

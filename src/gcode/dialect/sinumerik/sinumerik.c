@@ -58,14 +58,15 @@ static bool ends_block(struct lexer *lexer)
 	const char byte = lexer_peek(lexer);
 
 	return byte == '\0' || byte == ';' ||
-	       fault(lexer->at, expr_column(lexer), "nothing can follow the call of a subprogram by its text or path");
+	       fault(lexer->at, lexer_next_column(lexer),
+		     "nothing can follow the call of a subprogram by its text or path");
 }
 
 /* CALL "NAME", EXTCALL("NAME") */
 static bool call_by_text(struct interp *interp, struct lexer *lexer)
 {
 	const bool brackets = sinumerik_name_take_byte(lexer, '(');
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct sinumerik_text path;
 	char name[SINUMERIK_NAME + 1], type;
 
@@ -88,7 +89,7 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 /* PCALL/_N_WKS_DIR/_N_PART_WPD/NAME(1,2): the path has no quotes. */
 static bool call_by_path(struct interp *interp, struct lexer *lexer)
 {
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char path[SINUMERIK_TEXT + 1], name[SINUMERIK_NAME + 1], type;
 	size_t length = 0;
 
@@ -108,7 +109,7 @@ static bool call_by_path(struct interp *interp, struct lexer *lexer)
 static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *done)
 {
 	const size_t start = lexer->position;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1];
 
 	if (!sinumerik_name_read(lexer, name))
@@ -130,7 +131,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 		return call_by_path(interp, lexer);
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
-			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported");
+			return fault(lexer->at, lexer_next_column(lexer), "RET with arguments is not supported");
 		if (!sinumerik_call_check_end(interp, column))
 			return false;
 		/* A subprogram that was started as the main program ends the program here. */
@@ -277,7 +278,6 @@ static void free_state(void *state)
 	sinumerik_variables_leave(sinumerik, SINUMERIK_LEVEL_OF_CONTROL - 1);
 	free(sinumerik->variables.items);
 	free(sinumerik->tool.names);
-	strbuf_release(&sinumerik->search.line);
 	labels_release(&sinumerik->search.labels);
 	labels_release(&sinumerik->calls.folders);
 	labels_release(&sinumerik->calls.programs);

@@ -25,7 +25,7 @@ bool sinumerik_assign_is_own(const struct interp *interp, const char *name)
 
 static bool set_text(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct sinumerik_text text;
 
 	/* The text may contain the variable itself, so it is copied first. */
@@ -52,7 +52,7 @@ static bool set_axis(struct interp *interp, struct lexer *lexer, struct sinumeri
 
 static bool set_one(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	double value;
 
 	if (variable->type == SINUMERIK_STRING)
@@ -67,7 +67,7 @@ static bool set_one(struct interp *interp, struct lexer *lexer, struct sinumerik
 static bool set_list(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
 	while (lexer_peek(lexer) != ')') {
-		const int column = expr_column(lexer);
+		const int column = lexer_next_column(lexer);
 
 		if (lexer_peek(lexer) != ',') {
 			if (element >= variable->count)
@@ -77,7 +77,7 @@ static bool set_list(struct interp *interp, struct lexer *lexer, struct sinumeri
 		}
 		element++;
 		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
-			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed behind a value of SET");
+			return fault(lexer->at, lexer_next_column(lexer), "',' or ')' is needed behind a value of SET");
 	}
 	lexer_take(lexer);
 	return true;
@@ -163,7 +163,7 @@ bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinu
 		enum sinumerik_type type;
 	} types[] = {{"INT", SINUMERIK_INT},   {"REAL", SINUMERIK_REAL},     {"BOOL", SINUMERIK_BOOL},
 		     {"CHAR", SINUMERIK_CHAR}, {"STRING", SINUMERIK_STRING}, {"AXIS", SINUMERIK_AXIS}};
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1] = "";
 
 	*length = 0;
@@ -187,7 +187,7 @@ static bool read_sizes(struct interp *interp, struct lexer *lexer, struct sinume
 		return true;
 	do {
 		if (made->dimensions == SINUMERIK_DIMENSIONS)
-			return fault(lexer->at, expr_column(lexer), "an array has at most %d dimensions",
+			return fault(lexer->at, lexer_next_column(lexer), "an array has at most %d dimensions",
 				     SINUMERIK_DIMENSIONS);
 		if (!sinumerik_expr_whole(interp, lexer, "the size of an array", 1, 32767,
 					  &made->size[made->dimensions]))
@@ -202,7 +202,7 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_variable made = {.type = type, .length = length, .refers_to = -1}, *variable;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct sinumerik_word word;
 	int found;
 
@@ -245,6 +245,6 @@ bool sinumerik_assign_define(struct interp *interp, struct lexer *lexer)
 			return false;
 	} while (sinumerik_name_take_byte(lexer, ','));
 	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
-		return fault(lexer->at, expr_column(lexer), "',' or the end of the block is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "',' or the end of the block is needed here");
 	return true;
 }

@@ -295,7 +295,7 @@ static bool step_over_value(struct reading *r, const char *name, double *value)
 		const char *close = strchr(r->lexer->at->text + r->lexer->position, ']');
 
 		if (!close)
-			return fault(r->lexer->at, expr_column(r->lexer), "']' is needed here");
+			return fault(r->lexer->at, lexer_next_column(r->lexer), "']' is needed here");
 		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
 	}
 	return sinumerik_name_need(r->lexer, '=', name) && sinumerik_way_read(r->interp, r->lexer, value, &way);

@@ -35,7 +35,7 @@ static bool read_argument(struct interp *interp, struct lexer *lexer)
 	const char byte = lexer_peek(lexer);
 
 	if (i == SINUMERIK_ARGUMENTS_MAX)
-		return fault(lexer->at, expr_column(lexer), "more than %d arguments", SINUMERIK_ARGUMENTS_MAX);
+		return fault(lexer->at, lexer_next_column(lexer), "more than %d arguments", SINUMERIK_ARGUMENTS_MAX);
 	sinumerik->passed.count++;
 	sinumerik->passed.numbers[i] = NAN;
 	sinumerik->passed.texts[i].bytes[0] = '\0';

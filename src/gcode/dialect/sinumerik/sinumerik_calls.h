@@ -2,7 +2,6 @@
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CALLS_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CALLS_H
 
-#include "base/strbuf.h"
 #include "gcode/dialect/sinumerik/sinumerik_modes.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_values.h"
@@ -44,7 +43,6 @@ struct sinumerik_search {
 	const struct source *labelled;
 	long long labelled_from;
 	struct labels labels;
-	struct strbuf line;	/* the text of the current line while the file is searched */
 };
 
 /* 840D sl, NC programming: 16 levels of calls. */

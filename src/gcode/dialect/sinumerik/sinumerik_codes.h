@@ -63,6 +63,12 @@ enum {
 
 #define SINUMERIK_G(number) ((number) * 10)
 
+/* G25 and G26 limit the working area or the spindle speed. */
+static inline bool sinumerik_is_limit(int code)
+{
+	return code == SINUMERIK_G(25) || code == SINUMERIK_G(26);
+}
+
 /* Addresses of more than one letter, or of a letter and a number; '=' follows them. */
 enum sinumerik_address {
 	SINUMERIK_CR, SINUMERIK_AR, SINUMERIK_TURN, SINUMERIK_I1, SINUMERIK_J1, SINUMERIK_K1, SINUMERIK_A3,

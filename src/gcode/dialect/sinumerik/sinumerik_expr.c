@@ -144,7 +144,7 @@ static bool check_meant(struct interp *interp, struct lexer *lexer, size_t start
 	struct lexer again = {.at = lexer->at, .position = start};
 	struct expr expr = {.lexer = &again, .rules = &meant_rules, .context = interp};
 	struct expr_operand operand;
-	const int column = expr_column(&again);
+	const int column = lexer_next_column(&again);
 
 	if (!expr_sum(&expr, &operand))
 		return false;

@@ -33,7 +33,7 @@ static bool at_end(const struct flow *flow)
 	const char byte = lexer_peek(flow->lexer);
 
 	return byte == '\0' || byte == ';' ||
-	       fault(flow->lexer->at, expr_column(flow->lexer), "nothing can follow here");
+	       fault(flow->lexer->at, lexer_next_column(flow->lexer), "nothing can follow here");
 }
 
 static bool condition(const struct flow *flow, bool *holds)
@@ -109,7 +109,7 @@ static bool run_loop(struct flow *flow)
 /* The variable that FOR counts: an R parameter, or an INT or REAL of the program. NULL: an error was reported. */
 static double *counter(const struct flow *flow)
 {
-	const int column = expr_column(flow->lexer);
+	const int column = lexer_next_column(flow->lexer);
 	struct sinumerik_variable *variable;
 	char name[SINUMERIK_NAME + 1];
 	int found, number;
@@ -148,8 +148,8 @@ static bool run_for(struct flow *flow)
 	    !sinumerik_expr_number(flow->interp, flow->lexer, &first))
 		return false;
 	if (!sinumerik_name_take(flow->lexer, "TO"))
-		return fault(flow->lexer->at, expr_column(flow->lexer), "TO is needed here");
-	column = expr_column(flow->lexer);
+		return fault(flow->lexer->at, lexer_next_column(flow->lexer), "TO is needed here");
+	column = lexer_next_column(flow->lexer);
 	if (!sinumerik_expr_number(flow->interp, flow->lexer, &last) || !at_end(flow))
 		return false;
 	if (loop->again && !(fabs(last - loop->last) <= 0))
@@ -256,7 +256,7 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 		jump->given = jump->to_start = sinumerik_name_take(lexer, "GOTOS");
 	if (!jump->given)
 		return true;
-	jump->column = expr_column(lexer);
+	jump->column = lexer_next_column(lexer);
 	if (jump->to_start)
 		return true;
 	if (lexer_peek(lexer) == '"' || sinumerik_expr_is_text(flow->interp, lexer)) {
@@ -348,7 +348,7 @@ static bool read_constant(const struct flow *flow, double *value)
 	bool point;
 
 	return number_read(flow->lexer->at->text, &flow->lexer->position, value, &point) == NUMBER_OK ||
-	       fault(flow->lexer->at, expr_column(flow->lexer), "a number is needed here");
+	       fault(flow->lexer->at, lexer_next_column(flow->lexer), "a number is needed here");
 }
 
 /* CASE (value) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C */
@@ -360,7 +360,7 @@ static bool run_case(struct flow *flow)
 	if (!sinumerik_expr_number(flow->interp, flow->lexer, &value))
 		return false;
 	if (!sinumerik_name_take(flow->lexer, "OF"))
-		return fault(flow->lexer->at, expr_column(flow->lexer), "OF is needed here");
+		return fault(flow->lexer->at, lexer_next_column(flow->lexer), "OF is needed here");
 	while (lexer_peek(flow->lexer) != '\0' && lexer_peek(flow->lexer) != ';') {
 		const bool otherwise = sinumerik_name_take(flow->lexer, "DEFAULT");
 
@@ -369,7 +369,7 @@ static bool run_case(struct flow *flow)
 		if (!read_jump(flow, &jump))
 			return false;
 		if (!jump.given)
-			return fault(flow->lexer->at, expr_column(flow->lexer),
+			return fault(flow->lexer->at, lexer_next_column(flow->lexer),
 				     "GOTOF, GOTOB, GOTO or GOTOC is needed here");
 		if (!taken.given && (otherwise || fabs(value - constant) <= 0))
 			taken = jump;
@@ -393,7 +393,7 @@ bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done)
 		bool (*run)(struct flow *flow);
 	} words[] = {{"IF", run_if},   {"ELSE", run_else}, {"WHILE", run_while}, {"FOR", run_for},
 		     {"LOOP", run_loop}, {"CASE", run_case}, {"REPEAT", run_repeat_word}};
-	struct flow flow = {interp, lexer, sinumerik_of(interp), expr_column(lexer)};
+	struct flow flow = {interp, lexer, sinumerik_of(interp), lexer_next_column(lexer)};
 	const size_t start = lexer->position;
 	char name[SINUMERIK_NAME + 1];
 

@@ -72,7 +72,7 @@ static bool read_arguments(struct expr *expr, const struct known *known, double 
 		struct expr_operand operand;
 
 		if (i > 0 && lexer_peek(expr->lexer) != ',')
-			return fault(expr->lexer->at, expr_column(expr->lexer),
+			return fault(expr->lexer->at, lexer_next_column(expr->lexer),
 				     "%s has %d arguments, with ',' between them", known->name.upper, known->arguments);
 		if (i > 0)
 			lexer_take(expr->lexer);

@@ -87,7 +87,7 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 					  !read_repeats(interp, lexer, block, &repeats)))
 		return false;
 	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
-		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
+		return fault(lexer->at, lexer_next_column(lexer), "nothing can follow a call in its block");
 	if (block->modal)
 		return set_modal(interp, block);
 	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) ||

@@ -49,7 +49,7 @@ static bool check_text(struct lexer text)
 	bool quoted = false;
 
 	for (char byte; (byte = lexer_peek(&text)) != '\0' && (byte != ';' || quoted);) {
-		const int column = expr_column(&text);
+		const int column = lexer_next_column(&text);
 
 		quoted = quoted != (byte == '"');
 		if (quoted || !sinumerik_name_read(&text, name))
@@ -68,7 +68,7 @@ static bool check_text(struct lexer text)
 bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1];
 	struct sinumerik_macro *macro;
 	struct sinumerik_word word;
@@ -80,7 +80,7 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 	if (sinumerik_codes_word(name, &word))
 		return fault(lexer->at, column, "%s means something else: a DEFINE of it is not supported", name);
 	if (!sinumerik_name_take(lexer, "AS"))
-		return fault(lexer->at, expr_column(lexer), "AS is needed behind the name of DEFINE");
+		return fault(lexer->at, lexer_next_column(lexer), "AS is needed behind the name of DEFINE");
 	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
 	if (!check_text(*lexer))
@@ -110,6 +110,7 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const char *text = interp->at.text;
+	struct strbuf *line = &interp->program.line;
 	struct lexer lexer = {.at = &interp->at, .position = rest};
 	size_t at = rest, kept = 0;
 	bool quoted = false;
@@ -117,7 +118,7 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 	/* A second DEFINE gives the name another text. */
 	if (sinumerik->macros.count == 0 || sinumerik_name_take(&lexer, "DEFINE"))
 		return;
-	strbuf_clear(&sinumerik->search.line);
+	strbuf_clear(line);
 	while (text[at] && (text[at] != ';' || quoted)) {
 		const struct sinumerik_macro *macro;
 		size_t length = 0;
@@ -127,16 +128,16 @@ void sinumerik_macro_expand(struct interp *interp, size_t rest)
 			length++;
 		macro = length > 1 ? find(sinumerik, text + at, length) : NULL;
 		if (macro) {
-			strbuf_add(&sinumerik->search.line, text + kept, at - kept);
-			strbuf_addf(&sinumerik->search.line, "%s", macro->text);
+			strbuf_add(line, text + kept, at - kept);
+			strbuf_addf(line, "%s", macro->text);
 			kept = at + length;
 		}
 		at += length ? length : 1;
 	}
 	if (kept == 0)
 		return;
-	strbuf_addf(&sinumerik->search.line, "%s", text + kept);
-	interp->at.text = strbuf_text(&sinumerik->search.line);
+	strbuf_addf(line, "%s", text + kept);
+	interp->at.text = strbuf_text(line);
 }
 
 void sinumerik_macro_release(struct sinumerik *sinumerik)

@@ -46,13 +46,13 @@ bool sinumerik_name_take_byte(struct lexer *lexer, char byte)
 bool sinumerik_name_need(struct lexer *lexer, char byte, const char *after)
 {
 	return sinumerik_name_take_byte(lexer, byte) ||
-	       fault(lexer->at, expr_column(lexer), "'%c' is needed behind %s", byte, after);
+	       fault(lexer->at, lexer_next_column(lexer), "'%c' is needed behind %s", byte, after);
 }
 
 bool sinumerik_name_step_over_call(struct lexer *lexer)
 {
 	const char *text = lexer->at->text;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	bool quoted = false;
 	int depth = 0;
 

@@ -19,6 +19,14 @@ static inline bool sinumerik_is_name(char byte)
 	return sinumerik_starts_name(byte) || ascii_is_digit(byte);
 }
 
+/* The index of the next byte that is no blank, from `at` on. */
+static inline size_t sinumerik_skip_blanks(const char *text, size_t at)
+{
+	while (text[at] == ' ' || text[at] == '\t')
+		at++;
+	return at;
+}
+
 /* All functions below read at the position of the lexer. */
 
 /*

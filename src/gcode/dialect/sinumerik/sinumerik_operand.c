@@ -21,7 +21,7 @@
 
 bool sinumerik_operand_whole(struct expr *expr, const char *what, int least, int most, int *value)
 {
-	const int column = expr_column(expr->lexer);
+	const int column = lexer_next_column(expr->lexer);
 	struct expr_operand operand;
 
 	if (!expr_sum(expr, &operand))
@@ -55,7 +55,7 @@ bool sinumerik_operand_element(struct expr *expr, const struct sinumerik_variabl
 bool sinumerik_operand_r_number(struct expr *expr, const char *name, int *number)
 {
 	struct lexer *lexer = expr->lexer;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 
 	if (name[1] == '\0')
 		return sinumerik_name_need(lexer, '[', "R") &&
@@ -91,7 +91,7 @@ bool sinumerik_operand_axis(struct expr *expr, int *slot)
 {
 	const struct interp *interp = expr->context;
 	struct lexer *lexer = expr->lexer;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1] = "";
 
 	*slot = -1;
@@ -158,7 +158,7 @@ static bool read_indices(struct expr *expr, char *text, size_t size)
 		return true;
 	do {
 		const size_t position = lexer->position;
-		const int column = expr_column(lexer);
+		const int column = lexer_next_column(lexer);
 		char name[SINUMERIK_NAME + 1];
 		struct expr_operand value;
 
@@ -283,7 +283,7 @@ static bool is_r(const char *name)
 static bool constant_value(struct lexer *lexer, double *value)
 {
 	static const char digits[] = "0123456789ABCDEF";
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	const char *text = lexer->at->text + lexer->position + 1;
 	const int base = ascii_upper(*text) == 'H' ? 16 : ascii_upper(*text) == 'B' ? 2 : 0;
 
@@ -333,7 +333,7 @@ bool sinumerik_operand_read(struct expr *expr, struct expr_operand *value)
 {
 	struct interp *interp = expr->context;
 	struct lexer *lexer = expr->lexer;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1];
 
 	if (sinumerik_text_follows(interp, lexer))

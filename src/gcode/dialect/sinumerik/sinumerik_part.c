@@ -14,7 +14,7 @@ static bool at_end(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
 
-	return byte == '\0' || byte == ';' || fault(lexer->at, expr_column(lexer), "nothing can follow here");
+	return byte == '\0' || byte == ';' || fault(lexer->at, lexer_next_column(lexer), "nothing can follow here");
 }
 
 /* "Program section repetition": the label is first searched towards the start of the program. */
@@ -64,7 +64,7 @@ static bool find_own_end(struct interp *interp, const struct position *first, in
 bool sinumerik_part_repeat(struct interp *interp, struct lexer *lexer, bool block)
 {
 	char first_name[SINUMERIK_NAME + 1], last_name[SINUMERIK_NAME + 1] = "";
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct position first;
 	int rounds = 1;
 	long last;
@@ -92,7 +92,7 @@ bool sinumerik_part_repeat(struct interp *interp, struct lexer *lexer, bool bloc
 /* A label, or a text that names one, in upper case. */
 static bool read_label(struct interp *interp, struct lexer *lexer, char name[SINUMERIK_NAME + 1])
 {
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct sinumerik_text text;
 	size_t length;
 
@@ -111,14 +111,14 @@ static bool read_label(struct interp *interp, struct lexer *lexer, char name[SIN
 bool sinumerik_part_call(struct interp *interp, struct lexer *lexer)
 {
 	char first_name[SINUMERIK_NAME + 1], last_name[SINUMERIK_NAME + 1];
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct position first;
 	long last;
 
 	if (!read_label(interp, lexer, first_name))
 		return false;
 	if (!sinumerik_name_take(lexer, "TO"))
-		return fault(lexer->at, expr_column(lexer), "TO is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "TO is needed here");
 	return read_label(interp, lexer, last_name) && at_end(lexer) &&
 	       find_first(interp, first_name, column, &first) &&
 	       find_last(interp, &first, last_name, column, &last) &&

@@ -61,13 +61,13 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 	const bool given = i < sinumerik->passed.count;
 	const bool by_reference = sinumerik_name_take(lexer, "VAR");
 	struct sinumerik_variable made = {.refers_to = -1}, *variable;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	double value = 0;
 
 	if (!sinumerik_assign_type(interp, lexer, &made.type, &made.length))
 		return false;
 	if (!sinumerik_name_read(lexer, made.name))
-		return fault(lexer->at, expr_column(lexer), "the name of a parameter is needed here");
+		return fault(lexer->at, lexer_next_column(lexer), "the name of a parameter is needed here");
 	if (lexer_peek(lexer) == '[') {
 		const char *close = strchr(lexer->at->text + lexer->position, ']');
 
@@ -109,7 +109,7 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 bool sinumerik_proc_take(struct interp *interp, struct lexer *lexer)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1];
 	size_t count = 0;
 

@@ -7,39 +7,28 @@
 #include "gcode/program.h"
 #include "gcode/text/line_search.h"
 
-static size_t skip_blanks(const char *text, size_t at)
-{
-	while (text[at] == ' ' || text[at] == '\t')
-		at++;
-	return at;
-}
-
 /* Copies a name of digits, letters and '_' in upper case; a name that is too long becomes empty. */
 static size_t copy_name(const char *text, size_t at, char name[SINUMERIK_NAME + 1])
 {
 	size_t length = 0;
 
-	for (; sinumerik_is_name(text[at]); at++) {
-		if (length == SINUMERIK_NAME) {
-			name[0] = '\0';
-			return at +
-			       strspn(text + at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
-		}
-		name[length++] = ascii_upper(text[at]);
+	for (; sinumerik_is_name(text[at]); at++, length++) {
+		if (length < SINUMERIK_NAME)
+			name[length] = ascii_upper(text[at]);
 	}
-	name[length] = '\0';
+	name[length <= SINUMERIK_NAME ? length : 0] = '\0';
 	return at;
 }
 
 struct sinumerik_head sinumerik_seek_head(const char *text)
 {
-	struct sinumerik_head head = {.rest = skip_blanks(text, 0)};
+	struct sinumerik_head head = {.rest = sinumerik_skip_blanks(text, 0)};
 	char name[SINUMERIK_NAME + 1];
 	size_t at;
 
 	if (text[head.rest] == '/') {
 		head.skipped = true;
-		head.rest = skip_blanks(text, head.rest + 1 + ascii_is_digit(text[head.rest + 1]));
+		head.rest = sinumerik_skip_blanks(text, head.rest + 1 + ascii_is_digit(text[head.rest + 1]));
 	}
 	if ((ascii_upper(text[head.rest]) == 'N' || text[head.rest] == ':') && ascii_is_digit(text[head.rest + 1])) {
 		size_t length = 0;
@@ -49,14 +38,14 @@ struct sinumerik_head sinumerik_seek_head(const char *text)
 			if (length < SINUMERIK_NAME)
 				head.number[length++] = text[at];
 		}
-		head.rest = skip_blanks(text, at);
+		head.rest = sinumerik_skip_blanks(text, at);
 	}
 	if (!sinumerik_starts_name(text[head.rest]))
 		return head;
-	at = skip_blanks(text, copy_name(text, head.rest, name));
+	at = sinumerik_skip_blanks(text, copy_name(text, head.rest, name));
 	if (text[at] == ':' && text[at + 1] != '=' && name[0]) {
 		strcpy(head.label, name);
-		head.rest = skip_blanks(text, at + 1);
+		head.rest = sinumerik_skip_blanks(text, at + 1);
 	}
 	return head;
 }
@@ -93,7 +82,7 @@ static bool has_jump(const char *words)
 /* "%_N_NAME_SPF": the head of a program in a file with several programs. */
 static bool is_head(const char *text)
 {
-	return text[skip_blanks(text, 0)] == '%';
+	return text[sinumerik_skip_blanks(text, 0)] == '%';
 }
 
 /* Reads the upper-case name in a head and returns its type, 'M' or 'S'; 0: the line is no head, or it has no type. */
@@ -105,7 +94,7 @@ static char read_head(const char *text, char name[SINUMERIK_NAME + 1])
 	name[0] = '\0';
 	if (!is_head(text))
 		return '\0';
-	at = skip_blanks(text, skip_blanks(text, 0) + 1);
+	at = sinumerik_skip_blanks(text, sinumerik_skip_blanks(text, 0) + 1);
 	if (text[at] == '_' && ascii_upper(text[at + 1]) == 'N' && text[at + 2] == '_')
 		at += 3;
 	copy_name(text, at, name);
@@ -165,23 +154,11 @@ static void remember(struct interp *interp, const char *target, long long from, 
 
 /* ------------------------------------------------------------------ search */
 
-/* Further reading overwrites the text of the current line, which messages and the lexer need: copies it. */
-static void keep_line(struct interp *interp)
-{
-	struct strbuf *line = &sinumerik_of(interp)->search.line;
-
-	if (interp->at.text == line->text)
-		return;
-	strbuf_clear(line);
-	strbuf_add(line, interp->at.text, strlen(interp->at.text));
-	interp->at.text = strbuf_text(line);
-}
-
 /* Searches for the name, or for what it describes, from this line on. False: reported, or cancelled. */
 static bool look(struct interp *interp, struct line_search *lines, const char *name, const struct position *from,
 		 int column)
 {
-	keep_line(interp);
+	program_keep_line(&interp->program, &interp->at);
 	lines->cancel = interp->config->read.cancel;
 	return line_search_run(lines, from) ||
 	       (lines->unfinished && line_search_refuse_pipe(&interp->at, column, name));
@@ -277,7 +254,7 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	*found = true;
 	if (recall(interp, key, from, to))
 		return true;
-	keep_line(interp);
+	program_keep_line(&interp->program, &interp->at);
 	if (direction != SINUMERIK_BACKWARD) {
 		search.lines.most = is_only(interp, name, &next) ? 1 : 2;
 		if (!look_for(interp, &search, &next, column))
@@ -383,7 +360,7 @@ static bool opens(const char *words, const struct structure *structure)
 
 	if (!is_word(words, 0, structure->open))
 		return false;
-	at = skip_blanks(words, strlen(structure->open));
+	at = sinumerik_skip_blanks(words, strlen(structure->open));
 	if (structure == &structures[SINUMERIK_UNTIL])
 		return !sinumerik_starts_name(words[at]);
 	return structure->open[0] != 'I' || !has_jump(words);

@@ -54,7 +54,7 @@ static bool is_idle(const char *name)
 static bool step_over_index(struct lexer *lexer)
 {
 	const char *text = lexer->at->text;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	int depth = 0;
 
 	if (lexer_peek(lexer) != '[')

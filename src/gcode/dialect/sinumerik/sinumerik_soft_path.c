@@ -12,11 +12,6 @@ bool sinumerik_soft_path_departs(int code)
 	return code == SINUMERIK_G(148) || code == SINUMERIK_G(248) || code == SINUMERIK_G(348);
 }
 
-static struct plane_point mad(struct plane_point from, double s, struct plane_point direction)
-{
-	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
-}
-
 /*
  * 840D sl, basic functions W1, "Soft approach and retraction": G141 is left of the contour and G142 right of it. G140
  * is the side of G41 or G42, also for a tool of radius 0; with G40 it is G143, the side on which the other end of the
@@ -67,7 +62,7 @@ static bool find_line(struct interp *interp, const struct sinumerik_soft_words *
 			     "radius",
 			     words->code / 10);
 	*path = (struct sinumerik_soft_path){
-	    .end = mad(contour, sinumerik_soft_path_departs(words->code) ? length : -length, along)};
+	    .end = plane_along(contour, sinumerik_soft_path_departs(words->code) ? length : -length, along)};
 	return true;
 }
 
@@ -89,8 +84,8 @@ static bool find_circle(struct interp *interp, const struct sinumerik_soft_words
 			     words->code / 10, interp->comp.radius);
 	path->is_arc = true;
 	path->clockwise = side < 0;
-	path->centre = mad(contour, side * radius, left);
-	path->end = half ? mad(contour, 2 * side * radius, left) : mad(path->centre, turned, along);
+	path->centre = plane_along(contour, side * radius, left);
+	path->end = half ? plane_along(contour, 2 * side * radius, left) : plane_along(path->centre, turned, along);
 	return true;
 }
 

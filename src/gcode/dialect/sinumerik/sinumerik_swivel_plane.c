@@ -31,9 +31,7 @@ static struct sinumerik_frame shift_by(vec3 by)
 {
 	struct sinumerik_frame frame = sinumerik_frame_none();
 
-	frame.shift.v[SLOT_X] = by.x;
-	frame.shift.v[SLOT_Y] = by.y;
-	frame.shift.v[SLOT_Z] = by.z;
+	slot_values_set_linear(&frame.shift, by);
 	return frame;
 }
 

@@ -18,13 +18,6 @@ static bool is_one_of(const char *name, const char *const *names, size_t count)
 
 #define IS_ONE_OF(name, names) is_one_of(name, names, sizeof(names) / sizeof((names)[0]))
 
-static size_t skip_blanks(const char *text, size_t at)
-{
-	while (text[at] == ' ' || text[at] == '\t')
-		at++;
-	return at;
-}
-
 /* The index of the word DO from `at` on, outside of strings; or the end. */
 static size_t find_do(const char *text, size_t at)
 {
@@ -59,14 +52,14 @@ static size_t skip_value(const char *text, size_t at)
 	bool quoted = false;
 	int depth = 0;
 
-	for (at = skip_blanks(text, at); text[at] && (quoted || text[at] != ';'); at++) {
+	for (at = sinumerik_skip_blanks(text, at); text[at] && (quoted || text[at] != ';'); at++) {
 		quoted = quoted != (text[at] == '"');
 		depth += quoted ? 0 : strchr("([", text[at]) ? 1 : strchr(")]", text[at]) ? -1 : 0;
 		if (!quoted && depth == 0 && assigns(text, at))
 			return at;
 		if (quoted || depth > 0 || (text[at + 1] != ' ' && text[at + 1] != '\t'))
 			continue;
-		if (!is_operator(text[at]) && !is_operator(text[skip_blanks(text, at + 1)]))
+		if (!is_operator(text[at]) && !is_operator(text[sinumerik_skip_blanks(text, at + 1)]))
 			return at + 1;
 	}
 	return at;
@@ -96,7 +89,7 @@ static bool take_action(struct interp *interp, struct lexer *lexer)
 					      "$AA_OVR", "$AC_VC", "$AC_TIMER", "$AC_MARKER", "$AC_PARAM"};
 	static const char *const plain[] = {"STOPREOF", "RDISABLE"};
 	const char *text = lexer->at->text;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	char name[SINUMERIK_NAME + 1] = "";
 
 	sinumerik_name_read(lexer, name);
@@ -124,7 +117,7 @@ bool sinumerik_synchronous_take(struct interp *interp, struct lexer *lexer, cons
 	static const char *const conditions[] = {"WHEN", "WHENEVER", "EVERY", "DO"};
 	static const char *const numbers[] = {"ID", "IDS"};
 	const char next = lexer_peek(lexer);
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 
 	*is = next == '=' ? IS_ONE_OF(name, numbers) : IS_ONE_OF(name, conditions);
 	if (!*is)

@@ -43,7 +43,7 @@ static bool read_values(struct interp *interp, struct lexer *lexer, const char *
 			       !sinumerik_expr_number(interp, lexer, &values->value[slot])))
 			return false;
 		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
-			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
+			return fault(lexer->at, lexer_next_column(lexer), "',' or ')' is needed here");
 	}
 	lexer_take(lexer);
 	return true;
@@ -67,7 +67,7 @@ static bool read_offset_part(struct interp *interp, struct lexer *lexer, slot_va
 		bool shifts;
 		double nothing;
 	} parts[] = {{"CTRANS", true, 0}, {"CFINE", true, 0}, {"CROT", false, 0}, {"CSCALE", false, 1}};
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct part_values values;
 	size_t i = 0;
 
@@ -167,7 +167,7 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 		enum sinumerik_frame_code code;
 	} parts[] = {{"CTRANS", SINUMERIK_TRANS}, {"CROT", SINUMERIK_ROT}, {"CSCALE", SINUMERIK_SCALE},
 		     {"CMIRROR", SINUMERIK_MIRROR}};
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	struct sinumerik_frame_words words = {.added = !first, .column = column};
 	struct part_values values;
 	size_t i = 0;

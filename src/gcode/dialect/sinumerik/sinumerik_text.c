@@ -35,7 +35,7 @@ bool sinumerik_text_measures(const char *name)
 static bool quoted(struct lexer *lexer, struct sinumerik_text *text)
 {
 	const char *start, *end;
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 
 	lexer_take(lexer);
 	start = lexer->at->text + lexer->position;
@@ -84,7 +84,7 @@ bool sinumerik_text_follows(struct interp *interp, struct lexer *lexer)
 
 static bool whole(struct expr *expr, const char *what, int most, int *number)
 {
-	const int column = expr_column(expr->lexer);
+	const int column = lexer_next_column(expr->lexer);
 	struct expr_operand value;
 
 	if (!expr_sum(expr, &value))
@@ -98,7 +98,7 @@ static bool whole(struct expr *expr, const char *what, int most, int *number)
 
 static bool read_variable(struct expr *expr, const struct sinumerik_variable *variable, struct sinumerik_text *text)
 {
-	const int column = expr_column(expr->lexer);
+	const int column = lexer_next_column(expr->lexer);
 	char name[SINUMERIK_NAME + 1];
 	size_t element = 0;
 	int index = 0;
@@ -113,7 +113,8 @@ static bool read_variable(struct expr *expr, const struct sinumerik_variable *va
 	if (variable->dimensions > 0 && !sinumerik_name_need(expr->lexer, ']', "the indices"))
 		return false;
 	if (lexer_peek(expr->lexer) == '[')
-		return fault(expr->lexer->at, expr_column(expr->lexer), "single bytes of a text are not supported");
+		return fault(expr->lexer->at, lexer_next_column(expr->lexer),
+			     "single bytes of a text are not supported");
 	*text = variable->texts[element];
 	return sinumerik_variables_check(expr->lexer->at, variable, element, column);
 }
@@ -176,7 +177,7 @@ static bool piece(struct expr *expr, struct sinumerik_text *text)
 
 bool sinumerik_text_read(struct expr *expr, struct sinumerik_text *text)
 {
-	const int column = expr_column(expr->lexer);
+	const int column = lexer_next_column(expr->lexer);
 	struct sinumerik_text next;
 
 	text->bytes[0] = '\0';
@@ -206,7 +207,7 @@ bool sinumerik_text_compare(struct expr *expr, struct expr_operand *value)
 
 	if (!sinumerik_text_read(expr, &left))
 		return false;
-	column = expr_column(expr->lexer);
+	column = lexer_next_column(expr->lexer);
 	for (size_t i = 0; i < sizeof(comparisons) / sizeof(comparisons[0]); i++) {
 		if (!lexer_keyword(expr->lexer, comparisons[i].name))
 			continue;
@@ -250,7 +251,7 @@ static bool search(struct expr *expr, const char *name, const char *text, double
 
 	if (!sinumerik_name_need(expr->lexer, ',', name))
 		return false;
-	column = expr_column(expr->lexer);
+	column = lexer_next_column(expr->lexer);
 	if (!sinumerik_text_read(expr, &what))
 		return false;
 	if (what.bytes[0] == '\0' || (what.bytes[1] && strcmp(name, "MINDEX") != 0))
@@ -261,7 +262,7 @@ static bool search(struct expr *expr, const char *name, const char *text, double
 
 bool sinumerik_text_measure(struct expr *expr, const char *name, double *value)
 {
-	const int column = expr_column(expr->lexer);
+	const int column = lexer_next_column(expr->lexer);
 	struct sinumerik_text text;
 
 	if (!expr_enter(expr) || !expr_open(expr, name) || !sinumerik_text_read(expr, &text))

@@ -8,7 +8,7 @@
 
 bool sinumerik_traori_read(struct interp *interp, struct lexer *lexer)
 {
-	const int column = expr_column(lexer);
+	const int column = lexer_next_column(lexer);
 	double arguments[4] = {1, 0, 0, 1};
 	size_t count = 0;
 
