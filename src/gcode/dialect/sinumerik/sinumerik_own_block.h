@@ -11,4 +11,7 @@
  */
 bool sinumerik_own_block_check(struct interp *interp, const struct sinumerik_block *block);
 
+/* Carries out such a code. *done: there is one, and it has taken the words of the block. False: reported. */
+bool sinumerik_own_block_run(struct interp *interp, const struct sinumerik_block *block, bool *done);
+
 #endif
