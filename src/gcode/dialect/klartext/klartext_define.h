@@ -4,7 +4,6 @@
 
 #include <stdbool.h>
 
-#include "gcode/state.h"
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
@@ -25,11 +24,5 @@ bool klartext_define_line(struct lexer *lexer);
 
 /* Ends an open definition. False: reported. */
 bool klartext_define_end(struct interp *interp);
-
-/* Reads words of axes, "X+10 IY-5", up to the end of the line, like those of CYCL DEF 7. False: reported. */
-bool klartext_define_read_axes(struct lexer *lexer, struct klartext_cycle *cycle);
-
-/* Adds a word. False: there is no room. */
-bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double value);
 
 #endif

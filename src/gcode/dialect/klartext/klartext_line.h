@@ -1,4 +1,4 @@
-/* klartext_line.h - determines the block type of a Klartext line, and calls the function for it. */
+/* klartext_line.h - reads a line: comments, block numbers, lines that continue a block or a definition. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LINE_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LINE_H
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "gcode/dialect/klartext/klartext_define.h"
+#include "gcode/dialect/klartext/klartext_cycle_words.h"
 #include "gcode/dialect/klartext/klartext_frame_cycle.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_preset.h"
@@ -52,7 +52,8 @@ static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 
 	if (klartext_take(lexer, "RESET")) {
 		for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
-			if (interp->config->has_axis[slot] && !klartext_define_add_axis(cycle, AXIS_LETTERS[slot], 0))
+			if (interp->config->has_axis[slot] &&
+			    !klartext_cycle_words_add_axis(cycle, AXIS_LETTERS[slot], 0))
 				return false;
 		}
 		return klartext_expect_end(lexer) && klartext_frame_cycle_shift(lexer->context, cycle);
@@ -61,7 +62,7 @@ static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
 		return read_row(lexer, cycle) && klartext_frame_cycle_shift(lexer->context, cycle);
 	if (!klartext_take(lexer, "AXIS"))
 		return fault(lexer->at, lexer_next_column(lexer), "TRANS DATUM needs AXIS, TABLE or RESET");
-	return klartext_define_read_axes(lexer, cycle) && check_datum(lexer, cycle) &&
+	return klartext_cycle_words_read(lexer, cycle) && check_datum(lexer, cycle) &&
 	       klartext_frame_cycle_shift(lexer->context, cycle);
 }
 
@@ -73,7 +74,7 @@ static bool mirror(struct lexer *lexer, struct klartext_cycle *cycle)
 
 	if (klartext_take(lexer, "RESET"))
 		return klartext_expect_end(lexer) && klartext_frame_cycle_mirror(interp, cycle);
-	if (!klartext_take(lexer, "AXIS") || !klartext_define_read_axes(lexer, cycle))
+	if (!klartext_take(lexer, "AXIS") || !klartext_cycle_words_read(lexer, cycle))
 		return fault(lexer->at, lexer_next_column(lexer), "TRANS MIRROR needs AXIS and the letters of axes");
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool named = false;
@@ -96,7 +97,7 @@ static bool rotate(struct lexer *lexer, struct klartext_cycle *cycle)
 		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "ROT", .given = true};
 		return klartext_expect_end(lexer) && klartext_frame_cycle_rotate(lexer->context, cycle);
 	}
-	return klartext_define_read_axes(lexer, cycle) && klartext_frame_cycle_rotate(lexer->context, cycle);
+	return klartext_cycle_words_read(lexer, cycle) && klartext_frame_cycle_rotate(lexer->context, cycle);
 }
 
 /* "TRANS SCALE": SCL with a factor, as CYCL DEF 11. */
@@ -106,7 +107,7 @@ static bool scale(struct lexer *lexer, struct klartext_cycle *cycle)
 		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "SCL", .value = 1, .given = true};
 		return klartext_expect_end(lexer) && klartext_frame_cycle_scale(lexer->context, cycle);
 	}
-	return klartext_define_read_axes(lexer, cycle) && klartext_frame_cycle_scale(lexer->context, cycle);
+	return klartext_cycle_words_read(lexer, cycle) && klartext_frame_cycle_scale(lexer->context, cycle);
 }
 
 bool klartext_transform_run(struct lexer *lexer)
