@@ -41,6 +41,11 @@ static inline axis_values axis_values_between(const axis_values *a, const axis_v
 	return q;
 }
 
+static inline axis_values axis_values_middle(const axis_values *a, const axis_values *b)
+{
+	return axis_values_between(a, b, 0.5);
+}
+
 /* The slot of an upper-case letter, or -1. */
 static inline int slot_of_letter(char letter)
 {

@@ -31,6 +31,12 @@ struct body {
 	struct srcloc loc;	/* of the element that names it */
 };
 
+/* Is it one of the machine's own bodies on this link? */
+static inline bool body_is_of_link(const struct body *body, int link)
+{
+	return body->role == ROLE_MACHINE && body->link == link;
+}
+
 /* The answer of a rule of <pairs> for two bodies, roles or links. */
 enum rule_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
 

@@ -131,7 +131,7 @@ void head_check(const struct scene *scene, struct doubts *doubts)
 			const struct body *body = scene->bodies[i].body;
 			struct side_view seen;
 
-			if (body->link != scene->machine->spindle.link || body->role != ROLE_MACHINE)
+			if (!body_is_of_link(body, scene->machine->spindle.link))
 				continue;
 			seen = view(scene, (int)i);
 			if (pass == 0) {

@@ -9,11 +9,6 @@ static const double GAP_MOST = 50;
 /* mm: the largest distance of two bodies at a joint. A pair that is excused beyond it should be checked. */
 static const double NEIGHBOURS_MOST = 20;
 
-static bool is_own(const struct scene *scene, size_t body, int link)
-{
-	return scene->bodies[body].body->role == ROLE_MACHINE && scene->bodies[body].body->link == link;
-}
-
 /*
  * A lower bound of the distance of two bodies at home, at least 0.9 of the distance; any lower bound if the distance is
  * below `enough`.
@@ -40,7 +35,7 @@ static struct doubt nearest_of(struct scene *scene, int link)
 	struct doubt nearest = {.kind = DOUBT_GAP, .axis = link - 1, .value = INFINITY};
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		for (size_t k = 0; k < scene->body_count && is_own(scene, i, link); k++) {
+		for (size_t k = 0; k < scene->body_count && body_is_of_link(scene->bodies[i].body, link); k++) {
 			const struct body *other = scene->bodies[k].body;
 			double distance;
 

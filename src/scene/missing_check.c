@@ -8,15 +8,10 @@
 /* A travel divided by the extent of all bodies along it. Of 285 axes of real machines the largest is 0.83. */
 static const double TRAVEL_MOST = 1.5;
 
-static bool is_own(const struct scene *scene, size_t body)
-{
-	return scene->bodies[body].body->role == ROLE_MACHINE;
-}
-
 static bool has_bodies(const struct scene *scene, int link)
 {
 	for (size_t i = 0; i < scene->body_count; i++) {
-		if (is_own(scene, i) && scene->bodies[i].body->link == link)
+		if (body_is_of_link(scene->bodies[i].body, link))
 			return true;
 	}
 	return false;
@@ -54,7 +49,7 @@ static double extent_along(const struct scene *scene, vec3 along)
 	vec3 size;
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		if (is_own(scene, i))
+		if (scene->bodies[i].body->role == ROLE_MACHINE)
 			box = placed_box_union(box, placed_box_of(scene, (int)i));
 	}
 	size = vec3_sub(box.greatest, box.least);

@@ -35,7 +35,7 @@ static int nearest_body(const struct scene *scene, int link, vec3 point, double 
 		const struct body *body = scene->bodies[i].body;
 		double d;
 
-		if (body->link != link || body->role != ROLE_MACHINE)
+		if (!body_is_of_link(body, link))
 			continue;
 		d = placed_box_distance(placed_box_of(scene, (int)i), point);
 		if (d < *distance) {

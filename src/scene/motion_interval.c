@@ -134,11 +134,7 @@ static axis_values half_sizes(const struct chord *box)
 
 static axis_values middle_of(const struct chord *box)
 {
-	axis_values middle;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * box->q0.v[i] + 0.5 * box->q1.v[i];
-	return middle;
+	return axis_values_middle(&box->q0, &box->q1);
 }
 
 /*

@@ -7,7 +7,7 @@ static bool names(const struct pair_name *name, const struct body *body)
 {
 	switch (name->kind) {
 	case NAME_LINK:
-		return body->role == ROLE_MACHINE && body->link == name->link;
+		return body_is_of_link(body, name->link);
 	case NAME_ROLE:
 		return body->role == name->role;
 	case NAME_BODY:

@@ -249,7 +249,7 @@ static bool judge_link(const struct scene *scene, int link, struct rings *rings)
 	for (size_t i = 0; i < scene->body_count && rings->nearest > MIDDLE_OFF; i++) {
 		const struct scene_body *body = &scene->bodies[i];
 
-		if (body->body->link != link || body->body->role != ROLE_MACHINE)
+		if (!body_is_of_link(body->body, link))
 			continue;
 		if (body->bvh->mesh.count > MESH_MOST)
 			return false;

@@ -34,9 +34,7 @@ static bool is_set_up(const struct scene *scene, int body)
 /* The machine's own bodies that move with the workholding. */
 static bool is_table(const struct scene *scene, int body)
 {
-	const struct body *b = scene->bodies[body].body;
-
-	return b->role == ROLE_MACHINE && b->link == scene->machine->workholding.link;
+	return body_is_of_link(scene->bodies[body].body, scene->machine->workholding.link);
 }
 
 /* A lower bound of the distance of two bodies on one link, at least 0.9 of the distance. */

@@ -43,18 +43,13 @@ static bool check_all(const struct scene *scene, struct doubts *doubts)
 	return doubt.value >= SIZE_LEAST * doubt.limit;
 }
 
-static bool is_own(const struct scene *scene, size_t body)
-{
-	return scene->bodies[body].body->role == ROLE_MACHINE;
-}
-
 /* The size of all bodies of a link together. */
 static double link_size(const struct scene *scene, int link)
 {
 	struct placed_box box = placed_box_empty();
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		if (is_own(scene, i) && scene->bodies[i].body->link == link)
+		if (body_is_of_link(scene->bodies[i].body, link))
 			box = placed_box_union(box, placed_box_of(scene, (int)i));
 	}
 	return placed_box_size(box);
@@ -65,7 +60,7 @@ static void check_bodies(const struct scene *scene, struct doubts *doubts)
 	struct doubt doubt = {.kind = DOUBT_BODY_SMALL, .limit = kinematics_longest_travel(scene->machine)};
 
 	for (size_t i = 0; i < scene->body_count; i++) {
-		if (!is_own(scene, i) || scene->bodies[i].body->checked)
+		if (scene->bodies[i].body->role != ROLE_MACHINE || scene->bodies[i].body->checked)
 			continue;
 		doubt.body = (int)i;
 		doubt.value = placed_box_size(placed_box_of(scene, (int)i));

@@ -142,15 +142,6 @@ static enum tri_pair_answer prove_chord(const struct motion_interval *interval, 
 	return TRI_PAIR_TOUCHES;
 }
 
-static axis_values box_middle(const struct motion_interval *interval)
-{
-	axis_values q;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		q.v[i] = 0.5 * interval->chord.q0.v[i] + 0.5 * interval->chord.q1.v[i];
-	return q;
-}
-
 static enum tri_pair_answer prove_box(const struct motion_interval *interval, const struct body_pair *pair,
 				      const tri *a, const tri *b, const struct tri_pair_query *question,
 				      struct contact *contact)
@@ -170,7 +161,8 @@ static enum tri_pair_answer prove_box(const struct motion_interval *interval, co
 		if (!question->final)
 			return TRI_PAIR_OPEN;
 	}
-	*contact = (struct contact){0, box_middle(interval), n.distance, n.middle, 0};
+	*contact = (struct contact){0, axis_values_middle(&interval->chord.q0, &interval->chord.q1), n.distance,
+				    n.middle, 0};
 	return TRI_PAIR_TOUCHES;
 }
 

@@ -115,11 +115,7 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 
 axis_values plane_motion_middle(const struct plane_motion *motion)
 {
-	axis_values middle;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
-	return middle;
+	return axis_values_middle(&motion->q0, &motion->q1);
 }
 
 static bool leaves_path(const struct chain *chain, const struct position_errors *errors)
@@ -133,15 +129,14 @@ static bool leaves_path(const struct chain *chain, const struct position_errors 
 double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
 			 const struct position_errors *errors)
 {
+	const axis_values middle = plane_motion_middle(motion);
 	struct chain_state state;
-	axis_values middle, half;
+	axis_values half;
 
 	if (!leaves_path(bodies->chain, errors))
 		return 0;
-	for (int i = 0; i < SLOT_COUNT; i++) {
-		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
+	for (int i = 0; i < SLOT_COUNT; i++)
 		half.v[i] = 0.5 * fabs(motion->q1.v[i] - motion->q0.v[i]) + motion->chord_error.v[i];
-	}
 	chain_state_init(&state, bodies->chain, &middle, &bodies->ball_a, &bodies->ball_b);
 	return box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
 }

@@ -160,18 +160,6 @@ bool expr_part(struct expr *expr, int rank, struct expr_operand *value)
 
 /* ----------------------------------------------------------------- values */
 
-/* Is there a blank inside the number? Blanks before and after the number do not count. */
-static bool has_blank(const char *text, size_t start, size_t end)
-{
-	while (end > start && (text[end - 1] == ' ' || text[end - 1] == '\t'))
-		end--;
-	for (size_t at = start; at < end; at++) {
-		if (text[at] == ' ' || text[at] == '\t')
-			return true;
-	}
-	return false;
-}
-
 /* Reads EX-3 directly after a number, which is then multiplied by this power of ten. */
 static bool read_exponent(struct expr *expr, double *value)
 {
@@ -205,7 +193,7 @@ bool expr_number(struct expr *expr, double *value)
 	switch (expr->rules->decimal_comma ? number_read_with_comma(lexer->at->text, &position, value)
 					   : number_read(lexer->at->text, &position, value, &point)) {
 	case NUMBER_OK:
-		if (expr->rules->whole_words && has_blank(lexer->at->text, lexer->position, position))
+		if (expr->rules->whole_words && number_has_blank(lexer->at->text, lexer->position, position))
 			return fault(lexer->at, lexer_column(lexer), "a blank inside a number");
 		lexer->position = position;
 		return !expr->rules->exponents || read_exponent(expr, value);

@@ -73,7 +73,7 @@ bool tool_table_find_name(const struct tool_table *table, const struct line_plac
 	return true;
 }
 
-const struct length_offset *tool_table_length(const struct tool_table *table, int number)
+static struct length_offset *find_length(const struct tool_table *table, int number)
 {
 	for (size_t i = 0; i < table->length_count; i++) {
 		if (table->lengths[i].number == number)
@@ -82,13 +82,23 @@ const struct length_offset *tool_table_length(const struct tool_table *table, in
 	return NULL;
 }
 
-const struct radius_offset *tool_table_radius(const struct tool_table *table, int number)
+static struct radius_offset *find_radius(const struct tool_table *table, int number)
 {
 	for (size_t i = 0; i < table->radius_count; i++) {
 		if (table->radii[i].number == number)
 			return &table->radii[i];
 	}
 	return NULL;
+}
+
+const struct length_offset *tool_table_length(const struct tool_table *table, int number)
+{
+	return find_length(table, number);
+}
+
+const struct radius_offset *tool_table_radius(const struct tool_table *table, int number)
+{
+	return find_radius(table, number);
 }
 
 void tool_table_set_length(struct tool_table *table, int number, double length)
@@ -105,10 +115,10 @@ void tool_table_set_length(struct tool_table *table, int number, double length)
 
 struct length_offset *tool_table_need_length(struct tool_table *table, int number)
 {
-	for (size_t i = 0; i < table->length_count; i++) {
-		if (table->lengths[i].number == number)
-			return &table->lengths[i];
-	}
+	struct length_offset *found = find_length(table, number);
+
+	if (found)
+		return found;
 	table->lengths =
 	    mem_grow(table->lengths, &table->length_capacity, table->length_count + 1, sizeof(*table->lengths));
 	table->lengths[table->length_count] = (struct length_offset){.number = number};
@@ -117,10 +127,10 @@ struct length_offset *tool_table_need_length(struct tool_table *table, int numbe
 
 struct radius_offset *tool_table_need_radius(struct tool_table *table, int number)
 {
-	for (size_t i = 0; i < table->radius_count; i++) {
-		if (table->radii[i].number == number)
-			return &table->radii[i];
-	}
+	struct radius_offset *found = find_radius(table, number);
+
+	if (found)
+		return found;
 	table->radii = mem_grow(table->radii, &table->radius_capacity, table->radius_count + 1, sizeof(*table->radii));
 	table->radii[table->radius_count] = (struct radius_offset){.number = number};
 	return &table->radii[table->radius_count++];

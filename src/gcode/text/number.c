@@ -135,3 +135,14 @@ enum number_status number_read_with_comma(const char *text, size_t *position, do
 	*position = (size_t)(end - text);
 	return NUMBER_OK;
 }
+
+bool number_has_blank(const char *text, size_t start, size_t end)
+{
+	while (start < end && is_blank(text[start]))
+		start++;
+	while (end > start && is_blank(text[end - 1]))
+		end--;
+	while (start < end && !is_blank(text[start]))
+		start++;
+	return start < end;
+}

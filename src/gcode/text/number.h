@@ -89,6 +89,9 @@ static inline const char *number_read_usual(const char *text, double *value, boo
 	return end && (unsigned char)(*end - '0') > 9 && *end != '.' ? end : NULL;
 }
 
+/* Is there a blank inside a number that was read from start to end? Blanks before and after it do not count. */
+bool number_has_blank(const char *text, size_t start, size_t end);
+
 /* Reads [+-] digits [, or .] digits without any blank, like number_read. */
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value);
 

@@ -168,20 +168,6 @@ static bool take_word(struct reading *r, char letter, int column, double value, 
 	}
 }
 
-/* Blanks before and after the number do not belong to it. */
-static bool has_blank(const char *text, size_t start, size_t end)
-{
-	while (start < end && (text[start] == ' ' || text[start] == '\t'))
-		start++;
-	while (end > start && (text[end - 1] == ' ' || text[end - 1] == '\t'))
-		end--;
-	for (size_t at = start; at < end; at++) {
-		if (text[at] == ' ' || text[at] == '\t')
-			return true;
-	}
-	return false;
-}
-
 /* A number of an unusual form. If there is none, the position does not change. */
 static bool read_spaced(struct reading *r, char letter, int column, size_t *position, double *value)
 {
@@ -191,7 +177,7 @@ static bool read_spaced(struct reading *r, char letter, int column, size_t *posi
 
 	if (number_read(at->text, position, value, &point) == NUMBER_TOO_LONG)
 		return fault(at, column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
-	if (has_blank(at->text, start, *position))
+	if (number_has_blank(at->text, start, *position))
 		return fault(at, column, "a blank inside the number of %c; what a control makes of it differs", letter);
 	return true;
 }
