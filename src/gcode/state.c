@@ -29,45 +29,23 @@ static slot_values from_canonical(const axis_values *values)
 	return result;
 }
 
-#define EXTENDED_TEN(tens) \
-	"G54.1 P" tens "0", "G54.1 P" tens "1", "G54.1 P" tens "2", "G54.1 P" tens "3", "G54.1 P" tens "4", \
-	    "G54.1 P" tens "5", "G54.1 P" tens "6", "G54.1 P" tens "7", "G54.1 P" tens "8", "G54.1 P" tens "9"
-
-#define EXTENDED_TENS(hundreds)                                                                                        \
-	EXTENDED_TEN(hundreds "1"), EXTENDED_TEN(hundreds "2"), EXTENDED_TEN(hundreds "3"),                            \
-	    EXTENDED_TEN(hundreds "4"), EXTENDED_TEN(hundreds "5"), EXTENDED_TEN(hundreds "6"),                        \
-	    EXTENDED_TEN(hundreds "7"), EXTENDED_TEN(hundreds "8"), EXTENDED_TEN(hundreds "9")
-
-#define SETTABLE_TEN(tens) \
-	"G5" tens "0", "G5" tens "1", "G5" tens "2", "G5" tens "3", "G5" tens "4", "G5" tens "5", "G5" tens "6", \
-	    "G5" tens "7", "G5" tens "8", "G5" tens "9"
+#define NINE(prefix) \
+	prefix "1", prefix "2", prefix "3", prefix "4", prefix "5", prefix "6", prefix "7", prefix "8", prefix "9"
+#define TEN(prefix) prefix "0", NINE(prefix)
+#define NINE_TENS(prefix) \
+	TEN(prefix "1"), TEN(prefix "2"), TEN(prefix "3"), TEN(prefix "4"), TEN(prefix "5"), TEN(prefix "6"), \
+	    TEN(prefix "7"), TEN(prefix "8"), TEN(prefix "9")
 
 const char *state_system_name(int system)
 {
-	static const char *const settable[] = {"G505",
-					       "G506",
-					       "G507",
-					       "G508",
-					       "G509",
-					       SETTABLE_TEN("1"),
-					       SETTABLE_TEN("2"),
-					       SETTABLE_TEN("3"),
-					       SETTABLE_TEN("4"),
-					       SETTABLE_TEN("5"),
-					       SETTABLE_TEN("6"),
-					       SETTABLE_TEN("7"),
-					       SETTABLE_TEN("8"),
-					       SETTABLE_TEN("9"),
-					       "G500"};
-	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
-							"G59", "G59.1", "G59.2", "G59.3"};
-	static const char *const extended[EXTENDED_COUNT + 1] = {
-	    EXTENDED_TEN(""),	EXTENDED_TENS(""),  EXTENDED_TEN("10"), EXTENDED_TENS("1"),
-	    EXTENDED_TEN("20"), EXTENDED_TENS("2"), "G54.1 P300"};
+	static const char *const names[SYSTEMS_ALL] = {
+	    "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3",
+	    NINE("G54.1 P"), NINE_TENS("G54.1 P"),
+	    TEN("G54.1 P10"), NINE_TENS("G54.1 P1"),
+	    TEN("G54.1 P20"), NINE_TENS("G54.1 P2"), "G54.1 P300",
+	    "G505", "G506", "G507", "G508", "G509", NINE_TENS("G5"), "G500"};
 
-	if (system >= SYSTEM_SETTABLE)
-		return settable[system - SYSTEM_SETTABLE];
-	return system < SYSTEM_COUNT ? names[system] : extended[system - SYSTEM_COUNT + 1];
+	return names[system];
 }
 
 /* The number of a work offset by its name, or -1. */

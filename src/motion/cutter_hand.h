@@ -10,7 +10,7 @@
 #include "gcode/canon.h"
 #include "machine/setup.h"
 
-/* Of the tool in the spindle. */
+/* The hand of the tool in the spindle, and whether a check needs it. */
 struct cutter_hand {
 	int tool;
 	enum tool_hand hand;	/* HAND_UNKNOWN also if it is no turning cutter */

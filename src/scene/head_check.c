@@ -77,7 +77,7 @@ static void cross(struct lines *lines, int line, const mesh_triangle *t)
 	lines->behind[line] = larger(-at, lines->behind[line]);
 }
 
-/* What most of the lines show of a body of the head. */
+/* Where a body of the head lies, as most of the lines meet it. */
 struct side_view {
 	bool ahead, behind;	/* more than NOSE of it is on that side of the gauge point */
 	bool any_ahead;	/* one line finds more than NOSE ahead */

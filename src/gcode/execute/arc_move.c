@@ -259,7 +259,7 @@ static bool send_arc(struct interp *interp, const struct arc_plane *plane, const
 	return motion_commands_go(interp, target, move);
 }
 
-/* Where the arc starts is not known since a fault: its end is reached all the same, and nothing hears of the way. */
+/* After a fault the start of the arc is not known. A line to its end updates the position; no move is sent any more. */
 static bool go_from_lost(struct interp *interp, const slot_values *target)
 {
 	struct canon_move move = {.kind = CANON_FEED};

@@ -11,7 +11,7 @@
 /* The points are on one line if the sine of the angle between the two chords is less than this. */
 #define LEAST_BEND 1e-9
 
-/* What is active that these arcs are not followed under; NULL: nothing. */
+/* An active mode under which these arcs are not supported; NULL: none. */
 static const char *hindrance_of(const struct interp *interp)
 {
 	const struct state *state = &interp->state;

@@ -12,7 +12,7 @@
 #include "scene/scene.h"
 #include "scene/sweep.h"
 
-/* Of a row; the scales are in record_scales.h. */
+/* The columns of a row; the scales are in record_scales.h. */
 enum {
 	PLANE_TIME,
 	PLANE_PAIR,
