@@ -120,6 +120,25 @@ START_TEST(reads_back)
 }
 END_TEST
 
+START_TEST(has_a_limit)
+{
+	for (int more = 0; more < 2; more++) {
+		struct toa_file file = {0};
+		struct arena arena = {0};
+		struct diag diag = {0};
+		struct strbuf text = {0};
+
+		for (int i = 0; i < TOA_MOST + more; i++)
+			strbuf_addf(&text, "$TC_DP3[%d,1]=5\n", i + 1);
+		ck_assert(toa_file_read(&file, &arena, strbuf_text(&text), "t", &diag) == !more);
+		ck_assert((int)diag.errors == more);
+		toa_file_release(&file);
+		arena_release(&arena);
+		strbuf_release(&text);
+	}
+}
+END_TEST
+
 START_TEST(is_no_archive)
 {
 	ck_assert(!toa_file_is("G0 X1\n; $TC_DP3[1,1]=5\n"));
@@ -132,7 +151,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {reads_back, is_no_archive};
+	const TTest *const tests[] = {reads_back, has_a_limit, is_no_archive};
 
 	return RUN_TESTS("toa_file", tests);
 }

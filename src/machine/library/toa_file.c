@@ -176,6 +176,16 @@ static bool read_assignment(struct reading *r, struct assignment *out)
 
 /* -------------------------------------------------------------------- data */
 
+/* Is there space for another one? False: reported. */
+static bool has_space(const struct reading *r, size_t count)
+{
+	if (count < TOA_MOST)
+		return true;
+	diag_error(r->diag, r->at, "the file has more than %d tools or edges, more than any control archives", TOA_MOST);
+	return false;
+}
+
+/* NULL: reported. */
 static struct toa_edge *edge_of(struct reading *r, long tool, long number)
 {
 	struct toa_file *file = r->file;
@@ -184,11 +194,14 @@ static struct toa_edge *edge_of(struct reading *r, long tool, long number)
 	for (size_t i = file->edge_count; i > 0; i--)
 		if (file->edges[i - 1].tool == tool && file->edges[i - 1].number == number)
 			return &file->edges[i - 1];
+	if (!has_space(r, file->edge_count))
+		return NULL;
 	file->edges = mem_grow(file->edges, &file->edge_capacity, file->edge_count + 1, sizeof(*file->edges));
 	file->edges[file->edge_count] = (struct toa_edge){.tool = tool, .number = number, .line = r->at.line};
 	return &file->edges[file->edge_count++];
 }
 
+/* NULL: reported. */
 static struct toa_tool *tool_of(struct reading *r, long number)
 {
 	struct toa_file *file = r->file;
@@ -196,6 +209,8 @@ static struct toa_tool *tool_of(struct reading *r, long number)
 	for (size_t i = file->tool_count; i > 0; i--)
 		if (file->tools[i - 1].number == number)
 			return &file->tools[i - 1];
+	if (!has_space(r, file->tool_count))
+		return NULL;
 	file->tools = mem_grow(file->tools, &file->tool_capacity, file->tool_count + 1, sizeof(*file->tools));
 	file->tools[file->tool_count] = (struct toa_tool){.number = number, .line = r->at.line};
 	return &file->tools[file->tool_count++];
@@ -218,6 +233,8 @@ static bool set_edge(struct reading *r, const struct assignment *a)
 	if (a->count != 2 || a->is_text)
 		return fault(r, "$TC_DP needs a tool, an edge and a number, as in $TC_DP3[5,1]=120.25");
 	edge = edge_of(r, a->index[0], a->index[1]);
+	if (!edge)
+		return false;
 	if (edge->lines[parameter]) {
 		diag_error(r->diag, r->at, "$TC_DP%ld[%ld,%ld] is given twice (also in line %ld)", parameter,
 			   edge->tool, edge->number, edge->lines[parameter]);
@@ -236,6 +253,8 @@ static bool set_tool(struct reading *r, const struct assignment *a)
 	if (a->count != 1 || !a->is_text)
 		return fault(r, "$TC_TP2 needs a tool and a name, as in $TC_TP2[5]=\"MILL\"");
 	tool = tool_of(r, a->index[0]);
+	if (!tool)
+		return false;
 	if (tool->name) {
 		diag_error(r->diag, r->at, "$TC_TP2[%ld] is given twice (also in line %ld)", tool->number, tool->line);
 		return false;

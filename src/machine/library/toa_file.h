@@ -14,6 +14,9 @@
 /* The largest n of $TC_DPn that is kept. */
 enum { TOA_PARAMETERS = 23 };
 
+/* The most tools, and the most edges, of a file: those of controls are a tenth of it. */
+enum { TOA_MOST = 20000 };
+
 /* An edge: $TC_DPn[tool,edge]. */
 struct toa_edge {
 	long tool, number;
