@@ -181,7 +181,8 @@ static bool has_space(const struct reading *r, size_t count)
 {
 	if (count < TOA_MOST)
 		return true;
-	diag_error(r->diag, r->at, "the file has more than %d tools or edges, more than any control archives", TOA_MOST);
+	diag_error(r->diag, r->at, "the file has more than %d tools or edges, more than any control archives",
+		   TOA_MOST);
 	return false;
 }
 
