@@ -88,9 +88,10 @@ enum edge_after_tool_change {
 /* An increment after a change of offsets: it also traverses the change, or counts from the position of the axis. */
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
-/* When MB of PLANE ... TURN retracts the tool: always, or only if a rotary axis has to turn. */
 /* A datum shift from before a tilted plane, after a shift of the same axis in the plane and the end of the plane. */
 enum shift_behind_plane { SHIFT_BEHIND_PLANE_UNKNOWN, SHIFT_BEHIND_PLANE_KEEPS, SHIFT_BEHIND_PLANE_CANCELLED };
+
+/* When MB of PLANE ... TURN retracts the tool: always, or only if a rotary axis has to turn. */
 enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
 
 /*

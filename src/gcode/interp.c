@@ -100,6 +100,7 @@ static APART bool take_words(struct interp *interp)
 	    .after_g80 = state_motion_after_g80(&interp->state, traits_of(interp)),
 	    .incremental = interp->state.incremental,
 	    .vectors = interp->state.length_code == G43_5,
+	    .plane = interp->state.plane,
 	};
 	const size_t errors = interp->diag->errors;
 	const struct line_place *checked = &interp->at;

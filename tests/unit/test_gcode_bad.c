@@ -55,6 +55,7 @@ static const struct bad texts[] = {
     {"G0 X5 ^45\n", 1, 7, "X and Y cannot stand beside polar coordinates (@, ^)"},
     {"G0 @5 @6\n", 1, 7, "@ occurs twice in the block"},
     {"G0 @\n", 1, 4, "@ without a number"},
+    {"G18\nG0 @5 ^10\n", 2, 4, "polar coordinates (@, ^) need the plane G17 in a block before"},
     {"G92 @5 ^10\n", 1, 5, "polar coordinates (@, ^) are supported with G0, G1, G2 and G3 alone"},
     {"G81 @5 ^10 Z-1 R1 F10\n", 1, 5, "polar coordinates (@, ^) are supported with G0, G1, G2 and G3 alone"},
     {"G0 @5\n", 1, 4, "@ needs ^ beside it where the tool stands at X0 Y0"},

@@ -119,6 +119,7 @@ struct block_modes {
 	int after_g80;	/* the motion that G80 restores, or CODE_NONE */
 	bool incremental;
 	bool vectors;	/* G43.5 */
+	int plane;	/* G17, G18, ... before the block */
 };
 
 /*

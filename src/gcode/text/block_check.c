@@ -354,8 +354,12 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 		   "set m6_with_move=\"after\" or \"before\" in the machine file's <controller>, or write two blocks");
 }
 
-static bool check_polar(const struct block *block, const struct line_place *at)
+/* LinuxCNC asks for G17 before the block, not in it. */
+static bool check_polar(const struct block *block, const struct line_place *at, const struct block_modes *modes)
 {
+	if (block->polar && modes->plane != G17)
+		return fault(at, first_column(block, block->polar),
+			     "polar coordinates (@, ^) need the plane G17 in a block before");
 	if (!block->polar || (block->motion >= G0 && block->motion <= G3 && block->g[G_NONMODAL] == CODE_NONE))
 		return true;
 	return fault(at, first_column(block, block->polar),
@@ -380,7 +384,7 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config, modes))
 		return false;
-	if (!check_polar(block, at) || !check_order(block, at, config) || !check_output(block, at))
+	if (!check_polar(block, at, modes) || !check_order(block, at, config) || !check_output(block, at))
 		return false;
 	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
 		return fault(at, block->g_column[G_SPINDLE], "G96 needs S (surface speed)");
