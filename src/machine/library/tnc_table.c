@@ -250,7 +250,7 @@ static bool is_cut(const struct tnc_table *table, const char *at)
 bool tnc_table_text(const struct tnc_table *table, const char *name, struct strbuf *text)
 {
 	const struct tnc_column *column = find_column(table, name);
-	const char *from, *to;
+	const char *from, *to, *text_from;
 
 	strbuf_clear(text);
 	if (!column)
@@ -258,15 +258,16 @@ bool tnc_table_text(const struct tnc_table *table, const char *name, struct strb
 	from = place_of(table, column->start);
 	to = column + 1 < table->columns + table->count ? place_of(table, column[1].start)
 							 : table->lines.line + table->lines.length;
-	if (is_cut(table, from) || is_cut(table, to)) {
+	for (text_from = from; text_from < to && *text_from == ' ';)
+		text_from++;
+	/* The control begins each text at the left. */
+	if (is_cut(table, from) || is_cut(table, to) || (text_from < to && text_from > from)) {
 		diag_error(table->diag, table->at,
-			   "the text of %s does not fit its column: the row has slipped against the line of column "
-			   "names",
+			   "the text of %s does not begin below its name: the row has slipped against the line of "
+			   "column names",
 			   name);
 		return false;
 	}
-	while (from < to && *from == ' ')
-		from++;
 	while (to > from && to[-1] == ' ')
 		to--;
 	add_text(text, from, to);

@@ -45,7 +45,8 @@ int tnc_table_next(struct tnc_table *table);
 
 /*
  * The text of the current row below a name, without blanks around it, in UTF-8; "" if there is no such column. Bytes
- * that are not UTF-8 are read as Latin-1. False, reported: the text crosses the end of its column.
+ * that are not UTF-8 are read as Latin-1. False, reported: the text crosses the end of its column, or does not begin
+ * below the name.
  */
 bool tnc_table_text(const struct tnc_table *table, const char *name, struct strbuf *text);
 
