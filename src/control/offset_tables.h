@@ -41,7 +41,7 @@ struct tool_edge {
 	int tool;	/* its number */
 	int number;	/* > 1 */
 	double length;
-	double diameter;	/* 0: the tool's */
+	double diameter;	/* 0: the tool's; less: the control has no radius */
 };
 
 struct length_offset {

@@ -60,6 +60,11 @@ static void write_edges(struct strbuf *out, const struct setup_description *tool
 
 		if (edge->tool != number)
 			continue;
+		if (edge->no_radius) {
+			strbuf_addf(out, "    <!-- TODO D%ld has the length %.12g mm and no radius. -->\n",
+				    edge->number, shown(edge->length));
+			continue;
+		}
 		strbuf_addf(out, "    <edge number=\"%ld\"", edge->number);
 		add_number(out, "length", edge->length);
 		if (edge->diameter.given)

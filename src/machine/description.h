@@ -224,6 +224,7 @@ struct edge_description {
 	long tool, number;
 	double length;
 	struct optional_number diameter;
+	bool no_radius;	/* the control's radius is 0 or less, so programs cannot compensate */
 };
 
 struct work_offset_description {

@@ -130,7 +130,8 @@ static void build_length(struct description_file *file, const struct length_offs
 static void build_edge(struct description_file *file, const struct edge_description *described, struct setup *setup)
 {
 	struct tool_edge edge = {.tool = (int)described->tool, .number = (int)described->number,
-				 .length = described->length, .diameter = described->diameter.value};
+				 .length = described->length,
+				 .diameter = described->no_radius ? -1 : described->diameter.value};
 
 	if (described->number < 2 || described->number > TOOL_NUMBER_MAX) {
 		description_fault(file, described->at, "number",

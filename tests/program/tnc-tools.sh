@@ -153,3 +153,23 @@ head -c 400 TOOL.T >bad.t
 fivecheck import -o bad bad.t 2>&1 | grep error:
 printf 'BEGIN PRESET.PR MM\nNO X Y Z\n0 1 2 3\n[END]\n' >bad.t
 fivecheck import -o bad bad.t
+table other.t <<'TABLE'
+BEGIN TOOL.T MM
+T|NAME|L|R|R2|DL|DR|DR2|TYP
+5.1|STUFE|+100|+6|+0|+0|+0|+0|0
+5|BOHRER|+120.25|+4.25|+0|+0|+0|+0|1
+6|DREHEN|+40|+3|+0|+0|+0|+0|29
+[END]
+TABLE
+echo "a turning tool:"
+sed '/^5.1/d' other.t >turn.t
+fivecheck import -o turn turn.t 2>&1 | grep left
+grep -c '<tool' turn/setup.xml
+cat >turn.xml <<'XML'
+<setup version="1" units="mm"><work_offset name="G54.1 P1" Z="-200"/>
+<tool number="6" length="90"><cutter><section length="90" diameter="6"/></cutter></tool><tools href="turn.t"/></setup>
+XML
+printf '0 BEGIN PGM P MM\n1 TOOL CALL 6 Z S1000\n2 L Z+300 R0 FMAX M91\n3 END PGM P MM\n' >turn.h
+"$FIVECHECK" -q --parse-only -s turn.xml m.xml turn.h
+echo "a row with an index before its tool:"
+fivecheck import -o bad other.t

@@ -129,3 +129,45 @@ sed 's/TO_TOA.INI/twins.ini/' s.xml >twins.xml
 "$FIVECHECK" -q --parse-only -s twins.xml m.xml p.mpf 2>&1 | grep error:
 sed 's/twins.ini"/& numbers="1 90"/' twins.xml >one.xml
 "$FIVECHECK" -q --parse-only -s one.xml m.xml p.mpf
+
+echo "edges below D1, and thicker ones above it:"
+archive() { # FILE - standard input, with the unit and the end of an archive
+	{ echo METRIC; cat; echo M17; } >"$1"
+}
+archive edges.toa <<'TOA'
+$TC_DP1[1,1]=120 $TC_DP3[1,1]=80 $TC_DP6[1,1]=5
+$TC_DP1[1,2]=120 $TC_DP3[1,2]=100 $TC_DP6[1,2]=3
+$TC_DP1[1,3]=120 $TC_DP3[1,3]=70 $TC_DP6[1,3]=8 $TC_DP12[1,3]=1 $TC_DP15[1,3]=0.5
+$TC_DP1[2,1]=110 $TC_DP3[2,1]=90 $TC_DP6[2,1]=4
+$TC_DP1[2,2]=120 $TC_DP3[2,2]=88 $TC_DP6[2,2]=6
+$TC_DP1[3,1]=110 $TC_DP3[3,1]=90 $TC_DP6[3,1]=4
+$TC_DP1[3,2]=120 $TC_DP3[3,2]=80 $TC_DP6[3,2]=6
+$TC_DP1[4,1]=714 $TC_DP3[4,1]=90 $TC_DP6[4,1]=4
+$TC_DP1[5,2]=120 $TC_DP3[5,2]=90 $TC_DP6[5,2]=4
+$TC_DP1[6,1]=120 $TC_DP3[6,1]=90 $TC_DP6[6,1]=4
+$TC_DP1[6,2]=120 $TC_DP3[6,2]=85 $TC_DP6[6,2]=0
+TOA
+fivecheck import -o edges edges.toa
+sed -n '/<tool/,$p' edges/setup.xml
+setup edge.xml <<'XML'
+<work_offset name="G54" Z="-200"/>
+<tool number="6" length="90"><cutter><section length="90" diameter="8"/></cutter></tool>
+<tools href="edges.toa" numbers="6"/>
+XML
+program d2.mpf <<'NC'
+G17 G90 G94 G71 G40 G54
+T6 M6
+G0 X0 Y0 Z10 D2
+S1000 M3
+G1 G41 X20 Y0 F500
+M30
+NC
+echo "the control has no radius for D2, or another one:"
+"$FIVECHECK" -q --parse-only -s edge.xml m.xml d2.mpf 2>&1 | grep error:
+sed 's|</cutter></tool>|</cutter><edge number="2" length="85" diameter="4"/></tool>|' edge.xml >two.xml
+"$FIVECHECK" -q --parse-only -s two.xml m.xml d2.mpf 2>&1 | grep error:
+echo "cut off, and the length of an adapter:"
+head -c 52 edges.toa >cut.toa
+fivecheck import -o bad cut.toa
+echo '$TC_ADPT1[1]=25' | cat edges.toa - >adapter.toa
+fivecheck import -o bad adapter.toa 2>&1 | grep error:

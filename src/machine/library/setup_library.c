@@ -168,13 +168,21 @@ static void set_edge(struct setup_description *described, const struct tool_desc
 		.number = row->edge,
 		.length = row->length,
 		.diameter = {row->radius > 0, 2 * row->radius},
+		.no_radius = !(row->radius > 0),
 	};
 
 	for (size_t i = 0; i < described->edge_count; i++) {
-		const struct edge_description *other = &described->edges[i];
+		struct edge_description *other = &described->edges[i];
 
 		if (other->tool != edge.tool || other->number != edge.number)
 			continue;
+		if (other->diameter.given && fabs(other->diameter.value - 2 * row->radius) > TOOL_SUM_TOLERANCE)
+			description_fault(&described->file, row->at, "href",
+					  "the table has the radius %.9g mm for D%ld of tool %ld, but its <edge> has "
+					  "the diameter %.9g mm",
+					  row->radius, edge.number, edge.tool, other->diameter.value);
+		other->diameter = edge.diameter;
+		other->no_radius = edge.no_radius;
 		if (fabs(other->length - edge.length) > TOOL_SUM_TOLERANCE)
 			description_fault(&described->file, row->at, "href",
 					  "the table has the length %.9g mm for D%ld of tool %ld, but its <edge> has "
@@ -203,7 +211,7 @@ static void set_row(struct setup_description *described, struct tool_description
 	if (row->name)
 		tool->name = row->name;
 	/* Another point of the tool has another length. */
-	if (error > TOOL_SUM_TOLERANCE && row->length > 0 && !row->part) {
+	if (error > TOOL_SUM_TOLERANCE && !(row->length < 0) && !row->part) {
 		if (!differences->count++ || error > fabs(differences->shape - differences->table)) {
 			differences->number = tool->number;
 			differences->shape = tool->length;

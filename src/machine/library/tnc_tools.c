@@ -24,7 +24,7 @@ enum { INDEXED_FROM = 1000000 };
 
 static const char *const needed[] = {"T", "L", "R", NULL};
 
-enum kind { KIND_MILL, KIND_POINTED, KIND_PROBE };
+enum kind { KIND_MILL, KIND_POINTED, KIND_PROBE, KIND_OTHER };
 
 /* A row in mm and degrees; a cell that is empty is 0. */
 struct row {
@@ -45,6 +45,7 @@ struct reading {
 	struct tnc_table table;
 	long *lines;	/* of each T that was read; 0: none */
 	struct row main;	/* the last row without an index; its name is not kept */
+	long enclosed;	/* the last tool whose other rows were found to be thicker */
 	size_t bare, whole;	/* tools that were made, and those without LCUTS */
 };
 
@@ -119,7 +120,8 @@ static bool read_kind(const struct reading *r, struct row *row)
 		const char *name;
 		enum kind kind;
 	} kinds[] = {{"DRILL", KIND_POINTED}, {"1", KIND_POINTED}, {"CENT", KIND_POINTED}, {"4", KIND_POINTED},
-		     {"TCHP", KIND_PROBE},    {"21", KIND_PROBE}};
+		     {"TCHP", KIND_PROBE},    {"21", KIND_PROBE},   {"TURN", KIND_OTHER}, {"29", KIND_OTHER},
+		     {"GRIND", KIND_OTHER},   {"30", KIND_OTHER},   {"DRESS", KIND_OTHER}, {"31", KIND_OTHER}};
 	struct strbuf text = {0};
 	const bool good = tnc_table_text(&r->table, "TYP", &text);
 
@@ -262,6 +264,21 @@ static void enclose_main(const struct reading *r, struct row *row)
 	}
 }
 
+/* The shape of the main row is made without those of the other rows of the tool, which stand below it. */
+static void check_thickness(struct reading *r, const struct row *row)
+{
+	const double radius = row->radius + fmax(row->radius_delta, 0);
+	const double main = r->main.radius + fmax(r->main.radius_delta, 0);
+
+	if (!row->index || !(radius > main + TOOL_SUM_TOLERANCE) || r->enclosed == row->number)
+		return;
+	r->enclosed = row->number;
+	diag_warning(r->diag, r->table.at,
+		     "tool %ld.%d has the radius %.9g mm, but tool %ld is made with %.9g mm: make it thicker from %.9g "
+		     "mm below the gauge line upward",
+		     row->number, row->index, radius, row->number, main, row->length);
+}
+
 static struct optional_number given_unless(double value, double usual)
 {
 	return (struct optional_number){fabs(value - usual) > TOOL_SUM_TOLERANCE, value};
@@ -275,6 +292,7 @@ static bool add_tool(struct reading *r, const struct row *row)
 	double radius, edges;
 	bool good;
 
+	check_thickness(r, row);
 	enclose_main(r, &shape);
 	make_key(key, row);
 	tool.number = row->index ? INDEXED_FROM + row->number * INDEXES + row->index : row->number;
@@ -296,20 +314,23 @@ static bool add_tool(struct reading *r, const struct row *row)
 	return good;
 }
 
+static void leave_out(struct reading *r, const struct row *row, const char *why)
+{
+	diag_warning(r->diag, r->table.at, "tool %ld (%.60s) is left out: %s", row->number, strbuf_text(&row->name),
+		     why);
+	r->tools->left_out++;
+}
+
 /* Rows of tools that are not in the machine have a T only. */
 static bool describe(struct reading *r, const struct row *row)
 {
 	const char *why = judge(row);
 
-	if (!tool_library_wants(r->tools, row->number))
-		return true;
 	if (!why)
 		return add_tool(r, row);
 	if (!row->name.length && !(fabs(row->length) > 0) && !(fabs(row->radius) > 0))
 		return true;
-	diag_warning(r->diag, r->table.at, "tool %ld (%.60s) is left out: %s", row->number, strbuf_text(&row->name),
-		     why);
-	r->tools->left_out++;
+	leave_out(r, row, why);
 	add_values(r, row);
 	return true;
 }
@@ -333,11 +354,18 @@ static bool take_row(struct reading *r, struct row *row)
 		r->main = *row;
 	if (empty)
 		return true;
+	if (row->index && row->number != r->main.number && r->shapes)
+		return fault(r, "a row with an index must stand below the row of its tool without one");
 	if (!row->number)
 		return check_zero(r, row);
-	if (r->shapes)
+	if (!tool_library_wants(r->tools, row->number))
+		return true;
+	if (row->kind == KIND_OTHER)
+		leave_out(r, row, "turning, grinding and dressing tools have other tables");
+	else if (r->shapes)
 		return describe(r, row);
-	add_values(r, row);
+	else
+		add_values(r, row);
 	return true;
 }
 

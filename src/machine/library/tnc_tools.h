@@ -19,6 +19,9 @@ bool tnc_tools_is(const char *text);
  * the shape has the larger of both lengths and radii. Rows without a length or a radius are left out with a warning,
  * and only their values are added.
  *
+ * Turning, grinding and dressing tools are left out with a warning. With `shapes`, a row with an index must stand below
+ * the main one.
+ *
  * `unit` is mm per unit of length, for a table that does not say MM or INCH. False, reported: the file is faulty.
  *
  * Sources: iTNC 530 and TNC 640 user's manuals, "Tool data" and "Tool compensation"; TNC7, "Tool table tool.t" and

@@ -134,7 +134,7 @@ static bool is_needed(long parameter)
 /* Corrections that must be 0. */
 static bool is_correction(const char *name)
 {
-	return is_numbered(name, "TC_SCP") || is_numbered(name, "TC_ECP") || is_numbered(name, "TC_ADP") ||
+	return is_numbered(name, "TC_SCP") || is_numbered(name, "TC_ECP") || is_numbered(name, "TC_ADPT") ||
 	       is_numbered(name, "TC_DPV") || !strcmp(name, "TC_DPV");
 }
 
@@ -334,6 +334,9 @@ static bool read_line(struct reading *r)
 			continue;
 		if (!read_assignment(r, &assignment) || !set(r, &assignment))
 			return false;
+		/* 120.25 may have become 120, or 12. */
+		if (!*r->end)
+			return fault(r, "the file is cut off: the line of this value does not end");
 	}
 	return true;
 }

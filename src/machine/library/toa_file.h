@@ -46,8 +46,8 @@ bool toa_file_is(const char *text);
 
 /*
  * Reads all assignments. Those to other variables are not needed, but for corrections of the length that a setup cannot
- * have: sum and setup offsets ($TC_SCP, $TC_ECP), adapters ($TC_ADP) and orientations of the tool ($TC_DPV) must be 0.
- * Indices and values must be numbers or strings. False, reported: the file is faulty.
+ * have: sum and setup offsets ($TC_SCP, $TC_ECP), adapters of magazine places ($TC_ADPT) and orientations of the tool
+ * ($TC_DPV) must be 0. Indices and values must be numbers or strings. False, reported: the file is faulty.
  */
 bool toa_file_read(struct toa_file *file, struct arena *arena, const char *text, const char *path, struct diag *diag);
 

@@ -15,7 +15,7 @@ enum {
 	DP_LENGTH_2_WEAR, DP_LENGTH_3_WEAR, DP_RADIUS_WEAR, DP_CORNER_WEAR, DP_ADAPTER = 21, DP_ADAPTER_2, DP_ADAPTER_3
 };
 
-enum kind { KIND_OTHER, KIND_MILL, KIND_BALL, KIND_BULL, KIND_TAPERED, KIND_DRILL, KIND_PROBE };
+enum kind { KIND_OTHER, KIND_MILL, KIND_BALL, KIND_BULL, KIND_TAPERED, KIND_DRILL, KIND_PROBE, KIND_SIDE_PROBE };
 
 struct reading {
 	struct tool_library *tools;
@@ -97,6 +97,9 @@ static enum kind kind_of(double type)
 		return KIND_MILL;
 	if (number >= 200 && number <= 299)
 		return KIND_DRILL;
+	/* L and star probes reach beside the axis. */
+	if (number == 713 || number == 714)
+		return KIND_SIDE_PROBE;
 	return number >= 710 && number <= 719 ? KIND_PROBE : KIND_OTHER;
 }
 
@@ -128,14 +131,25 @@ static void add_values(struct reading *r, const struct toa_edge *edge, const str
 	tool_library_add_values(r->tools, &values);
 }
 
+static const struct toa_edge *first_edge(const struct reading *r, long tool)
+{
+	for (size_t i = 0; i < r->file.edge_count; i++)
+		if (r->file.edges[i].tool == tool && r->file.edges[i].number == 1)
+			return &r->file.edges[i];
+	return NULL;
+}
+
 /* Tools of one name replace each other: only the control knows which of them it loads. */
 static bool check_twins(const struct reading *r, const struct toa_edge *edge, const struct identity *identity)
 {
-	for (const struct toa_edge *other = r->file.edges; other < edge; other++) {
-		const struct identity twin = identity_of(r, other->tool);
+	for (size_t i = 0; i < r->file.tool_count; i++) {
+		const struct toa_tool *twin = &r->file.tools[i];
+		const struct toa_edge *other;
 
-		if (other->number != 1 || !twin.name || strcasecmp(twin.name, identity->name) != 0 ||
-		    !tool_library_wants(r->tools, twin.number))
+		if (!twin->name || twin->number == edge->tool || strcasecmp(twin->name, identity->name) != 0)
+			continue;
+		other = first_edge(r, twin->number);
+		if (!other || other > edge || !tool_library_wants(r->tools, twin->number))
 			continue;
 		diag_error(r->diag, place_of(r, edge),
 			   "the tools %ld and %ld have the name \"%s\" (also in line %ld): keep the one that is in the "
@@ -159,19 +173,66 @@ static const char *judge(const struct reading *r, const struct toa_edge *edge, e
 		return "its radius $TC_DP6 is not greater than 0";
 	if (kind == KIND_BULL && (corner < 0 || corner > mm(r, edge, DP_RADIUS)))
 		return "its corner radius $TC_DP7 is negative, or larger than its radius";
+	if (kind == KIND_SIDE_PROBE)
+		return "the shape of an L or star probe is not described";
 	return kind == KIND_TAPERED ? "a tapered or conical mill is not described completely" : NULL;
 }
 
-static void set_tip(const struct reading *r, const struct toa_edge *edge, enum kind kind, struct tool_outline *tool)
+/* mm: how far the edge reaches below the gauge line, and its radius; with wear only if it makes the tool larger. */
+static double reach_of(const struct reading *r, const struct toa_edge *edge)
+{
+	return mm(r, edge, DP_LENGTH) + mm(r, edge, DP_ADAPTER) + fmax(mm(r, edge, DP_LENGTH_WEAR), 0);
+}
+
+static double thickness_of(const struct reading *r, const struct toa_edge *edge)
+{
+	return mm(r, edge, DP_RADIUS) + fmax(mm(r, edge, DP_RADIUS_WEAR), 0);
+}
+
+/* The lower end, if `room` mm above it have the diameter of the tip; else it is flat, which encloses every tip. */
+static void set_tip(const struct reading *r, const struct toa_edge *edge, enum kind kind, double room,
+		    struct tool_outline *tool)
 {
 	const double corner = mm(r, edge, DP_CORNER) + fmin(mm(r, edge, DP_CORNER_WEAR), 0);
 
 	tool->has_tip = true;
-	tool->tip = kind == KIND_BALL || kind == KIND_PROBE ? TIP_BALL : TIP_FLAT;
-	if (kind != KIND_BULL || !(corner > 0))
-		return;
-	tool->tip = TIP_BULL;
-	tool->corner = corner;
+	tool->tip = TIP_FLAT;
+	if (kind == KIND_BALL || kind == KIND_PROBE) {
+		tool->tip = room >= thickness_of(r, edge) ? TIP_BALL : TIP_FLAT;
+	} else if (kind == KIND_BULL && corner > 0 && room >= corner) {
+		tool->tip = TIP_BULL;
+		tool->corner = corner;
+	}
+}
+
+/*
+ * The tool is as thick as each edge, from there up to the gauge line, and as long as the longest of them: D1 need not
+ * be at its lower end. Sets its length, outline, tip and diameter.
+ */
+static void enclose_edges(const struct reading *r, const struct toa_edge *first, enum kind kind,
+			  struct tool_outline *tool)
+{
+	const double radius = thickness_of(r, first);
+	double largest = radius, room;
+
+	tool->length = reach_of(r, first);
+	for (size_t i = 0; i < r->file.edge_count; i++)
+		if (r->file.edges[i].tool == first->tool)
+			tool->length = fmax(tool->length, reach_of(r, &r->file.edges[i]));
+	room = tool->length > reach_of(r, first) ? 0 : tool->length;
+	tool_profile_add(&tool->cutter, 0, radius, tool->length, radius);
+	for (size_t i = 0; i < r->file.edge_count; i++) {
+		const struct toa_edge *edge = &r->file.edges[i];
+		const double wide = thickness_of(r, edge), low = tool->length - reach_of(r, edge);
+
+		if (edge->tool != first->tool || !(wide > radius + TOOL_SUM_TOLERANCE) || !(low < tool->length))
+			continue;
+		tool_profile_add(&tool->cutter, low, wide, tool->length, wide);
+		largest = fmax(largest, wide);
+		room = fmin(room, low);
+	}
+	set_tip(r, first, kind, room, tool);
+	tool->diameter = 2 * largest;
 }
 
 static struct optional_number given_unless(double value, double usual)
@@ -181,21 +242,16 @@ static struct optional_number given_unless(double value, double usual)
 
 static bool add_tool(struct reading *r, const struct toa_edge *edge, const struct identity *identity, enum kind kind)
 {
-	const double radius = mm(r, edge, DP_RADIUS) + fmax(mm(r, edge, DP_RADIUS_WEAR), 0);
-	const double length = mm(r, edge, DP_LENGTH) + mm(r, edge, DP_ADAPTER) + fmax(mm(r, edge, DP_LENGTH_WEAR), 0);
 	struct tool_outline tool = {
 		.number = identity->number,
 		.name = identity->name,
 		.kind = kind == KIND_PROBE ? TOOL_PROBES : TOOL_TURNS,
-		.length = length,
-		.diameter = 2 * radius,
-		.length_offset = given_unless(compensated_length(r, edge), length),
-		.radius_offset = given_unless(compensated_radius(r, edge), radius),
 	};
 	bool good;
 
-	set_tip(r, edge, kind, &tool);
-	tool_profile_add(&tool.cutter, 0, radius, length, radius);
+	enclose_edges(r, edge, kind, &tool);
+	tool.length_offset = given_unless(compensated_length(r, edge), tool.length);
+	tool.radius_offset = given_unless(compensated_radius(r, edge), tool.diameter / 2);
 	good = tool_library_add(r->tools, &tool, place_of(r, edge), r->diag);
 	tool_outline_release(&tool);
 	r->bare++;
@@ -235,14 +291,6 @@ static bool take_tool(struct reading *r, const struct toa_edge *edge)
 	return true;
 }
 
-static const struct toa_edge *first_edge(const struct reading *r, long tool)
-{
-	for (size_t i = 0; i < r->file.edge_count; i++)
-		if (r->file.edges[i].tool == tool && r->file.edges[i].number == 1)
-			return &r->file.edges[i];
-	return NULL;
-}
-
 static bool has_tool(const struct reading *r, long number)
 {
 	for (size_t i = 0; i < r->tools->setup.tool_count; i++)
@@ -258,8 +306,11 @@ static bool take_edge(struct reading *r, const struct toa_edge *edge)
 	const struct identity identity = identity_of(r, edge->tool);
 	const double radius = compensated_radius(r, edge);
 
-	if (!tool_library_wants(r->tools, identity.number) || !first ||
-	    kind_of(first->value[DP_TYPE]) == KIND_OTHER)
+	if (!tool_library_wants(r->tools, identity.number))
+		return true;
+	if (!first)
+		leave_out(r, edge, &identity, "it has no edge D1");
+	if (!first || kind_of(first->value[DP_TYPE]) == KIND_OTHER)
 		return true;
 	if (!check_beside(r, edge))
 		return false;
@@ -269,7 +320,8 @@ static bool take_edge(struct reading *r, const struct toa_edge *edge)
 		tool_library_add_edge(r->tools, &(struct edge_description){.tool = identity.number,
 									    .number = edge->number,
 									    .length = compensated_length(r, edge),
-									    .diameter = {radius > 0, 2 * radius}});
+									    .diameter = {radius > 0, 2 * radius},
+									    .no_radius = !(radius > 0)});
 	return true;
 }
 

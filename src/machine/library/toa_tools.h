@@ -17,11 +17,12 @@ bool toa_tools_is(const char *text);
  *
  * With `shapes`, each mill, drill and probe becomes a tool, as far as the data describe it: the radius, and the corner
  * of types 110 and 121, up to the gauge line, because the holder is not in the data. Wear may be worn off or an
- * allowance: the shape has the larger of both lengths and radii.
+ * allowance: the shape has the larger of both lengths and radii. D1 need not be at the lower end: the shape encloses
+ * all edges.
  *
- * Lathe and grinding tools, angle heads, and, with `shapes`, tapered mills are left out with a warning. A length beside
- * the tool's axis (length 2 or 3) is an error. `unit` is mm per unit of length, for a file without METRIC or INCH.
- * False, reported: the file is faulty.
+ * Lathe and grinding tools, angle heads, and, with `shapes`, tapered mills, L and star probes are left out with a
+ * warning. A length beside the tool's axis (length 2 or 3) is an error. `unit` is mm per unit of length, for a file
+ * without METRIC or INCH. False, reported: the file is faulty.
  *
  * Source: Programming Manual Job Planning, "Tool offsets" (offset memory; tool shapes for 3D offsets).
  */

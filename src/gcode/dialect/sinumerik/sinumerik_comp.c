@@ -80,13 +80,15 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	for (size_t i = 0; i < interp->config->edge_count; i++) {
 		const struct tool_edge *edge = &interp->config->edges[i];
 
-		if (edge->tool == number && edge->number == sinumerik->tool.edge && edge->diameter > 0)
+		if (edge->tool == number && edge->number == sinumerik->tool.edge &&
+		    fabs(edge->diameter) > 0)
 			diameter = edge->diameter;
 	}
 	*radius = diameter / 2;
 	return diameter > 0 ||
 	       fault(&interp->at, column,
-		     "the radius of T%d D%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
+		     "the radius of T%d D%d is not known, or 0: give the tool of the setup a <cutter>, or "
+		     "diameter=\"\"",
 		     number, sinumerik->tool.edge);
 }
 

@@ -121,7 +121,7 @@ bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, in
 
 		if (other->tool == tool && other->number == edge)
 			mm = length		       ? other->length + interp->config->length_change
-			     : other->diameter > 0 ? other->diameter / 2
+			     : fabs(other->diameter) > 0 ? other->diameter / 2
 						   : found->diameter / 2;
 	}
 	if (mm < 0 || (radius && !(mm > 0)))

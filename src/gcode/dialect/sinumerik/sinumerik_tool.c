@@ -214,8 +214,8 @@ double sinumerik_tool_radius(const struct interp *interp)
 	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {
 		const struct tool_edge *found = &interp->config->edges[i];
 
-		if (found->tool == tool->number && found->number == edge && found->diameter > 0)
-			diameter = found->diameter;
+		if (found->tool == tool->number && found->number == edge && fabs(found->diameter) > 0)
+			diameter = fmax(0, found->diameter);
 	}
 	return edge == 0 ? 0 : diameter / 2;
 }
