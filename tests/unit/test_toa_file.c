@@ -76,6 +76,7 @@ static void write_data(struct strbuf *out, struct random *random, struct data *d
 		add_noise(out, random);
 		strbuf_release(&name);
 	}
+	strbuf_addf(out, "\nM17\n");
 }
 
 static void check_edge(const struct toa_edge *edge, const struct data *data, bool given[TOOLS][EDGES])
@@ -139,6 +140,27 @@ START_TEST(has_a_limit)
 }
 END_TEST
 
+/* Of the number 120.25 in the last line any part may be left. */
+START_TEST(is_cut_off)
+{
+	static const char text[] = "METRIC\n$TC_DP3[1,1]=120.25";
+
+	for (size_t left = strlen(text) - 6; left <= strlen(text) + 1; left++) {
+		struct toa_file file = {0};
+		struct arena arena = {0};
+		struct diag diag = {0};
+		struct strbuf part = {0};
+
+		strbuf_add(&part, text, left <= strlen(text) ? left : strlen(text));
+		strbuf_addf(&part, "%s", left <= strlen(text) ? "" : "\n");
+		ck_assert(toa_file_read(&file, &arena, strbuf_text(&part), "t", &diag) == (left > strlen(text)));
+		toa_file_release(&file);
+		arena_release(&arena);
+		strbuf_release(&part);
+	}
+}
+END_TEST
+
 START_TEST(is_no_archive)
 {
 	ck_assert(!toa_file_is("G0 X1\n; $TC_DP3[1,1]=5\n"));
@@ -151,7 +173,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {reads_back, has_a_limit, is_no_archive};
+	const TTest *const tests[] = {reads_back, has_a_limit, is_cut_off, is_no_archive};
 
 	return RUN_TESTS("toa_file", tests);
 }
