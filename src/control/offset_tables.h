@@ -29,6 +29,7 @@ struct tool {
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double length;	/* from the gauge point to the tip */
 	double diameter;	/* of the cutter, or with which the control compensates if that differs; 0: unknown */
+	bool deltas;	/* length_offset and diameter include DL and DR of a tool table, which are not 0 */
 	double point_angle;	/* radians, the full angle of a conical tip; 0: the tip is no cone */
 	double length_offset;	/* H of the same number, unless the setup's <offset> says otherwise */
 	enum tool_kind kind;

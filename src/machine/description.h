@@ -214,6 +214,7 @@ struct tool_description {
 	const char *checked;	/* or NULL */
 	double length;
 	struct optional_number length_offset, radius_offset, diameter;
+	bool deltas;	/* both offsets include DL and DR of a tool table, which are not 0 */
 	enum tool_kind kind;
 	enum tool_hand hand;
 	struct piece_description pieces[TOOL_PIECES];
@@ -255,6 +256,7 @@ struct tool_values_description {
 	bool part;	/* the values are not those of the tip */
 	long edge;	/* above 1: the values are those of an edge of the tool */
 	double length, radius;	/* with which the control compensates */
+	bool deltas;	/* they include DL and DR, which are not 0 */
 };
 
 /* <tools>: a file of another program. */

@@ -386,6 +386,7 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 	/* A radius of 0 or less: programs cannot compensate with this tool. */
 	if (described->radius_offset.given)
 		tool.diameter = fmax(0, 2 * described->radius_offset.value);
+	tool.deltas = described->deltas;
 	if (pieces[PIECE_CUTTER].solid.tip == TIP_CONE)
 		tool.point_angle = pieces[PIECE_CUTTER].solid.angle;
 	if (!any)

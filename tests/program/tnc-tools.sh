@@ -171,5 +171,13 @@ cat >turn.xml <<'XML'
 XML
 printf '0 BEGIN PGM P MM\n1 TOOL CALL 6 Z S1000\n2 L Z+300 R0 FMAX M91\n3 END PGM P MM\n' >turn.h
 "$FIVECHECK" -q --parse-only -s turn.xml m.xml turn.h
+echo "L and R without DL and DR, where they are 0 and where not:"
+for tool in '"BOHRER D8,5"' '"KUGEL D8"'; do
+	printf '%s\n' '0 BEGIN PGM P MM' "1 TOOL CALL $tool Z S1000" '2 FN 18: SYSREAD Q1 = ID50 NR2' \
+		'3 FN 18: SYSREAD Q2 = ID50 NR1' '4 L X+Q1 R0 FMAX' '5 L X+Q2 R0 FMAX' '6 END PGM P MM' >read.h
+	sed 's/-0.01     /+0        /' TOOL.T >zero.t
+	sed 's/TOOL.T/zero.t/' s.xml >read.xml
+	"$FIVECHECK" -q --parse-only -s read.xml m.xml read.h 2>&1 | cut -c 1-110
+done
 echo "a row with an index before its tool:"
 fivecheck import -o bad other.t

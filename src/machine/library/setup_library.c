@@ -208,6 +208,7 @@ static void set_row(struct setup_description *described, struct tool_description
 	check_agreement(described, tool, row);
 	tool->length_offset = (struct optional_number){true, row->length};
 	tool->radius_offset = (struct optional_number){true, row->radius};
+	tool->deltas = row->deltas;
 	if (row->name)
 		tool->name = row->name;
 	/* Another point of the tool has another length. */

@@ -187,6 +187,7 @@ static void add_values(struct reading *r, const struct row *row)
 		.name = row->index || !row->name.length ? NULL : strbuf_text(&row->name),
 		.length = compensated_length(row),
 		.radius = compensated_radius(row),
+		.deltas = fabs(row->length_delta) > 0 || fabs(row->radius_delta) > 0,
 	};
 
 	make_key(key, row);

@@ -9,12 +9,13 @@
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
+/* L and R of the tool table, without DL and DR. */
 static double tool_value(const struct interp *interp, const struct klartext_query *query, bool *known)
 {
 	const int number = query->has_index && query->index > 0 ? query->index : interp->state.tool;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
 
-	*known = tool && interp->config->has_setup && (query->number == 1 || tool->diameter > 0);
+	*known = tool && interp->config->has_setup && !tool->deltas && (query->number == 1 || tool->diameter > 0);
 	if (!*known)
 		return 0;
 	return query->number == 1 ? tool->length_offset : tool->diameter / 2;
