@@ -107,9 +107,11 @@ double tool_core_depth(const struct tool_solid *solid, double depth)
 
 	if (!(depth > 0))
 		return depth;
-	for (int i = 0; i <= HALVINGS; i++, all /= 2)
+	for (int i = 0; i <= HALVINGS; i++) {
 		if (has_core(solid, all) && point_and_rim_have_cores(solid, all))
 			return all;
+		all /= 2;
+	}
 	while (!has_core(solid, depth))
 		depth /= 2;
 	return depth;

@@ -79,12 +79,24 @@ static bool split_number(const char *text, struct row *row)
 	return row->number <= NUMBER_MAX;
 }
 
+/* False: the tool was in an earlier row, which was reported. */
+static bool is_first(struct reading *r, const struct row *row, const char *text)
+{
+	long *line = &r->lines[row->number * INDEXES + row->index];
+
+	if (*line) {
+		diag_error(r->diag, r->table.at, "tool %s is given twice (also in line %ld)", text, *line);
+		return false;
+	}
+	*line = r->table.at.line;
+	return true;
+}
+
 /* Each T once. */
 static bool read_tool(struct reading *r, struct row *row)
 {
 	struct strbuf text = {0};
 	bool good = tnc_table_text(&r->table, "T", &text);
-	long *line = NULL;
 
 	if (good && !split_number(strbuf_text(&text), row)) {
 		diag_error(r->diag, r->table.at,
@@ -92,14 +104,7 @@ static bool read_tool(struct reading *r, struct row *row)
 			   strbuf_text(&text));
 		good = false;
 	}
-	line = good ? &r->lines[row->number * INDEXES + row->index] : NULL;
-	if (line && *line) {
-		diag_error(r->diag, r->table.at, "tool %s is given twice (also in line %ld)", strbuf_text(&text),
-			   *line);
-		good = false;
-	}
-	if (good)
-		*line = r->table.at.line;
+	good = good && is_first(r, row, strbuf_text(&text));
 	strbuf_release(&text);
 	return good;
 }

@@ -76,8 +76,9 @@ static struct identity identity_of(const struct reading *r, long tool)
 
 	if (!name || !*name)
 		return (struct identity){.number = tool};
-	return number_of(name) ? (struct identity){.number = number_of(name)}
-			       : (struct identity){.number = tool, .name = name};
+	if (number_of(name))
+		return (struct identity){.number = number_of(name)};
+	return (struct identity){.number = tool, .name = name};
 }
 
 static enum kind kind_of(double type)
