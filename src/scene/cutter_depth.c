@@ -72,8 +72,10 @@ double cutter_depth(struct scene *scene, int body, double depth)
 	/* An open mesh has no depth at all, and a check says so. */
 	if (topology_is_open(search.topology) || !(depth > 0))
 		return depth;
-	for (int i = 0; i <= HALVINGS; i++, search.depth /= 2)
+	for (int i = 0; i <= HALVINGS; i++) {
 		if (some_are_deep(&search))
 			return search.depth;
+		search.depth /= 2;
+	}
 	return 0;
 }
