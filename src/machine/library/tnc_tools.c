@@ -285,11 +285,6 @@ static void check_thickness(struct reading *r, const struct row *row)
 		     row->number, row->index, radius, row->number, main, row->length);
 }
 
-static struct optional_number given_unless(double value, double usual)
-{
-	return (struct optional_number){fabs(value - usual) > TOOL_SUM_TOLERANCE, value};
-}
-
 static bool add_tool(struct reading *r, const struct row *row)
 {
 	struct row shape = *row;
@@ -306,8 +301,7 @@ static bool add_tool(struct reading *r, const struct row *row)
 	tool.length = shape.length + fmax(shape.length_delta, 0);
 	radius = shape.radius + fmax(shape.radius_delta, 0);
 	tool.diameter = 2 * radius;
-	tool.length_offset = given_unless(compensated_length(row), tool.length);
-	tool.radius_offset = given_unless(compensated_radius(row), radius);
+	tool_outline_compensate(&tool, compensated_length(row), compensated_radius(row));
 	set_tip(&tool, &shape);
 	edges = shape.edges > 0 ? fmin(fmax(shape.edges, tip_height(&tool)), tool.length) : tool.length;
 	tool_profile_add(&tool.cutter, 0, radius, edges, radius);

@@ -236,11 +236,6 @@ static void enclose_edges(const struct reading *r, const struct toa_edge *first,
 	tool->diameter = 2 * largest;
 }
 
-static struct optional_number given_unless(double value, double usual)
-{
-	return (struct optional_number){fabs(value - usual) > TOOL_SUM_TOLERANCE, value};
-}
-
 static bool add_tool(struct reading *r, const struct toa_edge *edge, const struct identity *identity, enum kind kind)
 {
 	struct tool_outline tool = {
@@ -251,8 +246,7 @@ static bool add_tool(struct reading *r, const struct toa_edge *edge, const struc
 	bool good;
 
 	enclose_edges(r, edge, kind, &tool);
-	tool.length_offset = given_unless(compensated_length(r, edge), tool.length);
-	tool.radius_offset = given_unless(compensated_radius(r, edge), tool.diameter / 2);
+	tool_outline_compensate(&tool, compensated_length(r, edge), compensated_radius(r, edge));
 	good = tool_library_add(r->tools, &tool, place_of(r, edge), r->diag);
 	tool_outline_release(&tool);
 	r->bare++;

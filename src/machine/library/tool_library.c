@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "geom/tolerance.h"
 #include "machine/tool_build.h"
 #include "machine/tool_solid.h"
 
@@ -23,6 +24,17 @@ void tool_library_release(struct tool_library *tools)
 	free(tools->length_places);
 	arena_release(&tools->setup.arena);
 	*tools = (struct tool_library){0};
+}
+
+static struct optional_number given_unless(double value, double usual)
+{
+	return (struct optional_number){fabs(value - usual) > TOOL_SUM_TOLERANCE, value};
+}
+
+void tool_outline_compensate(struct tool_outline *outline, double length, double radius)
+{
+	outline->length_offset = given_unless(length, outline->length);
+	outline->radius_offset = given_unless(radius, outline->diameter / 2);
 }
 
 void tool_outline_release(struct tool_outline *outline)

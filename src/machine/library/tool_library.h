@@ -62,6 +62,9 @@ struct tool_outline {
 
 void tool_outline_release(struct tool_outline *outline);
 
+/* The length and the radius (mm) with which the control compensates; values of the shape are not stored. */
+void tool_outline_compensate(struct tool_outline *outline, double length, double radius);
+
 /* Adds the tool. False, reported: its number is already used, or it has no length. */
 bool tool_library_add(struct tool_library *tools, const struct tool_outline *outline, struct srcloc at,
 		      struct diag *diag);
