@@ -4,7 +4,7 @@
  */
 #include "sinumerik_case.h"
 
-#include "gcode/dialect/sinumerik/sinumerik_codes.h"
+#include "gcode/dialect/sinumerik/words/sinumerik_codes.h"
 
 /* How a word stands in a block: alone, with a value, with parentheses, ...; NULL: it is not ignored and not refused. */
 static const char *form_of(enum sinumerik_word_kind kind)

@@ -1,8 +1,8 @@
 #include "gcode/dialect/dialects.h"
+#include "gcode/dialect/klartext/flow/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_codes.h"
-#include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_line.h"
-#include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/dialect/klartext/state/klartext_state.h"
 #include "gcode/state.h"
 
 /* M91 and tool changes leave the length of TOOL CALL in force. */

@@ -2,13 +2,13 @@
 
 #include <string.h>
 
-#include "gcode/dialect/klartext/klartext_approach.h"
-#include "gcode/dialect/klartext/klartext_corner.h"
-#include "gcode/dialect/klartext/klartext_define.h"
-#include "gcode/dialect/klartext/klartext_join.h"
-#include "gcode/dialect/klartext/klartext_lexis.h"
-#include "gcode/dialect/klartext/klartext_skip.h"
+#include "gcode/dialect/klartext/cycles/klartext_define.h"
 #include "gcode/dialect/klartext/klartext_statement.h"
+#include "gcode/dialect/klartext/path/klartext_approach.h"
+#include "gcode/dialect/klartext/path/klartext_corner.h"
+#include "gcode/dialect/klartext/text/klartext_join.h"
+#include "gcode/dialect/klartext/text/klartext_lexis.h"
+#include "gcode/dialect/klartext/text/klartext_skip.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 
 /* "%NAME G71" begins a program in DIN/ISO, which these controls read as well. */

@@ -4,17 +4,17 @@
 #include <string.h>
 
 #include "base/ascii.h"
-#include "gcode/dialect/sinumerik/sinumerik_builder.h"
-#include "gcode/dialect/sinumerik/sinumerik_call.h"
-#include "gcode/dialect/sinumerik/sinumerik_contour.h"
-#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
-#include "gcode/dialect/sinumerik/sinumerik_cycle_refused.h"
-#include "gcode/dialect/sinumerik/sinumerik_expr.h"
-#include "gcode/dialect/sinumerik/sinumerik_name.h"
-#include "gcode/dialect/sinumerik/sinumerik_path.h"
-#include "gcode/dialect/sinumerik/sinumerik_pattern.h"
-#include "gcode/dialect/sinumerik/sinumerik_region.h"
-#include "gcode/dialect/sinumerik/sinumerik_swivel.h"
+#include "gcode/dialect/sinumerik/builder/sinumerik_builder.h"
+#include "gcode/dialect/sinumerik/builder/sinumerik_cycle_refused.h"
+#include "gcode/dialect/sinumerik/cycles/sinumerik_contour.h"
+#include "gcode/dialect/sinumerik/cycles/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/cycles/sinumerik_pattern.h"
+#include "gcode/dialect/sinumerik/cycles/sinumerik_region.h"
+#include "gcode/dialect/sinumerik/cycles/sinumerik_swivel.h"
+#include "gcode/dialect/sinumerik/flow/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/path/sinumerik_path.h"
+#include "gcode/dialect/sinumerik/values/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/words/sinumerik_name.h"
 #include "gcode/eval/expr.h"
 
 static bool set_modal(struct interp *interp, const struct sinumerik_block *block)

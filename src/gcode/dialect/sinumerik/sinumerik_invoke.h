@@ -2,7 +2,7 @@
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_INVOKE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_INVOKE_H
 
-#include "gcode/dialect/sinumerik/sinumerik_block.h"
+#include "gcode/dialect/sinumerik/block/sinumerik_block.h"
 
 /*
  * Executes the call of the block, if it has one, or its MCALL; the arguments come next in the lexer. False: reported.

@@ -2,7 +2,7 @@
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_RUN_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_RUN_H
 
-#include "gcode/dialect/sinumerik/sinumerik_block.h"
+#include "gcode/dialect/sinumerik/block/sinumerik_block.h"
 
 /*
  * Executes the block that has been read; the arguments of its call come next in the lexer. Sets interp->ended at the
