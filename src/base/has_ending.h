@@ -4,14 +4,15 @@
 
 #include <stdbool.h>
 #include <string.h>
-#include <strings.h>
+
+#include "base/ascii.h"
 
 /* Does the name end in this (".stl"), in upper or lower case? */
 static inline bool has_ending(const char *path, const char *ending)
 {
 	const size_t length = strlen(path), tail = strlen(ending);
 
-	return length >= tail && !strcasecmp(path + length - tail, ending);
+	return length >= tail && ascii_same(path + length - tail, ending);
 }
 
 #endif

@@ -17,8 +17,8 @@
 #include <stddef.h>
 
 #include "check/batch.h"
-#include "check/stats.h"
 #include "check/measure/stock_clearance.h"
+#include "check/stats.h"
 #include "check/stock_pair.h"
 #include "stock/cutter.h"
 #include "stock/stock_mesh.h"

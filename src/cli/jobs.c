@@ -2,10 +2,10 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 #include "base/arena.h"
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "base/path_sandbox.h"
 #include "base/same_file.h"
@@ -137,12 +137,12 @@ static const struct job_item *find_same(const struct job_list *list, const struc
 	for (const struct job_item *it = list->items; !found && it < list->items + list->count; it++) {
 		if (it == job)
 			continue;
-		if (!strcasecmp(it->name, strbuf_text(&name)))
+		if (ascii_same(it->name, strbuf_text(&name)))
 			found = it;
 		for (size_t i = 0; !found && i < it->program_count; i++) {
 			strbuf_clear(&other);
 			add_file_name(&other, it, i);
-			if (!strcasecmp(strbuf_text(&other), strbuf_text(&name)))
+			if (ascii_same(strbuf_text(&other), strbuf_text(&name)))
 				found = it;
 		}
 	}

@@ -8,8 +8,8 @@
 
 #include "base/diag_queue.h"
 #include "base/strbuf.h"
-#include "cli/stderr_ui.h"
 #include "cli/error_list.h"
+#include "cli/stderr_ui.h"
 #include "report/sink.h"
 
 /* The outputs of all programs. Only the current program writes immediately; the others are buffered. */

@@ -3,17 +3,17 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "base/open_file.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
 #include "fivecheck.h"
-#include "report/writers/text.h"
 #include "report/verdict.h"
 #include "report/waiver_match.h"
+#include "report/writers/text.h"
 
 static const struct srcloc nowhere;
 
@@ -264,7 +264,7 @@ static bool is_xml_name(const char *path)
 {
 	size_t length = strlen(path);
 
-	return length > 4 && !strcasecmp(path + length - 4, ".xml");
+	return length > 4 && ascii_same(path + length - 4, ".xml");
 }
 
 static enum run_status status_of(enum check_result result)

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "check/model.h"
-#include "cli/dialect_choice.h"
 #include "cli/diag_tee.h"
+#include "cli/dialect_choice.h"
 #include "cli/digesting.h"
 #include "cli/error_list.h"
 #include "cli/failure_report.h"

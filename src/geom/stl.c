@@ -2,18 +2,17 @@
 
 #include <errno.h>
 #include <float.h>
-#include <locale.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/path_sandbox.h"
-#include "base/mem.h"
+#include "base/ascii.h"
 #include "base/decimal.h"
+#include "base/mem.h"
+#include "base/path_sandbox.h"
 
 /*
  * Binary format: 80 arbitrary bytes, a 32-bit count, then 50 bytes for each triangle: the normal and three corners of
@@ -162,17 +161,12 @@ static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
 
 /* ---- ASCII ---- */
 
-static bool is_space(char c)
-{
-	return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 /* False at the end of the file, or on failure. */
 static bool skip_space(struct reader *r)
 {
 	for (;;) {
 		for (; r->at < r->end; r->at++) {
-			if (!is_space(r->buffer[r->at]))
+			if (!ascii_is_space(r->buffer[r->at]))
 				return true;
 			if (r->buffer[r->at] == '\n') {
 				r->loc.line++;
@@ -193,7 +187,7 @@ static bool next_word(struct reader *r)
 	if (!skip_space(r))
 		return false;
 	for (;;) {
-		while (r->at + length < r->end && !is_space(r->buffer[r->at + length]))
+		while (r->at + length < r->end && !ascii_is_space(r->buffer[r->at + length]))
 			length++;
 		if (r->at + length < r->end || !fill(r))
 			break;
@@ -223,7 +217,7 @@ static void skip_line(struct reader *r)
 
 static bool word_is(const struct reader *r, const char *keyword)
 {
-	return r->word_length == strlen(keyword) && strncasecmp(r->word, keyword, r->word_length) == 0;
+	return r->word_length == strlen(keyword) && ascii_same_start(r->word, keyword, r->word_length);
 }
 
 /* Reports the failure of next_word. */
@@ -256,7 +250,7 @@ static bool is_not_a_number(const struct reader *r)
 	size_t sign = *r->word == '-' || *r->word == '+';
 
 	return r->word_length >= sign + 3 &&
-	       (strncasecmp(r->word + sign, "nan", 3) == 0 || strncasecmp(r->word + sign, "inf", 3) == 0);
+	       (ascii_same_start(r->word + sign, "nan", 3) || ascii_same_start(r->word + sign, "inf", 3));
 }
 
 static bool read_coordinate(struct reader *r, struct soup *soup, float *out)
@@ -348,19 +342,6 @@ static bool read_solids(struct reader *r, struct soup *soup)
 	return true;
 }
 
-/* strncasecmp depends on the locale, the format does not. */
-static bool read_ascii(struct reader *r, struct soup *soup)
-{
-	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-	locale_t previous = uselocale(c);
-	bool ok = read_solids(r, soup);
-
-	uselocale(previous);
-	if (c)
-		freelocale(c);
-	return ok;
-}
-
 /* ---- binary or ASCII ---- */
 
 static bool is_text(const struct reader *r)
@@ -378,9 +359,9 @@ static bool starts_with_solid(const struct reader *r)
 {
 	const char *at = r->buffer + byte_order_mark(r);
 
-	while (is_space(*at))
+	while (ascii_is_space(*at))
 		at++;
-	return strncasecmp(at, "solid", 5) == 0 && (at[5] == '\0' || is_space(at[5]));
+	return ascii_same_start(at, "solid", 5) && (at[5] == '\0' || ascii_is_space(at[5]));
 }
 
 /* Reports the error in a file whose size does not match its header and that is not ASCII, either. */
@@ -421,7 +402,7 @@ static bool read_either(struct reader *r, struct soup *soup)
 	if (!starts_with_solid(r) || !is_text(r))
 		return fail_unfitting(r);
 	r->at = byte_order_mark(r);
-	return read_ascii(r, soup);
+	return read_solids(r, soup);
 }
 
 /* Opening must not wait for the writer of a FIFO, nor block on a device. */

@@ -1,7 +1,8 @@
 #include "import/axis_chains.h"
 
-#include <ctype.h>
 #include <string.h>
+
+#include "base/ascii.h"
 
 static const struct srcloc nowhere;
 
@@ -26,7 +27,7 @@ bool axis_letters_read(struct axis_letters *letters, const char *option, const c
 	struct axis_letters read = {""};
 
 	for (const char *at = asked; at && *at; at++) {
-		char letter = (char)toupper((unsigned char)*at);
+		char letter = ascii_upper(*at);
 
 		if (!axis_letters_have(axes, letter) || axis_letters_have(read.text, letter)) {
 			diag_error(diag, nowhere,

@@ -1,10 +1,9 @@
 #include "import/emc_machine.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/axes.h"
 #include "base/decimal.h"
 #include "base/math/math_functions.h"
@@ -201,9 +200,9 @@ static bool take_letters(struct reading *r, const char *text, size_t length)
 	size_t joints = 0, axes = 0;
 
 	for (size_t i = 0; i < length; i++) {
-		char letter = (char)toupper((unsigned char)text[i]);
+		char letter = ascii_upper(text[i]);
 
-		if (isspace((unsigned char)letter))
+		if (ascii_is_space(letter))
 			continue;
 		if (slot_of_letter(letter) < 0 || joints == sizeof(r->joints) - 1)
 			return false;
@@ -410,9 +409,9 @@ static bool find_unit(struct reading *r)
 	double value;
 
 	r->unit = 1;
-	if (!text || !strncasecmp(text, "mm", 2) || !strncasecmp(text, "metric", 6))
+	if (!text || ascii_same_start(text, "mm", 2) || ascii_same_start(text, "metric", 6))
 		return text || fault(r, "[TRAJ] has no LINEAR_UNITS");
-	if (!strncasecmp(text, "in", 2) || !strncasecmp(text, "imperial", 8)) {
+	if (ascii_same_start(text, "in", 2) || ascii_same_start(text, "imperial", 8)) {
 		r->unit = MM_PER_INCH;
 		return true;
 	}

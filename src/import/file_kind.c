@@ -1,7 +1,6 @@
 #include "import/file_kind.h"
 
 #include <string.h>
-#include <strings.h>
 
 #include "base/file_bytes.h"
 #include "base/file_signature.h"

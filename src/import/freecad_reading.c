@@ -1,9 +1,9 @@
 #include "import/freecad_reading.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 
+#include "base/ascii.h"
 #include "base/strbuf.h"
 
 struct srcloc freecad_place(const struct freecad_reading *r)
@@ -33,7 +33,7 @@ void freecad_warn(struct freecad_reading *r, const char *format, ...)
 	strbuf_addv(&text, format, args);
 	va_end(args);
 	diag_warning(r->diag, freecad_place(r), "%s", strbuf_text(&text));
-	text.text[0] = (char)toupper((unsigned char)text.text[0]);
+	text.text[0] = ascii_upper(text.text[0]);
 	import_machine_todo(r->machine, "%s.", strbuf_text(&text));
 	strbuf_release(&text);
 }

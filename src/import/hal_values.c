@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/file_bytes.h"
 #include "base/mem.h"
@@ -97,8 +97,8 @@ bool hal_values_read(struct hal_values *hal, const struct ini_file *ini, struct 
 
 static bool read_number(const char *text, size_t length, bool bit, double *value)
 {
-	const bool yes = bit && length == 4 && !strncasecmp(text, "true", 4),
-		   no = bit && length == 5 && !strncasecmp(text, "false", 5);
+	const bool yes = bit && length == 4 && ascii_same_start(text, "true", 4),
+		   no = bit && length == 5 && ascii_same_start(text, "false", 5);
 
 	if (yes || no)
 		*value = yes;

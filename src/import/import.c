@@ -1,11 +1,10 @@
 #include "import/import.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "base/strbuf.h"
 #include "machine/body.h"
@@ -45,7 +44,7 @@ static bool is_taken(const struct import_machine *machine, const char *name)
 {
 	for (; machine; machine = machine->beside)
 		for (size_t i = 0; i < machine->description.body_count; i++)
-			if (!strcasecmp(machine->description.bodies[i].name, name))
+			if (ascii_same(machine->description.bodies[i].name, name))
 				return true;
 	return false;
 }
@@ -56,7 +55,7 @@ static void add_plain(struct strbuf *out, const char *text)
 	bool joined = false;
 
 	for (; *text && out->length < NAME_MAX_BYTES; text++) {
-		bool plain = isalnum((unsigned char)*text) || (*text && strchr("-.+", *text));
+		bool plain = ascii_is_alphanumeric(*text) || (*text && strchr("-.+", *text));
 
 		if (plain && (out->length || *text != '.')) {
 			strbuf_add(out, text, 1);

@@ -1,11 +1,10 @@
 #include "import/ini_file.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/file_bytes.h"
 #include "base/mem.h"
@@ -41,9 +40,9 @@ static const char *trimmed(struct arena *arena, const char *from, const char *to
 {
 	char *copy;
 
-	while (from < to && isspace((unsigned char)*from))
+	while (from < to && ascii_is_space(*from))
 		from++;
-	while (to > from && isspace((unsigned char)to[-1]))
+	while (to > from && ascii_is_space(to[-1]))
 		to--;
 	copy = arena_alloc(arena, (size_t)(to - from) + 1);
 	memcpy(copy, from, (size_t)(to - from));
@@ -96,9 +95,9 @@ static bool read_line(struct reading *r, const char *line, size_t length)
 {
 	const char *end = line + length, *equals;
 
-	while (line < end && isspace((unsigned char)*line))
+	while (line < end && ascii_is_space(*line))
 		line++;
-	if (!strncasecmp(line, include, sizeof(include) - 1) && line + sizeof(include) - 1 < end)
+	if (ascii_same_start(line, include, sizeof(include) - 1) && line + sizeof(include) - 1 < end)
 		return read_include(r, trimmed(&r->ini->arena, line + sizeof(include) - 1, end));
 	if (line == end || *line == '#' || *line == ';')
 		return true;

@@ -3,10 +3,10 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/ascii.h"
 #include "base/has_ending.h"
 #include "geom/stl.h"
 #include "import/mesh_helper.h"
@@ -38,7 +38,7 @@ static bool add_entry(struct strbuf *path, const char *part, size_t length)
 	path->text[path->length = before] = '\0';
 	folder = opendir(strbuf_text(path));
 	while (folder && !found && (entry = readdir(folder))) {
-		found = strlen(entry->d_name) == length && !strncasecmp(entry->d_name, part, length);
+		found = strlen(entry->d_name) == length && ascii_same_start(entry->d_name, part, length);
 		if (found)
 			strbuf_addf(path, "/%s", entry->d_name);
 	}

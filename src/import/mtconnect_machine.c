@@ -1,9 +1,9 @@
 #include "import/mtconnect_machine.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/axes.h"
 #include "base/strbuf.h"
 #include "import/axis_chains.h"
@@ -60,7 +60,7 @@ static bool is_spindle(const xmlNode *component)
 
 	if (!foreign_is(component, "Rotary"))
 		return false;
-	if (toupper((unsigned char)*called) == 'S')
+	if (ascii_upper(*called) == 'S')
 		return true;
 	return !has_item(component, "ANGLE") &&
 	       (has_item(component, "ROTARY_VELOCITY") || has_item(component, "SPINDLE_SPEED"));
@@ -73,7 +73,7 @@ static char letter_of(const char *name)
 
 	if (!name || !*name)
 		return 0;
-	letter = (char)toupper((unsigned char)*name);
+	letter = ascii_upper(*name);
 	return slot_of_letter(letter) < 0 || name[1 + strspn(name + 1, "0123456789")] ? '\0' : letter;
 }
 

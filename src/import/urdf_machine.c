@@ -1,10 +1,9 @@
 #include "import/urdf_machine.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/axes.h"
 #include "base/decimal.h"
 #include "base/strbuf.h"
@@ -140,8 +139,8 @@ static char letter_of(const char *name)
 	char found = 0;
 
 	for (const char *at = name; *at; at++) {
-		char letter = (char)toupper((unsigned char)*at);
-		bool alone = (at == name || !isalpha((unsigned char)at[-1])) && !isalpha((unsigned char)at[1]);
+		char letter = ascii_upper(*at);
+		bool alone = (at == name || !ascii_is_letter(at[-1])) && !ascii_is_letter(at[1]);
 
 		if (!alone || slot_of_letter(letter) < 0)
 			continue;
@@ -385,7 +384,7 @@ static const struct urdf_link *first_named(const struct reading *r, const char *
 {
 	for (; *names; names++)
 		for (size_t i = 0; i < r->count; i++)
-			if (!strcasecmp(r->links[i].name, *names))
+			if (ascii_same(r->links[i].name, *names))
 				return &r->links[i];
 	return NULL;
 }

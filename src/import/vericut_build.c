@@ -1,14 +1,14 @@
 #include "import/vericut_build.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
 static bool is_type(const struct vericut_part *part, const char *type)
 {
-	return !strcasecmp(part->type, type);
+	return ascii_same(part->type, type);
 }
 
 bool vericut_part_is_axis(const struct vericut_part *part)

@@ -1,9 +1,9 @@
 #include "import/vericut_components.h"
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 
 #include <string.h>
-#include <strings.h>
 
 struct vericut_component *vericut_components_find(const struct vericut_components *components, const char *name)
 {
@@ -133,7 +133,7 @@ static void mark_carriers(const struct vericut_components *components)
 		bool holds = false;
 
 		for (size_t k = 0; k < sizeof(work) / sizeof(*work); k++)
-			holds |= !strcasecmp(components->items[i].type, work[k]);
+			holds |= ascii_same(components->items[i].type, work[k]);
 		for (struct vericut_component *c = holds ? &components->items[i] : NULL; c; c = c->parent)
 			c->carries_work = true;
 	}

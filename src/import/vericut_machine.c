@@ -1,16 +1,15 @@
 #include "import/vericut_machine.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/axes.h"
 #include "base/math/math_functions.h"
-#include "machine/xml/foreign_xml.h"
 #include "import/vericut_components.h"
 #include "import/vericut_model.h"
 #include "import/vericut_pairs.h"
+#include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
 struct reading {
@@ -51,7 +50,7 @@ static bool axis_direction(const struct vericut_component *c, const xmlNode *lin
 			  xml_quote(c->name).text);
 		return false;
 	}
-	switch (toupper((unsigned char)*word)) {
+	switch (ascii_upper(*word)) {
 	case 'X':
 		*direction = vec3_scale(sense, c->frame.rotation.x);
 		break;
@@ -72,7 +71,7 @@ static bool is_reversed(const struct vericut_component *c, const xmlNode *link, 
 {
 	const char *disabled = foreign_attribute(link, "DisableAuto"), *side = foreign_attribute(link, "PartSide");
 
-	if (side && strcasecmp(side, "auto") != 0) {
+	if (side && !ascii_same(side, "auto")) {
 		xml_error(
 		    c->xml, link, "PartSide",
 		    "PartSide=\"%s\" of '%s' is not supported, only \"auto\"; write the direction of the axis for a "
@@ -80,7 +79,7 @@ static bool is_reversed(const struct vericut_component *c, const xmlNode *link, 
 		    xml_quote(side).text, xml_quote(c->name).text);
 		return false;
 	}
-	*reversed = c->carries_work && !(disabled && !strcasecmp(disabled, "on"));
+	*reversed = c->carries_work && !(disabled && ascii_same(disabled, "on"));
 	return true;
 }
 
@@ -88,7 +87,7 @@ static bool is_reversed(const struct vericut_component *c, const xmlNode *link, 
 static int slot_of(const xmlNode *link)
 {
 	const char *name = foreign_attribute(link, "Register");
-	const char *letter = name && strlen(name) == 1 ? strchr(AXIS_LETTERS, toupper((unsigned char)*name)) : NULL;
+	const char *letter = name && strlen(name) == 1 ? strchr(AXIS_LETTERS, ascii_upper(*name)) : NULL;
 
 	return letter ? (int)(letter - AXIS_LETTERS) : -1;
 }
@@ -145,7 +144,7 @@ static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNo
 
 	*axis = (struct axis_description){
 		.slot = slot,
-		.rotary = !strcasecmp(c->type, "rotary"),
+		.rotary = ascii_same(c->type, "rotary"),
 		.parent = c->link,
 		.location = c->frame.translation,
 	};
@@ -179,7 +178,7 @@ static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNo
 static bool read_axis(struct reading *r, struct vericut_component *c)
 {
 	const xmlNode *link = foreign_child(c->node, "Link");
-	bool linear = !strcasecmp(c->type, "linear"), rotary = !strcasecmp(c->type, "rotary");
+	bool linear = ascii_same(c->type, "linear"), rotary = ascii_same(c->type, "rotary");
 	int slot;
 
 	c->link = c->parent ? c->parent->link : 0;
@@ -302,7 +301,7 @@ static const struct vericut_component *choose(const struct reading *r, const cha
 	for (size_t i = 0; i < r->components.count; i++) {
 		const struct vericut_component *c = &r->components.items[i];
 
-		if (strcasecmp(c->type, type) != 0)
+		if (!ascii_same(c->type, type))
 			continue;
 		if (!count++)
 			chosen = c;

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/mem.h"
 #include "base/file_bytes.h"
+#include "base/mem.h"
 #include "import/mesh_build.h"
 
 static const char head[] = "VERICUT-model\nversion-2.0\n1\n0 1 0\n";

@@ -1,8 +1,8 @@
 #include "import/vericut_model.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/units.h"
 #include "import/mesh_build.h"
 #include "import/mesh_file.h"
@@ -13,9 +13,9 @@ double vericut_unit(struct xml_reader *xml, const xmlNode *node)
 {
 	const char *unit = foreign_attribute(node, "Unit");
 
-	if (unit && !strcasecmp(unit, "millimeter"))
+	if (unit && ascii_same(unit, "millimeter"))
 		return 1;
-	if (unit && !strcasecmp(unit, "inch"))
+	if (unit && ascii_same(unit, "inch"))
 		return MM_PER_INCH;
 	xml_error(xml, node, unit ? "Unit" : NULL, "the Unit of <%s> must be millimeter or inch",
 		  (const char *)node->name);

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/same_double.h"
 #include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
@@ -201,7 +201,7 @@ static bool take_row(const struct reading *r, const xmlNode *table, const xmlNod
 {
 	const char *index = foreign_attribute(row, "Index") ? foreign_attribute(row, "Index") : "";
 	const char *kind = foreign_attribute(table, "Name");
-	const char *name = !strcasecmp(kind, "Work Offsets") ? name_of(index) : NULL;
+	const char *name = ascii_same(kind, "Work Offsets") ? name_of(index) : NULL;
 	struct strbuf text = {0};
 
 	if (!name || is_taken(r->setup, name))

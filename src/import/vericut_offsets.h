@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "import/vericut_components.h"
 #include "import/import_project.h"
+#include "import/vericut_components.h"
 
 /*
  * Reads the tables of <GCode> into the setup. `components` are those of its <Build>, placed relative to the mount of

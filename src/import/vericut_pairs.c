@@ -1,7 +1,8 @@
 #include "import/vericut_pairs.h"
 
 #include <string.h>
-#include <strings.h>
+
+#include "base/ascii.h"
 
 struct side {
 	const struct vericut_component *component;
@@ -18,7 +19,7 @@ const char *const vericut_axis_names[SLOT_COUNT] = {"X", "Y", "Z", "A", "B", "C"
 
 static bool is_type(const struct vericut_component *c, const char *type)
 {
-	return !strcasecmp(c->type, type);
+	return ascii_same(c->type, type);
 }
 
 static bool is_in(const struct vericut_component *c, const struct side *side)

@@ -1,12 +1,11 @@
 /* realpath is one of the X/Open extensions of POSIX. */
 #define _XOPEN_SOURCE 700
 
+#include "base/ascii.h"
 #include "import/vericut_project.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/mem.h"
 #include "base/strbuf.h"
@@ -75,7 +74,7 @@ static bool find_machine(struct reading *r, const char **path)
 		const xmlNode *file = foreign_child(foreign_child(setup, "Machine"), "File");
 		const char *written = foreign_text(&r->arena, file);
 
-		if (*written && first && strcasecmp(first, written) != 0) {
+		if (*written && first && !ascii_same(first, written)) {
 			xml_error(&r->xml, file, NULL,
 				  "the setups of this project are on several machines: save each as a project of its "
 				  "own");
@@ -160,7 +159,7 @@ static bool role_of(const struct vericut_component *component, enum body_role *r
 
 	for (size_t i = 0; i < sizeof(roles) / sizeof(*roles); i++) {
 		*role = roles[i].role;
-		if (!strcasecmp(component->type, roles[i].type))
+		if (ascii_same(component->type, roles[i].type))
 			return true;
 	}
 	return false;
@@ -262,7 +261,7 @@ static bool read_bodies(struct reading *r, struct import_setup *setup, const str
 
 static bool is_plain(char letter)
 {
-	return isalnum((unsigned char)letter) || strchr("._-", letter);
+	return ascii_is_alphanumeric(letter) || strchr("._-", letter);
 }
 
 /* The name becomes part of file names, and of the name of a job. */
@@ -276,7 +275,7 @@ static void name_setup(struct reading *r, struct import_setup *setup, const xmlN
 	for (const char *at = wanted; good && *at; at++)
 		good = is_plain(*at);
 	for (size_t i = 0; good && i < count; i++)
-		good = strcasecmp(r->project->setups[i].name, wanted) != 0;
+		good = !ascii_same(r->project->setups[i].name, wanted);
 	if (good)
 		strbuf_addf(&name, "%s", wanted);
 	else

@@ -1,7 +1,6 @@
 #include "machine/tool_name.h"
 
 #include <math.h>
-#include <strings.h>
 
 #include "base/ascii.h"
 #include "base/units.h"
@@ -43,7 +42,8 @@ static double read_number(const char **at)
 static bool is_angle(const char *behind)
 {
 	behind += *behind == ' ';
-	return !strncasecmp(behind, "deg", 3) || behind[0] == '\xb0' || (behind[0] == '\xc2' && behind[1] == '\xb0');
+	return ascii_same_start(behind, "deg", 3) || behind[0] == '\xb0' ||
+	       (behind[0] == '\xc2' && behind[1] == '\xb0');
 }
 
 static bool is_same(double number, double length)

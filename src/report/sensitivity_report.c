@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "check/finding.h"
-#include "report/format/json.h"
 #include "report/format/format_units.h"
+#include "report/format/json.h"
 
 /* Rounded down, so that the printed number is proved, too. */
 static void add_down(struct strbuf *out, double mm)

@@ -6,10 +6,10 @@
 
 #include "base/mem.h"
 #include "base/same_double.h"
+#include "geom/edge_balance.h"
 #include "geom/near_zero.h"
 #include "geom/stl.h"
 #include "geom/tolerance.h"
-#include "geom/edge_balance.h"
 #include "geom/topology.h"
 #include "machine/tool_core.h"
 #include "machine/tool_solid.h"

@@ -6,9 +6,9 @@
 
 #include "machine/tool_solid.h"
 #include "random.h"
-#include "suite.h"
 #include "stock/cut_log.h"
 #include "stock/obstacle.h"
+#include "suite.h"
 
 static const struct tool_section flat[] = {{20, 10, 10}};
 static const struct tool_section stepped[] = {{8, 4, 4}, {3, 9, 9}, {5, 9, 3}};

@@ -4,8 +4,8 @@
 #include <sys/resource.h>
 
 #include "random.h"
-#include "suite.h"
 #include "stock/cut_store.h"
+#include "suite.h"
 
 enum { LIMIT = 5, CHUNKS = 3000 };
 

@@ -6,9 +6,9 @@
 
 #include "check/model.h"
 #include "geom/moved_tri.h"
+#include "machine_case.h"
 #include "random.h"
 #include "truth.h"
-#include "machine_case.h"
 
 /* The distance of two bodies from all pairs of triangles, without a tree. */
 static double brute_force(struct scene *scene, const struct scene_pair *pair, const axis_values *q)

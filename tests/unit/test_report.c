@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/units.h"
-#include "report/writers/ndjson.h"
 #include "report/format/format_units.h"
+#include "report/writers/ndjson.h"
 #include "suite.h"
 
 static void expect(struct strbuf *out, const char *text)

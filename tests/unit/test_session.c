@@ -5,8 +5,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "report/format/digest.h"
 #include "machine_case.h"
+#include "report/format/digest.h"
 
 /* Two cubes of 10 mm, 20 mm apart at home; X moves the second one onto the first. */
 static const char machine_text[] =

@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/strbuf.h"
 #include "base/decimal.h"
+#include "base/strbuf.h"
 #include "suite.h"
 
 static char folder[] = "/tmp/test_stl.XXXXXX";

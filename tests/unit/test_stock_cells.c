@@ -8,10 +8,10 @@
 #include "machine/tool_solid.h"
 #include "random.h"
 #include "solids.h"
-#include "suite.h"
 #include "stock/cut_log.h"
 #include "stock/passage.h"
 #include "stock/stock_cells.h"
+#include "suite.h"
 
 static const struct tool_section flat[] = {{20, 10, 10}};
 static const struct tool_section stepped[] = {{8, 4, 4}, {3, 9, 9}, {5, 9, 3}};

@@ -7,8 +7,8 @@
 #include "machine/tool_solid.h"
 #include "random.h"
 #include "solids.h"
-#include "suite.h"
 #include "stock/stock_mesh.h"
+#include "suite.h"
 
 /* A box of 40 x 30 x 10 mm with a slot of a flat cutter of 10 mm along X: its floor at z = 5, its round end at x = 5. */
 struct slotted {

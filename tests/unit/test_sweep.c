@@ -1,8 +1,8 @@
 #include "scene/sweep.h"
 
 #include "first_contact.h"
-#include "suite.h"
 #include "scene/coherence.h"
+#include "suite.h"
 
 /* Two random solids that are near each other at some instant of a random move. */
 struct encounter {

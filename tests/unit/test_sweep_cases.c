@@ -1,8 +1,8 @@
 
 #include "first_contact.h"
-#include "suite.h"
 #include "scene/coherence.h"
 #include "scene/sweep.h"
+#include "suite.h"
 
 static const struct joint along_x = {SLOT_X, false, {1, 0, 0}, {0, 0, 0}};
 static const struct joint along_z = {SLOT_Z, false, {0, 0, 1}, {0, 0, 0}};

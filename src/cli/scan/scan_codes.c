@@ -1,6 +1,5 @@
 #include "cli/scan/scan_codes.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,7 +86,7 @@ static bool is_plain(const struct code_word *word, char text[LINE_SHAPE_MAX])
 {
 	line_shape_squeeze(word->word, text);
 	for (const char *at = text; *at; at++) {
-		if (!isalnum((unsigned char)*at))
+		if (!ascii_is_alphanumeric(*at))
 			return false;
 	}
 	return true;

@@ -1,6 +1,5 @@
 #include "gcode/dialect/family_signs.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -135,7 +134,7 @@ static void unspace(const char *line, char out[LINE_SHAPE_MAX])
 	size_t length = 0;
 
 	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
-		if (!isspace((unsigned char)*line))
+		if (!ascii_is_space(*line))
 			out[length++] = ascii_upper(*line);
 	}
 	out[length] = '\0';

@@ -1,8 +1,9 @@
 #include "gcode/execute/tool_table.h"
 
 #include <stdlib.h>
-#include <strings.h>
+#include <string.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "gcode/text/fault.h"
 
@@ -46,14 +47,14 @@ const struct tool *tool_table_find(const struct tool_table *table, int number)
 }
 
 bool tool_table_find_name(const struct tool_table *table, const struct line_place *at, int column, const char *name,
-			  int (*compare)(const char *, const char *), const struct tool **found)
+			  bool any_case, const struct tool **found)
 {
 	const struct tool *first = NULL;
 
 	for (size_t i = 0; i < table->tool_count; i++) {
 		const struct tool *tool = &table->tools[i];
 
-		if (!tool->name || compare(tool->name, name) != 0)
+		if (!tool->name || !(any_case ? ascii_same(tool->name, name) : !strcmp(tool->name, name)))
 			continue;
 		if (first)
 			return fault(at, column,

@@ -31,12 +31,12 @@ void tool_table_release(struct tool_table *table);
 const struct tool *tool_table_find(const struct tool_table *table, int number);
 
 /*
- * Finds the tool with this name; `compare` is strcmp or strcasecmp. False, reported at the column: there is none, or
- * there are several. On a control, tools of one name replace each other when one is worn, and no program tells which
- * of them it loads.
+ * Finds the tool with this name; any_case: a letter in upper case and in lower case are the same. False, reported at
+ * the column: there is none, or there are several. On a control, tools of one name replace each other when one is worn,
+ * and no program tells which of them it loads.
  */
 bool tool_table_find_name(const struct tool_table *table, const struct line_place *at, int column, const char *name,
-			  int (*compare)(const char *, const char *), const struct tool **found);
+			  bool any_case, const struct tool **found);
 
 const struct length_offset *tool_table_length(const struct tool_table *table, int number);
 

@@ -1,6 +1,5 @@
 #include "gcode/text/line_shape.h"
 
-#include <ctype.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -14,7 +13,7 @@ void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX])
 
 	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
 		comment = comment ? *line != ')' : *line == '(';
-		if (!comment && *line != ')' && !isspace((unsigned char)*line))
+		if (!comment && *line != ')' && !ascii_is_space(*line))
 			out[length++] = ascii_upper(*line);
 	}
 	out[length] = '\0';

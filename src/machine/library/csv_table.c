@@ -1,7 +1,8 @@
 #include "machine/library/csv_table.h"
 
 #include <string.h>
-#include <strings.h>
+
+#include "base/ascii.h"
 
 /* Moves past the end of a line: LF, CR LF, or CR. */
 static void skip_line_end(struct csv_table *table)
@@ -26,7 +27,7 @@ static char find_separator(const char *text)
 /* Excel reads and writes a line "sep=;" before the column names. */
 static bool is_separator_line(const char *line)
 {
-	return !strncasecmp(line, "sep=", 4) && line[4] && strchr(",;\t", line[4]) && line[5] &&
+	return ascii_same_start(line, "sep=", 4) && line[4] && strchr(",;\t", line[4]) && line[5] &&
 	       strchr("\r\n", line[5]);
 }
 

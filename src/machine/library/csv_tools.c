@@ -1,11 +1,10 @@
 #include "machine/library/csv_tools.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/math/math_functions.h"
 #include "base/strbuf.h"
@@ -54,9 +53,9 @@ static bool fault(const struct reading *r, const char *what)
 static bool is_named(const char *cell, const char *name)
 {
 	for (; *cell; cell++) {
-		if (!isalnum((unsigned char)*cell))
+		if (!ascii_is_alphanumeric(*cell))
 			continue;
-		if (tolower((unsigned char)*cell) != *name++)
+		if (ascii_lower(*cell) != *name++)
 			return false;
 	}
 	return !*name;
@@ -170,9 +169,9 @@ static bool read_unit(struct reading *r, double fallback)
 		r->tools->unit_is_assumed = true;
 		return true;
 	}
-	if (!strcasecmp(unit, "mm") || !strcasecmp(unit, "millimeters"))
+	if (ascii_same(unit, "mm") || ascii_same(unit, "millimeters"))
 		r->unit = 1;
-	else if (!strcasecmp(unit, "inch") || !strcasecmp(unit, "in") || !strcasecmp(unit, "inches"))
+	else if (ascii_same(unit, "inch") || ascii_same(unit, "in") || ascii_same(unit, "inches"))
 		r->unit = MM_PER_INCH;
 	else
 		return fault(r, "units must be mm or inch");
@@ -210,7 +209,7 @@ static double or_else(double value, double fallback)
 /* Does the row have a type that is this word or begins with it? */
 static bool is_type(const char *type, const char *word)
 {
-	return !strncasecmp(type, word, strlen(word));
+	return ascii_same_start(type, word, strlen(word));
 }
 
 static bool set_tip(struct reading *r, const struct row *row, struct tool_outline *tool)

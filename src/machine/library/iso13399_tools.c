@@ -2,8 +2,8 @@
 
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/strbuf.h"
 #include "base/units.h"
@@ -63,7 +63,7 @@ static const char *const of_inserts[] = {
 static bool is_among(const char *name, const char *const *list, size_t count)
 {
 	for (size_t i = 0; i < count; i++)
-		if (!strcasecmp(name, list[i]))
+		if (ascii_same(name, list[i]))
 			return true;
 	return false;
 }
@@ -74,10 +74,10 @@ static double unit_of(struct reading *r, const struct step_entity *value, bool *
 	const struct step_entity *unit = step_entities_find(&r->entities, step_entity_reference(value, 2));
 	const char *name = unit && step_entity_is(unit, "UNIT") ? step_entity_argument(unit, 0, &r->arena) : "";
 
-	*angle = !strcasecmp(name, "deg");
-	if (!strcasecmp(name, "mm") || *angle)
+	*angle = ascii_same(name, "deg");
+	if (ascii_same(name, "mm") || *angle)
 		return 1;
-	return !strcasecmp(name, "in") || !strcasecmp(name, "inch") ? MM_PER_INCH : 0;
+	return ascii_same(name, "in") || ascii_same(name, "inch") ? MM_PER_INCH : 0;
 }
 
 /* NUMERICAL_VALUE ('DC', $, #unit, '6.35') */
@@ -116,7 +116,7 @@ static void read_value(struct reading *r, const struct step_entity *entity, stru
 	if (is_among(name, of_inserts, sizeof(of_inserts) / sizeof(*of_inserts)))
 		leave_out(r, "the cutting edges are inserts", "");
 	for (size_t i = 0; i < sizeof(rows) / sizeof(*rows); i++) {
-		if (strcasecmp(name, rows[i].symbol) != 0 && strcasecmp(name, rows[i].name) != 0)
+		if (!ascii_same(name, rows[i].symbol) && !ascii_same(name, rows[i].name))
 			continue;
 		if (!(unit > 0) || angle != rows[i].angle || !decimal_read(text, strlen(text), &value) ||
 		    !isfinite(value) || value < 0)

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "base/path_sandbox.h"
 #include "geom/tolerance.h"
@@ -141,7 +141,7 @@ struct length_differences {
 
 static bool has_key(const struct tool_description *tool, const struct tool_values_description *row)
 {
-	return row->key ? tool->name && !strcasecmp(tool->name, row->key) : tool->number == row->number;
+	return row->key ? tool->name && ascii_same(tool->name, row->key) : tool->number == row->number;
 }
 
 /* Two files, or a file and the setup, contradict each other. */

@@ -1,9 +1,9 @@
 #include "machine/library/step_entities.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 
 /* Entities with larger numbers are not read. */
@@ -39,7 +39,7 @@ static void step(struct scan *scan)
 static void skip_space(struct scan *scan)
 {
 	for (;;) {
-		while (isspace((unsigned char)*scan->at))
+		while (ascii_is_space(*scan->at))
 			step(scan);
 		if (strncmp(scan->at, "/*", 2) != 0)
 			return;
@@ -77,7 +77,7 @@ static long read_number(const char **at)
 {
 	long number = 0;
 
-	for (; isdigit((unsigned char)**at) && number <= NUMBER_MAX; ++*at)
+	for (; ascii_is_digit(**at) && number <= NUMBER_MAX; ++*at)
 		number = 10 * number + (**at - '0');
 	return number <= NUMBER_MAX ? number : 0;
 }
@@ -92,7 +92,7 @@ static bool read_entity(struct scan *scan, struct step_entity *entity)
 	scan->at++;
 	skip_space(scan);
 	entity->name = scan->at;
-	while (isalnum((unsigned char)*scan->at) || *scan->at == '_')
+	while (ascii_is_alphanumeric(*scan->at) || *scan->at == '_')
 		scan->at++;
 	entity->name_length = (size_t)(scan->at - entity->name);
 	skip_space(scan);
@@ -180,7 +180,7 @@ static bool find_argument(const struct step_entity *entity, int n, const char **
 		scan.at++;
 	}
 	*length = (size_t)(scan.at - *start);
-	while (*length && isspace((unsigned char)(*start)[*length - 1]))
+	while (*length && ascii_is_space((*start)[*length - 1]))
 		--*length;
 	return true;
 }

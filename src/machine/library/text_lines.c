@@ -1,9 +1,9 @@
 #include "machine/library/text_lines.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 
 bool text_lines_next(struct text_lines *lines)
@@ -46,7 +46,7 @@ int letter_word_next(const char **at, const char *end, struct letter_word *word)
 	*at = from;
 	if (from == end || *from == ';')
 		return 0;
-	if (!isalpha((unsigned char)*from))
+	if (!ascii_is_letter(*from))
 		return -1;
 	to = skip(from + 1, end);
 	for (length = 0; to + length < end && length < sizeof(text) - 1 && strchr("+-.0123456789", to[length]);
@@ -55,7 +55,7 @@ int letter_word_next(const char **at, const char *end, struct letter_word *word)
 	text[length] = '\0';
 	if (!decimal_read(text, length, &word->value) || !isfinite(word->value))
 		return -1;
-	word->letter = (char)toupper((unsigned char)*from);
+	word->letter = ascii_upper(*from);
 	word->has_point = strchr(text, '.') != NULL;
 	*at = to + length;
 	return 1;

@@ -1,10 +1,9 @@
 #include "machine/library/tnc_table.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/units.h"
 #include "base/utf8.h"
@@ -26,17 +25,17 @@ static bool fault(const struct tnc_table *table, const char *what)
 /* The next word of the line at *at, which moves past it; its length, or 0: there is none. */
 static size_t next_word(const char **at, const char *end, const char **word)
 {
-	while (*at < end && isspace((unsigned char)**at))
+	while (*at < end && ascii_is_space(**at))
 		++*at;
 	*word = *at;
-	while (*at < end && !isspace((unsigned char)**at))
+	while (*at < end && !ascii_is_space(**at))
 		++*at;
 	return (size_t)(*at - *word);
 }
 
 static bool is_word(const char *word, size_t length, const char *name)
 {
-	return strlen(name) == length && !strncasecmp(word, name, length);
+	return strlen(name) == length && ascii_same_start(word, name, length);
 }
 
 /* Advances to a line with content. */
@@ -44,7 +43,7 @@ static bool next_line(struct text_lines *lines)
 {
 	while (text_lines_next(lines))
 		for (size_t i = 0; i < lines->length; i++)
-			if (!isspace((unsigned char)lines->line[i]))
+			if (!ascii_is_space(lines->line[i]))
 				return true;
 	return false;
 }
@@ -159,7 +158,8 @@ bool tnc_table_begin(struct tnc_table *table, const char *text, const char *path
 	for (size_t i = 0; i < table->count; i++)
 		for (size_t k = 0; k < i; k++)
 			if (table->columns[i].length == table->columns[k].length &&
-			    !strncasecmp(table->columns[i].name, table->columns[k].name, table->columns[i].length)) {
+			    ascii_same_start(table->columns[i].name, table->columns[k].name,
+					     table->columns[i].length)) {
 				diag_error(diag, table->at, "two columns have the name %.*s",
 					   (int)table->columns[i].length, table->columns[i].name);
 				return false;

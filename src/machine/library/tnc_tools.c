@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-#include "base/mem.h"
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
+#include "base/mem.h"
 #include "base/units.h"
 #include "geom/tolerance.h"
 #include "machine/library/tnc_table.h"
@@ -132,7 +132,7 @@ static bool read_kind(const struct reading *r, struct row *row)
 
 	row->kind = KIND_MILL;
 	for (size_t i = 0; i < sizeof(kinds) / sizeof(*kinds); i++)
-		if (!strcasecmp(strbuf_text(&text), kinds[i].name))
+		if (ascii_same(strbuf_text(&text), kinds[i].name))
 			row->kind = kinds[i].kind;
 	strbuf_release(&text);
 	return good;

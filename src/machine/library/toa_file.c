@@ -1,11 +1,10 @@
 #include "machine/library/toa_file.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 #include "base/mem.h"
 #include "base/units.h"
@@ -44,7 +43,7 @@ static bool fault(const struct reading *r, const char *what)
 
 static void skip_blanks(struct reading *r)
 {
-	while (r->next < r->end && isspace((unsigned char)*r->next))
+	while (r->next < r->end && ascii_is_space(*r->next))
 		r->next++;
 }
 
@@ -62,10 +61,10 @@ static size_t read_word(struct reading *r, char word[WORD_MAX])
 {
 	size_t length = 0;
 
-	while (r->next < r->end && (isalnum((unsigned char)*r->next) || *r->next == '_')) {
+	while (r->next < r->end && (ascii_is_alphanumeric(*r->next) || *r->next == '_')) {
 		if (length == WORD_MAX - 1)
 			return 0;
-		word[length++] = (char)toupper((unsigned char)*r->next++);
+		word[length++] = ascii_upper(*r->next++);
 	}
 	word[length] = '\0';
 	return length;
@@ -78,7 +77,7 @@ static bool read_number(struct reading *r, double *value)
 
 	skip_blanks(r);
 	while (r->next < r->end && length < sizeof(text) - 1 &&
-	       (isdigit((unsigned char)*r->next) || strchr("+-.", *r->next) ||
+	       (ascii_is_digit(*r->next) || strchr("+-.", *r->next) ||
 		(length && (*r->next == 'E' || *r->next == 'e'))))
 		text[length++] = *r->next++;
 	text[length] = '\0';
@@ -115,7 +114,7 @@ static bool is_numbered(const char *name, const char *prefix)
 {
 	const size_t length = strlen(prefix);
 
-	return !strncmp(name, prefix, length) && isdigit((unsigned char)name[length]);
+	return !strncmp(name, prefix, length) && ascii_is_digit(name[length]);
 }
 
 /* The n of $TC_DPn; 0: another name. */
@@ -357,8 +356,8 @@ bool toa_file_is(const char *text)
 			at += strspn(at, " \t");
 		}
 		for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
-			if ((size_t)(end - at) > strlen(names[i]) && !strncasecmp(at, names[i], strlen(names[i])) &&
-			    isdigit((unsigned char)at[strlen(names[i])]))
+			if ((size_t)(end - at) > strlen(names[i]) && ascii_same_start(at, names[i], strlen(names[i])) &&
+			    ascii_is_digit(at[strlen(names[i])]))
 				return true;
 	}
 	return false;

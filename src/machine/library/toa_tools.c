@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "geom/tolerance.h"
 #include "machine/library/toa_file.h"
 #include "machine/tool_build.h"
@@ -147,7 +147,7 @@ static bool check_twins(const struct reading *r, const struct toa_edge *edge, co
 		const struct toa_tool *twin = &r->file.tools[i];
 		const struct toa_edge *other;
 
-		if (!twin->name || twin->number == edge->tool || strcasecmp(twin->name, identity->name) != 0)
+		if (!twin->name || twin->number == edge->tool || !ascii_same(twin->name, identity->name))
 			continue;
 		other = first_edge(r, twin->number);
 		if (!other || other > edge || !tool_library_wants(r->tools, twin->number))

@@ -1,8 +1,8 @@
 #include "machine/library/vericut_text.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/has_ending.h"
 
 /* The first lines of a file give its version. */
@@ -39,7 +39,7 @@ static const char *version_of(const char *text, size_t *length)
 	for (const char *at = text; *at && at - text < HEAD_MAX && !*length; at++) {
 		const char *number;
 
-		if (strncasecmp(at, word, sizeof(word) - 1) != 0)
+		if (!ascii_same_start(at, word, sizeof(word) - 1))
 			continue;
 		number = at + sizeof(word) - 1;
 		number += strspn(number, " \t:=-_\"");

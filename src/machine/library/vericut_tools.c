@@ -2,12 +2,12 @@
 
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/math/math_functions.h"
 #include "base/units.h"
-#include "machine/xml/foreign_xml.h"
 #include "machine/tool_solid.h"
+#include "machine/xml/foreign_xml.h"
 #include "machine/xml/xml_element.h"
 
 struct reading {
@@ -79,7 +79,7 @@ static enum taken read_outline(struct reading *r, const xmlNode *sor, double bas
 			return FAULTY;
 		if (arc && !first) {
 			const xmlNode *sense = foreign_child(arc, "Direction");
-			bool right = sense && !strcasecmp(foreign_text(&r->tools->setup.arena, sense), "CW");
+			bool right = sense && ascii_same(foreign_text(&r->tools->setup.arena, sense), "CW");
 
 			if (!read_point(r, arc, &rc, &zc))
 				return FAULTY;
@@ -119,14 +119,14 @@ static enum taken read_apt(struct reading *r, const xmlNode *apt, struct tool_ou
 	    !read_value(r, apt, "FluteLength", &flutes) || !read_value(r, apt, "ShankDiameter", &shank))
 		return FAULTY;
 	tool->has_tip = true;
-	if (!strcasecmp(type, "FLAT END")) {
+	if (ascii_same(type, "FLAT END")) {
 		tool->tip = TIP_FLAT;
-	} else if (!strcasecmp(type, "BALL END")) {
+	} else if (ascii_same(type, "BALL END")) {
 		tool->tip = TIP_BALL;
-	} else if (!strcasecmp(type, "BULL NOSE")) {
+	} else if (ascii_same(type, "BULL NOSE")) {
 		tool->tip = corner > 0 ? TIP_BULL : TIP_FLAT;
 		tool->corner = unit * corner;
-	} else if (!strcasecmp(type, "DRILL") && angle > 0 && angle < 89) {
+	} else if (ascii_same(type, "DRILL") && angle > 0 && angle < 89) {
 		tool->tip = TIP_CONE;
 		tool->angle = (180 - 2 * angle) * math_acos(-1) / 180;
 	} else {
@@ -232,9 +232,9 @@ static bool read_unit(struct reading *r, const xmlNode *node)
 {
 	const char *unit = foreign_attribute(node, "Units");
 
-	if (unit && !strcasecmp(unit, "Millimeter"))
+	if (unit && ascii_same(unit, "Millimeter"))
 		r->xml.unit = 1;
-	else if (unit && !strcasecmp(unit, "Inch"))
+	else if (unit && ascii_same(unit, "Inch"))
 		r->xml.unit = MM_PER_INCH;
 	else
 		xml_error(&r->xml, node, unit ? "Units" : NULL, "the Units of <Tool> must be Millimeter or Inch");

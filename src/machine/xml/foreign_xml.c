@@ -2,8 +2,8 @@
 
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/decimal.h"
 
 static const char space[] = " \t\r\n";
@@ -45,7 +45,7 @@ bool foreign_attribute_is(const xmlNode *node, const char *name, const char *val
 {
 	const char *text = foreign_attribute(node, name);
 
-	return text && !strcasecmp(text, value);
+	return text && ascii_same(text, value);
 }
 
 /* The text of an element that contains only text; in a file without entities it is one node. */

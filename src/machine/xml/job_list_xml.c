@@ -1,10 +1,10 @@
 #include "machine/job_list.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/ascii.h"
 #include "machine/xml/body_xml.h"
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_element.h"
@@ -56,7 +56,7 @@ static void read_program(struct xml_reader *xml, const xmlNode *node, void *cont
 static bool is_plain(const char *name)
 {
 	for (const char *at = name; *at; at++)
-		if (!isalnum((unsigned char)*at) && !strchr("._-", *at))
+		if (!ascii_is_alphanumeric(*at) && !strchr("._-", *at))
 			return false;
 	return *name != '.';
 }

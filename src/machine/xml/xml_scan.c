@@ -1,8 +1,8 @@
 #include "machine/xml/xml_scan.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/file_signature.h"
 #include "base/mem.h"
 
@@ -63,7 +63,7 @@ static bool extends_ascii(const char *name)
 	static const char *const starts[] = {"UTF-8", "US-ASCII", "ASCII", "ISO-8859-", "windows-125"};
 
 	for (size_t i = 0; i < sizeof(starts) / sizeof(starts[0]); i++)
-		if (strncasecmp(name, starts[i], strlen(starts[i])) == 0)
+		if (ascii_same_start(name, starts[i], strlen(starts[i])))
 			return true;
 	return false;
 }

@@ -2,10 +2,10 @@
 
 #include <string.h>
 
-#include "report/format/format_units.h"
-#include "report/format/json.h"
 #include "report/format/base64.h"
+#include "report/format/format_units.h"
 #include "report/format/html_text.h"
+#include "report/format/json.h"
 #include "report/html/viewer.h"
 #include "report/sensitivity_report.h"
 #include "report/verdict.h"

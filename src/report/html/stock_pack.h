@@ -5,8 +5,8 @@
 #include <jansson.h>
 
 #include "base/strbuf.h"
-#include "report/html/page.h"
 #include "report/html/pack_mesh.h"
+#include "report/html/page.h"
 #include "report/html/recorder.h"
 
 struct stock_pack {

@@ -1,7 +1,6 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 
 #include <math.h>
-#include <strings.h>
 
 #include "base/ascii.h"
 #include "base/math/math_functions.h"
@@ -443,9 +442,9 @@ static bool read_assignment(struct lexer *lexer)
 /* Comments that are commands (LinuxCNC's manual, "Comments"); messages and the log move nothing. */
 static bool check_comment(const struct lexer *lexer, const char *text)
 {
-	if (!strncasecmp(text, "py,", 3))
+	if (ascii_same_start(text, "py,", 3))
 		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python code is not supported");
-	if (!strncasecmp(text, "abort,", 6))
+	if (ascii_same_start(text, "abort,", 6))
 		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
 	return true;
 }

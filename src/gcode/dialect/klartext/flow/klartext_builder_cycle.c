@@ -1,9 +1,7 @@
 #include "gcode/dialect/klartext/flow/klartext_builder_cycle.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/ascii.h"
 #include "base/minmax.h"
@@ -171,11 +169,11 @@ static bool bare_name(const char *path, char name[KLARTEXT_NAME])
 	for (const char *at = path; *at; at++)
 		path = *at == '\\' || *at == '/' || *at == ':' ? at + 1 : path;
 	length = strcspn(path, ".");
-	if (length >= KLARTEXT_NAME || (path[length] && strcasecmp(path + length, ".h") != 0) ||
+	if (length >= KLARTEXT_NAME || (path[length] && !ascii_same(path + length, ".h")) ||
 	    !ascii_is_letter(path[0]))
 		return false;
 	for (size_t i = 0; i < length; i++) {
-		if (!isalnum((unsigned char)path[i]) && path[i] != '_')
+		if (!ascii_is_alphanumeric(path[i]) && path[i] != '_')
 			return false;
 		name[i] = ascii_upper(path[i]);
 	}

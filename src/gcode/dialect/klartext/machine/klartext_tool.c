@@ -34,7 +34,7 @@ static bool find_by_name(struct lexer *lexer, const char *name, int column, int 
 	const struct interp *interp = lexer->context;
 	const struct tool *found;
 
-	if (!tool_table_find_name(&interp->tools, lexer->at, column, name, strcmp, &found))
+	if (!tool_table_find_name(&interp->tools, lexer->at, column, name, false, &found))
 		return false;
 	*number = found->number;
 	return true;

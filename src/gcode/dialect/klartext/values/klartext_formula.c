@@ -1,6 +1,5 @@
 #include "gcode/dialect/klartext/values/klartext_formula.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -71,7 +70,7 @@ static bool has_minus(const char *text, size_t operator)
 {
 	size_t end = before_blanks(text, operator);
 
-	while (end > 0 && (isalnum((unsigned char)text[end - 1]) || strchr("., \t)", text[end - 1])))
+	while (end > 0 && (ascii_is_alphanumeric(text[end - 1]) || strchr("., \t)", text[end - 1])))
 		end = text[end - 1] == ')' ? before_brackets(text, end) : end - 1;
 	if (end == 0 || text[end - 1] != '-')
 		return false;

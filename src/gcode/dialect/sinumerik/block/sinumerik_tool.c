@@ -3,8 +3,8 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/mem.h"
 #include "gcode/dialect/sinumerik/flow/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/frames/sinumerik_frame.h"
@@ -20,7 +20,7 @@ static bool number_name(struct interp *interp, const char *name, int column)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	size_t i = 0;
 
-	while (i < sinumerik->tool.name_count && strcasecmp(sinumerik->tool.names[i].bytes, name) != 0)
+	while (i < sinumerik->tool.name_count && !ascii_same(sinumerik->tool.names[i].bytes, name))
 		i++;
 	if (i >= NAMES_MAX)
 		return fault(&interp->at, column, "the program names more than %d tools", NAMES_MAX);
@@ -43,7 +43,7 @@ static bool select_by_name(struct interp *interp, const char *name, int column)
 		return true;
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
-	if (!tool_table_find_name(&interp->tools, &interp->at, column, name, strcasecmp, &tool))
+	if (!tool_table_find_name(&interp->tools, &interp->at, column, name, true, &tool))
 		return false;
 	interp->state.selected = tool->number;
 	return true;

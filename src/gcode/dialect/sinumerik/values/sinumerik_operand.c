@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/ascii.h"
 #include "base/units.h"
@@ -231,7 +230,7 @@ static bool tool_number(struct expr *expr, int column, double *value)
 		return false;
 	if (!interp->config->has_setup)
 		return fault(at, column, "the number of the tool \"%s\" is not known without a setup", name.bytes);
-	if (!tool_table_find_name(&interp->tools, at, column, name.bytes, strcasecmp, &tool))
+	if (!tool_table_find_name(&interp->tools, at, column, name.bytes, true, &tool))
 		return false;
 	*value = tool->number;
 	return true;
