@@ -18,7 +18,7 @@ static char *copy_of(const char *text)
 	return text ? mem_strndup(text, strlen(text)) : NULL;
 }
 
-static void add(void *context, const struct diag_entry *entry)
+static void add_entry(void *context, const struct diag_entry *entry)
 {
 	struct diag_queue *queue = context;
 	struct queued_diag *item;
@@ -34,7 +34,7 @@ static void add(void *context, const struct diag_entry *entry)
 
 void diag_queue_init(struct diag_queue *queue)
 {
-	*queue = (struct diag_queue){.diag = {.handle = add, .context = queue}};
+	*queue = (struct diag_queue){.diag = {.handle = add_entry, .context = queue}};
 }
 
 static int by_mark(const void *left, const void *right)

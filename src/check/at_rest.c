@@ -122,7 +122,7 @@ static void look_at_stock(struct checker *c, const struct rest_query *query, str
 }
 
 /* Checks all pairs in the order in which their findings are reported: a check may end with the first. */
-static void look(struct checker *c, const struct rest_query *query)
+static void look_at_all(struct checker *c, const struct rest_query *query)
 {
 	const double start = checker_clock();
 	size_t i = 0, k = 0;
@@ -143,7 +143,7 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 		.move = move, .tool_only = tool_only, .past_a_limit = is_past_a_limit(c)};
 
 	if (checker_owns(c))
-		look(c, &query);
+		look_at_all(c, &query);
 }
 
 void checker_spindle_stops(struct checker *c, int move)
@@ -151,5 +151,5 @@ void checker_spindle_stops(struct checker *c, int move)
 	const struct rest_query query = {.move = move, .spindle_stops = true};
 
 	if (checker_owns(c))
-		look(c, &query);
+		look_at_all(c, &query);
 }

@@ -77,7 +77,7 @@ static bool measures_first(const struct check_options *options)
 }
 
 /* Measures clearances. False: interrupted. */
-static bool measure(struct checker *c, struct pending_batch *pending)
+static bool measure_clearances(struct checker *c, struct pending_batch *pending)
 {
 	const double start = checker_clock();
 	const bool complete = scheduler_measure(&c->scheduler, &pending->batch, pending->tool, c->options);
@@ -96,13 +96,13 @@ static bool run_batch(void *context, size_t number)
 	if (!pending->runs)
 		return true;
 	batch_close(&pending->batch, c->scene->machine);
-	pending->complete = !measures_first(c->options) || measure(c, pending);
+	pending->complete = !measures_first(c->options) || measure_clearances(c, pending);
 	if (pending->complete) {
 		pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
 		pending_batch_keep_results(pending, &c->scheduler);
 	}
 	if (pending->complete && c->options->block_clearances && !measures_first(c->options))
-		pending->complete = measure(c, pending);
+		pending->complete = measure_clearances(c, pending);
 	pending->seconds = checker_clock() - start;
 	return pending->complete && !pending->result_count && !c->options->block_clearances;
 }
@@ -210,7 +210,7 @@ static void settle(struct checker *c, size_t count, struct block_record *timed)
 }
 
 /* Begins to check the collected steps. */
-static void begin(struct checker *c)
+static void begin_batch(struct checker *c)
 {
 	struct pending_batch *pending = pending_of(c, c->pending.begun);
 	const struct file_names opened = c->opened;
@@ -311,7 +311,7 @@ void checker_begin(struct checker *c)
 	if (c->pending.begun - c->pending.settled == PENDING)
 		settle(c, c->pending.settled + 1, NULL);
 	if (!c->end.stopped)
-		begin(c);
+		begin_batch(c);
 }
 
 void checker_settle(struct checker *c)
@@ -324,7 +324,7 @@ void checker_process(struct checker *c, struct block_record *timed)
 	checker_settle(c);
 	if (c->end.stopped)
 		return;
-	begin(c);
+	begin_batch(c);
 	settle(c, c->pending.begun, timed);
 	if (!c->background)
 		swap_batches(&c->batch, &c->pending.settling->batch);

@@ -147,8 +147,8 @@ static void add_result(struct pair_check *check, size_t step, enum query_answer 
 	    (struct pair_check_result){check->pair, step, answer, exhausted, *contact, false};
 }
 
-static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
-			      const struct check_options *options, struct contact *contact)
+static enum query_answer pass_step(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
+				   const struct check_options *options, struct contact *contact)
 {
 	if (options->method == CHECK_CERTIFIED)
 		return strategy_advance_step(&check->methods->strategy, sweep, step, contact);
@@ -163,7 +163,7 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 					    const struct motion_step *step, long block,
 					    const struct check_options *options, struct contact *contact)
 {
-	const enum query_answer answer = pass(check, sweep, step, options, contact);
+	const enum query_answer answer = pass_step(check, sweep, step, options, contact);
 	const bool at_start = answer == QUERY_CONTACT && !(contact->s > 0);
 	enum inside inside;
 	vec3 point;
@@ -285,7 +285,7 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 					     open_boxes_count(&check->open_boxes, step->share));
 		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
 				  ? check_maybe_inside(check, sweep, &step->motion, step->block, options, &contact)
-				  : pass(check, sweep, &step->motion, options, &contact);
+				  : pass_step(check, sweep, &step->motion, options, &contact);
 		if (strategy_proven(&check->methods->strategy) < proved) {
 			proved = strategy_proven(&check->methods->strategy);
 			check->nearest_block = step->block;

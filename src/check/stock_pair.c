@@ -247,8 +247,8 @@ static bool advance_box(struct stock_pair *check, const struct motion_step *step
 		motion_budget_covers_box(&check->budget, &box.low, &box.high, &step->span.q1, &errors));
 }
 
-static enum query_answer pass(struct stock_pair *check, const struct motion_step *step, long number,
-			      struct contact *contact)
+static enum query_answer pass_step(struct stock_pair *check, const struct motion_step *step, long number,
+				   struct contact *contact)
 {
 	const struct chain *chain = check->bodies.chain;
 	enum query_answer answer = QUERY_CLEAR;
@@ -320,7 +320,7 @@ void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t 
 		check->sweep.effort = check->effort;
 		if (step_is_box(&step->motion))
 			check->sweep.effort >>= open_boxes_count(&check->open_boxes, step->share);
-		answer = pass(check, &step->motion, step->number, &contact);
+		answer = pass_step(check, &step->motion, step->number, &contact);
 		if (check->open && check->asked && check->unknown_block < 0)
 			check->unknown_block = step->block;
 		if (answer == QUERY_CLEAR)

@@ -1,6 +1,6 @@
 #include "cli/diag_tee.h"
 
-static void pass(void *context, const struct diag_entry *entry)
+static void pass_on(void *context, const struct diag_entry *entry)
 {
 	struct diag_tee *tee = context;
 
@@ -10,7 +10,7 @@ static void pass(void *context, const struct diag_entry *entry)
 
 void diag_tee_init(struct diag_tee *tee, struct diag *out)
 {
-	*tee = (struct diag_tee){.diag = {.handle = pass, .context = tee}, .out = out};
+	*tee = (struct diag_tee){.diag = {.handle = pass_on, .context = tee}, .out = out};
 }
 
 void diag_tee_release(struct diag_tee *tee)

@@ -55,7 +55,7 @@ static bool has_changed(const struct input_files *inputs, const char *path, cons
 	return is_later(&now->st_ctim, &inputs->started);
 }
 
-static void add(struct input_files *inputs, const char *kind, const char *path)
+static void add_file(struct input_files *inputs, const char *kind, const char *path)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
 		if (!strcmp(inputs->items[i].path, path))
@@ -71,7 +71,7 @@ static void on_opened(void *context, const char *path)
 	struct input_files *inputs = context;
 
 	pthread_mutex_lock(&inputs->lock);
-	add(inputs, "subprogram", path);
+	add_file(inputs, "subprogram", path);
 	pthread_mutex_unlock(&inputs->lock);
 }
 
@@ -95,27 +95,27 @@ static void add_meshes(struct input_files *inputs, const struct body *bodies, si
 {
 	for (size_t i = 0; i < count; i++) {
 		if (bodies[i].mesh_path)
-			add(inputs, "mesh", bodies[i].mesh_path);
+			add_file(inputs, "mesh", bodies[i].mesh_path);
 	}
 }
 
 void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
 			   const struct setup *setup, bool meshes)
 {
-	add(inputs, "machine", options->machine);
+	add_file(inputs, "machine", options->machine);
 	if (options->setup)
-		add(inputs, "setup", options->setup);
+		add_file(inputs, "setup", options->setup);
 	for (size_t i = 0; setup && i < setup->library_count; i++)
-		add(inputs, "tools", setup->libraries[i]);
+		add_file(inputs, "tools", setup->libraries[i]);
 	if (options->waivers)
-		add(inputs, "waivers", options->waivers);
+		add_file(inputs, "waivers", options->waivers);
 	if (meshes)
 		add_meshes(inputs, machine->bodies, machine->body_count);
 	if (meshes && setup)
 		add_meshes(inputs, setup->bodies, setup->body_count);
 	for (size_t i = 0; i < options->program_count; i++) {
 		if (strcmp(options->programs[i], "-") != 0)
-			add(inputs, "program", options->programs[i]);
+			add_file(inputs, "program", options->programs[i]);
 	}
 }
 

@@ -11,7 +11,7 @@
 /* Signal handlers receive no state, so these are the only mutable globals. Atomic, because threads read them. */
 static atomic_int seen, pressing;
 
-static void note(int signal_number)
+static void on_interrupt(int signal_number)
 {
 	(void)signal_number;
 	seen = 1;
@@ -26,7 +26,7 @@ static void press(int signal_number)
 
 void interrupt_watch(void)
 {
-	struct sigaction action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
+	struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = (int)SA_RESETHAND};
 	struct sigaction late = {.sa_handler = press, .sa_flags = SA_RESTART};
 	struct sigaction old;
 

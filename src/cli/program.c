@@ -341,7 +341,7 @@ static struct verdict verdict_of(const struct program *program)
 }
 
 /* Sets the outcome's status, according to the waivers and the kinds of findings that fail the run. */
-static void judge(struct program *program, const struct verdict *verdict)
+static void set_status(struct program *program, const struct verdict *verdict)
 {
 	const struct options *options = program->context->options;
 	struct program_outcome *outcome = program->outcome;
@@ -363,7 +363,7 @@ static void judge(struct program *program, const struct verdict *verdict)
 }
 
 /* Checks the program and reports it. */
-static void run(struct program *program, struct program_file *file, const char *path, off_t start)
+static void run_check(struct program *program, struct program_file *file, const char *path, off_t start)
 {
 	const struct program_context *context = program->context;
 	const struct fivecheck_events events = {program, on_finding, on_progress,
@@ -388,7 +388,7 @@ static void run(struct program *program, struct program_file *file, const char *
 			  "%s was read as an NC program: give one machine file, then the programs, and the setup with "
 			  "--setup", path);
 	verdict = verdict_of(program);
-	judge(program, &verdict);
+	set_status(program, &verdict);
 	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !ordered_output_is_lost(program->output->order)) {
@@ -425,7 +425,7 @@ void program_check(const struct program_context *context, const char *path, stru
 	if (opened && find_start(&program, &file, &start)) {
 		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
 			program.size = status.st_size;
-		run(&program, &file, path, start);
+		run_check(&program, &file, path, start);
 	} else {
 		report(&program, NULL, NULL);
 		if (opened)

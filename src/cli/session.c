@@ -58,7 +58,7 @@ static bool same_text(const char *a, const char *b)
 }
 
 /* Loads the machine of the options, unless it is loaded already. The options then refer to the session's copies. */
-static bool load(struct session *session, struct options *options, struct diag *diag)
+static bool load_model(struct session *session, struct options *options, struct diag *diag)
 {
 	bool fits = session->model && same_text(session->machine, options->machine) &&
 		    same_text(session->setup, options->setup) &&
@@ -95,7 +95,7 @@ enum run_status session_check(struct session *session, int argc, char **argv)
 		/* Reported. */
 	} else if (options.mode != RUN_CHECK || options.jobs) {
 		diag_error(&ui.diag, nowhere, "a loaded machine can only check programs");
-	} else if (load(session, &options, &ui.diag)) {
+	} else if (load_model(session, &options, &ui.diag)) {
 		status = run_options_on(&options, session->model, &session->digests, &ui);
 	}
 	options_release(&options);

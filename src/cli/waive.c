@@ -53,7 +53,7 @@ static bool is_to_come(const char *until, struct diag *diag)
 }
 
 /* False: reported. */
-static bool check(const struct request *request, const struct operands *operands, struct diag *diag)
+static bool check_request(const struct request *request, const struct operands *operands, struct diag *diag)
 {
 	if (operands->count != 1)
 		diag_error(diag, nowhere, "waive needs the NDJSON results of one run");
@@ -105,7 +105,7 @@ enum run_status waive_run(const struct command *all, int argc, char **argv, stru
 
 	(void)all;
 	if (subcommand_read(&subcommand, &request, &operands, argc, argv, &ui->diag, &status))
-		status = check(&request, &operands, &ui->diag) ? waive(&request, operands.items[0], &ui->diag)
+		status = check_request(&request, &operands, &ui->diag) ? waive(&request, operands.items[0], &ui->diag)
 							       : subcommand_refuse(&subcommand, &ui->diag);
 	operands_release(&operands);
 	return status;

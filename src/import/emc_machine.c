@@ -164,7 +164,7 @@ static bool add_pin(struct reading *r, const struct module *module, const char *
 }
 
 /* The direction of a rotary axis of the module. False: reported. */
-static bool turn(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *direction)
+static bool find_direction(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *direction)
 {
 	double conventional = 0, tilt = 0;
 
@@ -326,7 +326,7 @@ static bool make_axis(struct reading *r, const struct module *module, char lette
 		known = module->rotary[i].letter == letter ? &module->rotary[i] : known;
 	if (known) {
 		axis->has_location = true;
-		if (!turn(r, module, known, &axis->direction) || !locate(r, module, known, &axis->location))
+		if (!find_direction(r, module, known, &axis->direction) || !locate(r, module, known, &axis->location))
 			return false;
 	} else if (axis->rotary) {
 		axis->has_location = true;

@@ -82,7 +82,7 @@ static bool is_freecad(const char *path, const char *text)
 	       strstr(text, "\"machine\"");
 }
 
-static bool tell(enum file_kind *kind, const char *path, const char *text)
+static bool kind_of_text(enum file_kind *kind, const char *path, const char *text)
 {
 	for (size_t i = 0; i < sizeof(xml_roots) / sizeof(*xml_roots); i++) {
 		*kind = xml_roots[i].kind;
@@ -155,7 +155,7 @@ bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)
 
 	if (!file_bytes_read(&file, path, diag))
 		return false;
-	known = tell(kind, path, file.bytes);
+	known = kind_of_text(kind, path, file.bytes);
 	if (!known && !vericut_text_refuse(path, file.bytes, diag))
 		diag_error(diag, (struct srcloc){.file = path}, "%s", advice(path, &file));
 	file_bytes_release(&file);

@@ -48,7 +48,7 @@ static bool add_entry(struct strbuf *path, const char *part, size_t length)
 }
 
 /* Does the relative path exist below *path? */
-static bool follow(struct strbuf *path, const char *relative)
+static bool follow_path(struct strbuf *path, const char *relative)
 {
 	while (*relative) {
 		size_t length = part_length(relative);
@@ -66,7 +66,7 @@ static bool find_below(struct strbuf *found, const char *folder, size_t length, 
 	for (const char *end = written; *end;) {
 		strbuf_clear(found);
 		strbuf_add(found, folder, length);
-		if (follow(found, end))
+		if (follow_path(found, end))
 			return true;
 		end += part_length(end);
 		end += strspn(end, "/\\");

@@ -21,7 +21,7 @@ struct reading {
 };
 
 /* A warning at the element, and a note for the setup file. */
-static void note(const struct reading *r, const xmlNode *node, const char *what)
+static void warn(const struct reading *r, const xmlNode *node, const char *what)
 {
 	diag_warning(r->xml->diag, (struct srcloc){.file = r->xml->path, .line = xml_line(r->xml, node)}, "%s", what);
 	import_machine_todo(&r->setup->bodies, "%s", what);
@@ -146,7 +146,7 @@ static bool check_values(const struct reading *r, const xmlNode *row, const doub
 				    "XYZ"[i], stored, values[i]);
 	}
 	if (text.length)
-		note(r, row, strbuf_text(&text));
+		warn(r, row, strbuf_text(&text));
 	strbuf_release(&text);
 	return true;
 }
@@ -214,7 +214,7 @@ static bool take_row(const struct reading *r, const xmlNode *table, const xmlNod
 			    "Register %s of the work offsets is assumed to be %s: compare with the control.", index,
 			    name);
 	if (text.length)
-		note(r, row, strbuf_text(&text));
+		warn(r, row, strbuf_text(&text));
 	if (name && !is_taken(r->setup, name))
 		add_offset(r, name, values);
 	strbuf_release(&text);
@@ -234,18 +234,18 @@ static bool read_row(const struct reading *r, const xmlNode *table, const xmlNod
 	if (!from || !to || !d->spindle_count || !d->workholding_count ||
 	    has_values(foreign_child(row, "AddOffset")) || has_values(foreign_child(row, "RelPosition")) ||
 	    has_more_values(r, row)) {
-		note(r, row, "A work offset is not converted, because not only From and To define it: add it.");
+		warn(r, row, "A work offset is not converted, because not only From and To define it: add it.");
 		return true;
 	}
 	if (!read_place(r, to, &place, &known))
 		return false;
 	place = xform_apply(&d->workholdings[0].frame, place);
 	if (!known || !reach(r->machine, vec3_sub(place, d->spindles[0].location), values)) {
-		note(r, row, "A work offset is not converted, because its position is not on the work: add it.");
+		warn(r, row, "A work offset is not converted, because its position is not on the work: add it.");
 		return true;
 	}
 	if (!r->machine->tool_name || strcmp(start, r->machine->tool_name) != 0 || has_values(from))
-		note(r, row,
+		warn(r, row,
 		     "In the file, a work offset is not relative to the gauge point; here it is, as are tool lengths.");
 	else if (!check_values(r, row, values))
 		return false;
@@ -305,7 +305,7 @@ static void note_other(const struct reading *r, const xmlNode *table)
 		return;
 	strbuf_addf(&text, "The table %s of the setup is not converted: compare its contents with the control.",
 		    xml_quote(foreign_attribute(table, "Name") ? foreign_attribute(table, "Name") : "").text);
-	note(r, table, strbuf_text(&text));
+	warn(r, table, strbuf_text(&text));
 	strbuf_release(&text);
 }
 
@@ -318,7 +318,7 @@ bool vericut_offsets_read(struct import_setup *setup, const struct import_machin
 	/* As many as there are possible names. */
 	setup->offsets = arena_alloc(&setup->bodies.description.arena, 6 * sizeof(*setup->offsets));
 	if (base)
-		note(&r, base,
+		warn(&r, base,
 		     "The setup has a base work offset, to which all others are relative: no work offset is converted. "
 		     "Add them as in the control.");
 	for (const xmlNode *table = first; table; table = foreign_next(table, "Table")) {

@@ -32,10 +32,10 @@ struct reading {
 };
 
 /* A warning at the element, and a note for the setup file. */
-static void note(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
+static void warn(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
 	__attribute__((format(printf, 4, 5)));
 
-static void note(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
+static void warn(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
 {
 	struct strbuf text = {0};
 	va_list args;
@@ -109,7 +109,7 @@ static void find_library(struct reading *r, struct import_setup *setup, const xm
 	if (*written)
 		setup->library = find_file(r, &setup->bodies.description.arena, written);
 	if (!setup->library)
-		note(r, setup, library ? library : node,
+		warn(r, setup, library ? library : node,
 		     "The tool library '%s' is missing: add the tools of the job.", xml_quote(written).text);
 }
 
@@ -126,7 +126,7 @@ static void add_program(struct reading *r, struct import_setup *setup, const xml
 	/* A job with a missing program must not pass without it. */
 	setup->programs[setup->program_count++] = arena_strdup(arena, whole ? whole : written);
 	if (!whole)
-		note(r, setup, file, "The program '%s' is missing: correct its name in jobs.xml.",
+		warn(r, setup, file, "The program '%s' is missing: correct its name in jobs.xml.",
 		     xml_quote(written).text);
 	free(whole);
 }
@@ -300,7 +300,7 @@ static void note_collisions(struct reading *r, struct import_setup *setup, const
 		most = value > most ? value : most;
 	}
 	if (most > 0)
-		note(r, setup, list,
+		warn(r, setup, list,
 		     "The collision list of the setup keeps up to %.10g mm, which is not converted: all pairs that can "
 		     "meet are checked; give the distance with the option clearance.",
 		     r->xml.unit * most);
@@ -311,7 +311,7 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 		       const struct vericut_build *build)
 {
 	if (build->other_mount)
-		note(r, setup, foreign_child(node, "Build"),
+		warn(r, setup, foreign_child(node, "Build"),
 		     "Stock and design have no models in this setup: the work is assumed to be on '%s', not on '%s'. "
 		     "If that is wrong, give one of them its model in the project, and import it again.",
 		     xml_quote(build->mount).text, xml_quote(build->other_mount).text);

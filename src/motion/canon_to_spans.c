@@ -45,7 +45,7 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 }
 
 /* Sends converter->event.of as an event of this kind. */
-static bool tell(struct canon_to_spans *converter, enum motion_event_kind kind)
+static bool send_event(struct canon_to_spans *converter, enum motion_event_kind kind)
 {
 	converter->event.kind = kind;
 	return converter->sink->event(converter->sink->context, &converter->event);
@@ -323,7 +323,7 @@ static bool send_step(struct canon_to_spans *converter, double seconds)
 	step->block_time = converter->block_time + step->span.u0 * seconds;
 	step->seconds = duration(step->time, converter->time + step->span.u1 * seconds);
 	converter->summary->spans++;
-	return tell(converter, MOTION_STEP);
+	return send_event(converter, MOTION_STEP);
 }
 
 static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
@@ -437,7 +437,7 @@ static bool tell_modes(struct canon_to_spans *converter, const struct canon_move
 		return true;
 	converter->modes_told = true;
 	converter->event.of.modes = converter->modes = modes;
-	return tell(converter, MOTION_MODES);
+	return send_event(converter, MOTION_MODES);
 }
 
 static bool take_move(struct canon_to_spans *converter, const struct canon_move *move)
@@ -460,12 +460,12 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 	case CANON_TOOL_CHANGE:
 		take_tool(converter, move->tool);
 		converter->event.of.tool = (struct motion_tool){move->tool, converter->position};
-		ok = tell(converter, MOTION_TOOL);
+		ok = send_event(converter, MOTION_TOOL);
 		break;
 	case CANON_SPINDLE_STOP:
 		converter->event.of.spindle_stop =
 		    (struct motion_spindle_stop){converter->position, converter->time, move->number};
-		ok = tell(converter, MOTION_SPINDLE_STOP);
+		ok = send_event(converter, MOTION_SPINDLE_STOP);
 		break;
 	}
 	converter->summary->seconds = converter->time;
@@ -486,7 +486,7 @@ static bool end_block(struct canon_to_spans *converter, const struct canon_block
 	converter->summary->blocks++;
 	converter->summary->lines = block->lines;
 	converter->block_time = 0;
-	return tell(converter, MOTION_BLOCK);
+	return send_event(converter, MOTION_BLOCK);
 }
 
 bool canon_to_spans_event(void *context, const struct canon_event *event)

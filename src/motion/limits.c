@@ -156,8 +156,8 @@ static bool all_inside(const struct axis *axis, const struct leg *legs, size_t l
 }
 
 /* The axis' first crossing in the move. */
-static bool find(const struct axis *axis, const struct leg *legs, size_t leg_count, double room,
-		 struct limit_crossing *crossing)
+static bool find_crossing(const struct axis *axis, const struct leg *legs, size_t leg_count, double room,
+			  struct limit_crossing *crossing)
 {
 	bool found = false;
 
@@ -192,8 +192,8 @@ size_t limits_crossed(const struct machine *machine, const struct leg *legs, siz
 		/* An axis that stays inside with its room stays inside without it. */
 		if (all_inside(axis, legs, leg_count, room ? room->v[axis->slot] : 0))
 			continue;
-		if (!find(axis, legs, leg_count, 0, &crossing) &&
-		    !(room && find(axis, legs, leg_count, room->v[axis->slot], &crossing)))
+		if (!find_crossing(axis, legs, leg_count, 0, &crossing) &&
+		    !(room && find_crossing(axis, legs, leg_count, room->v[axis->slot], &crossing)))
 			continue;
 		for (; at > 0 && comes_before(&crossing, &crossings[at - 1]); at--)
 			crossings[at] = crossings[at - 1];

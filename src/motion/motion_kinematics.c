@@ -43,7 +43,7 @@ static bool direction(void *context, struct srcloc loc, const axis_values *rotar
 	return great_circle_direction(converter->machine, loc, converter->diag, rotary_zero, rotary, found);
 }
 
-static bool turn(void *context, struct srcloc loc, struct kinematics_turn *found)
+static bool find_turn(void *context, struct srcloc loc, struct kinematics_turn *found)
 {
 	struct canon_to_spans *converter = context;
 	const struct kinematics_tcp state = {.on = true, .rotary_zero = found->rotary_zero};
@@ -86,6 +86,6 @@ struct kinematics motion_kinematics(struct canon_to_spans *converter)
 {
 	return (struct kinematics){
 	    .context = converter, .tcp = switch_tcp, .orient = orient, .orientations = orientations,
-	    .direction = direction, .turn = turn, .great_circle = great_circle, .retract = retract,
+	    .direction = direction, .turn = find_turn, .great_circle = great_circle, .retract = retract,
 	    .table_point = table_point};
 }

@@ -197,8 +197,8 @@ static void add_reason(struct strbuf *text, const struct problem *problem, const
 	strbuf_addf(text, ", needs equal moves, but is farther from 0");
 }
 
-static void tell(const struct problem *problem, const struct solution solutions[2], size_t count, size_t chosen,
-		 struct srcloc loc, struct diag *diag)
+static void tell_solution(const struct problem *problem, const struct solution solutions[2], size_t count,
+			  size_t chosen, struct srcloc loc, struct diag *diag)
 {
 	const struct solution *other = count == 2 ? &solutions[1 - chosen] : NULL;
 	struct strbuf text = {0};
@@ -310,7 +310,7 @@ bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *
 		return fault_tie(&problem, &solutions[0], &solutions[1], loc, diag);
 	if (solutions[chosen].half_turn >= 0)
 		return fault_tie(&problem, &solutions[chosen], NULL, loc, diag);
-	tell(&problem, solutions, count, chosen, loc, diag);
+	tell_solution(&problem, solutions, count, chosen, loc, diag);
 	for (size_t i = 0; i < problem.chain.count; i++)
 		orientation->rotary.v[problem.chain.joints[i].slot] = solutions[chosen].angle[i];
 	return true;

@@ -32,7 +32,7 @@ void oddities_release(struct oddities *oddities)
 }
 
 /* The text of a new oddity, valid until the next one. */
-static struct strbuf *add(struct oddities *oddities, enum oddity_kind kind)
+static struct strbuf *add_oddity(struct oddities *oddities, enum oddity_kind kind)
 {
 	oddities->items = mem_grow(oddities->items, &oddities->capacity, oddities->count + 1, sizeof(*oddities->items));
 	oddities->items[oddities->count] = (struct oddity){.kind = kind};
@@ -42,7 +42,7 @@ static struct strbuf *add(struct oddities *oddities, enum oddity_kind kind)
 /* The same, beginning with the name of the body. */
 static struct strbuf *add_of(struct oddities *oddities, enum oddity_kind kind, const struct body *body)
 {
-	struct strbuf *text = add(oddities, kind);
+	struct strbuf *text = add_oddity(oddities, kind);
 
 	format_units_add_plain(text, body->name);
 	return text;
@@ -150,7 +150,7 @@ static void add_overlaps(struct oddities *out, struct scene *scene, struct diag 
 static void add_doubts(struct oddities *out, const struct scene *scene)
 {
 	for (size_t i = 0; i < scene->doubts.count; i++)
-		doubt_text_add(add(out, ODDITY_DOUBT), scene, &scene->doubts.items[i]);
+		doubt_text_add(add_oddity(out, ODDITY_DOUBT), scene, &scene->doubts.items[i]);
 }
 
 bool oddities_find(struct oddities *oddities, struct scene *scene, struct diag *diag)

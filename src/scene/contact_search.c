@@ -233,7 +233,7 @@ static bool descends(struct look *look, int steps, axis_values *q)
 	return false;
 }
 
-static void keep(struct contact_search *search, const axis_values *q)
+static void keep_contact(struct contact_search *search, const axis_values *q)
 {
 	search->count = search->count < CONTACTS_KEPT ? search->count + 1 : CONTACTS_KEPT;
 	for (int i = search->count - 1; i > 0; i--)
@@ -293,7 +293,7 @@ bool contact_search_recalls(struct contact_search *search, struct sweep *sweep, 
 	look.pair.coherence = &look.coherence;
 	if (!meets_at(&look, &q) && !descends(&look, steps, &q))
 		return false;
-	keep(search, &q);
+	keep_contact(search, &q);
 	return true;
 }
 
@@ -306,6 +306,6 @@ bool contact_search_finds(struct contact_search *search, struct sweep *sweep, co
 	look.pair.coherence = &look.coherence;
 	if (moves ? !move_together(search, &look, &q) : !look_around(search, &look, &q))
 		return false;
-	keep(search, &q);
+	keep_contact(search, &q);
 	return true;
 }

@@ -28,7 +28,7 @@ struct search {
 	size_t depth;
 };
 
-static void push(struct search *search, const struct subtree *a, const struct subtree *b, float least)
+static void push_subtrees(struct search *search, const struct subtree *a, const struct subtree *b, float least)
 {
 	sweep_queue_reserve(search->sweep, search->depth + 1)[search->depth] = (struct bvh_pair){*a, *b, least};
 	search->depth++;
@@ -80,7 +80,7 @@ static void push_children(struct search *search, const struct bvh_pair *entry)
 		child = subtree_child(node, lane);
 		if (dismiss(search, gap_of(search, open_a ? &child : kept, open_a ? kept : &child)))
 			continue;
-		push(search, open_a ? &child : kept, open_a ? kept : &child, apart[lane]);
+		push_subtrees(search, open_a ? &child : kept, open_a ? kept : &child, apart[lane]);
 	}
 }
 
@@ -215,7 +215,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	search.pose = ends[0] = ends[1] = body_pair_pose(pair, q);
 	rounding = body_pair_rounding(pair, q, search.pose.translation);
 	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_axis_displacement, no_displacement);
-	push(&search, &a, &b, 0);
+	push_subtrees(&search, &a, &b, 0);
 	recall(&search);
 	look_nearer(&search);
 	while (search.depth && search.found > enough && sweep->visits < visits_end && !sweep_breaks_off(sweep)) {

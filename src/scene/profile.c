@@ -103,7 +103,7 @@ static void add_branch(struct gathering *g, uint32_t at)
 }
 
 /* The part's box determines where rings begin and which boxes are small. */
-static void begin(struct gathering *g, vec3 centre, vec3 half)
+static void begin_profile(struct gathering *g, vec3 centre, vec3 half)
 {
 	double off = fabs(g->along.x) * half.x + fabs(g->along.y) * half.y + fabs(g->along.z) * half.z;
 
@@ -142,7 +142,7 @@ void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf le
 	vec3 centre, half;
 
 	leaf_box(bvh, leaf, &centre, &half);
-	begin(&g, centre, half);
+	begin_profile(&g, centre, half);
 	if (leaf.count)
 		add_triangles(&g, leaf.first, leaf.count);
 	else

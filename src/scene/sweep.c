@@ -236,7 +236,7 @@ static enum progress limited_step(struct walk *walk, struct sweep_entry *entry)
 }
 
 /* Continues with the contact that was found so far. */
-static enum progress run(struct walk *walk, const struct motion_interval *part)
+static enum progress run_walk(struct walk *walk, const struct motion_interval *part)
 {
 	struct sweep *sweep = walk->sweep;
 	struct motion_interval *whole = interval_pool_copy(&sweep->intervals, part);
@@ -280,7 +280,7 @@ static enum progress run_part(struct walk *walk, const struct motion_interval *w
 
 	walk->from = from;
 	walk->to = to;
-	progress = run(walk, whole);
+	progress = run_walk(walk, whole);
 	if (progress != TOO_MANY_INTERVALS)
 		return progress;
 	progress = run_part(walk, whole, from, middle);
@@ -299,7 +299,7 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 	walk->from = 0;
 	walk->to = 1;
 	walk->contact->s = INFINITY;
-	progress = run(walk, &whole);
+	progress = run_walk(walk, &whole);
 	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
 	progress = run_part(walk, &whole, 0, 0.5);
@@ -328,7 +328,7 @@ static enum sweep_answer sweep_parts(struct walk *walk, const struct motion_inte
 	enum sweep_answer answer;
 
 	walk->contact->s = INFINITY;
-	progress = run(walk, part);
+	progress = run_walk(walk, part);
 	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
 	if (part->depth >= walk->depth_max)

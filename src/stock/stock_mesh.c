@@ -118,7 +118,7 @@ static bool is_exhausted(const struct grid *grid)
 }
 
 /* stock_cells_visit_fn: a cell that is there. True: visit its parts. */
-static bool take(void *context, const struct cube *cell, bool whole)
+static bool take_cell(void *context, const struct cube *cell, bool whole)
 {
 	struct grid *grid = context;
 
@@ -265,7 +265,7 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 	grid.bits = mem_zalloc(bytes, 1);
 	grid.sure = excess ? mem_zalloc(bytes, 1) : NULL;
 	*mesh = (struct mesh){.count = 0};
-	stock_cells_visit(cells, time, take, &grid);
+	stock_cells_visit(cells, time, take_cell, &grid);
 	if (is_exhausted(&grid))
 		grid.edge = 0;
 	else

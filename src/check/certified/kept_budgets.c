@@ -8,7 +8,7 @@ void kept_budgets_init(struct kept_budgets *budgets, const struct chain *chain)
 	motion_budget_init(&budgets->now, chain);
 }
 
-static void keep(struct kept_budgets *budgets, const struct motion_budget *budget)
+static void keep_budget(struct kept_budgets *budgets, const struct motion_budget *budget)
 {
 	if (!WITH_KEPT_BUDGETS || !budget->known)
 		return;
@@ -22,7 +22,7 @@ static void keep(struct kept_budgets *budgets, const struct motion_budget *budge
 
 void kept_budgets_set(struct kept_budgets *budgets, const axis_values *q, const struct chain_state *state, double room)
 {
-	keep(budgets, &budgets->now);
+	keep_budget(budgets, &budgets->now);
 	motion_budget_set(&budgets->now, q, state, room);
 }
 
@@ -32,7 +32,7 @@ void kept_budgets_resume(struct kept_budgets *budgets, const axis_values *q)
 }
 
 /* Swaps the i-th kept budget with the one in use. */
-static void take(struct kept_budgets *budgets, int i)
+static void use_kept(struct kept_budgets *budgets, int i)
 {
 	struct motion_budget was = budgets->now;
 
@@ -52,7 +52,7 @@ bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, co
 		motion_budget_resume(budget, q0);
 		if (!motion_budget_covers(budget, q1, errors))
 			continue;
-		take(budgets, i);
+		use_kept(budgets, i);
 		kept_budgets_resume(budgets, q0);
 		return true;
 	}
@@ -73,7 +73,7 @@ bool kept_budgets_cover_box(struct kept_budgets *budgets, const axis_values *low
 		return true;
 	for (int i = 0; recall && i < budgets->count; i++) {
 		if (motion_budget_covers_box(&budgets->kept[i], low, high, q1, errors)) {
-			take(budgets, i);
+			use_kept(budgets, i);
 			return true;
 		}
 	}

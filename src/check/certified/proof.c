@@ -69,7 +69,7 @@ void pair_proof_forget_position(struct pair_proof *proof)
 }
 
 /* A piece of motion ended at q. */
-static void follow(struct pair_proof *proof, const axis_values *q, bool clear)
+static void follow_to(struct pair_proof *proof, const axis_values *q, bool clear)
 {
 	kept_budgets_resume(&proof->budgets, q);
 	proof->position_known = clear;
@@ -218,7 +218,7 @@ bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struc
 	chord.tolerance = merged_steps_tolerance(proof->bodies.chain, merged, &tolerance);
 	if (clearance_query_chord(&query, &chord, &contact) != QUERY_CLEAR)
 		return false;
-	follow(proof, &chord.q1, true);
+	follow_to(proof, &chord.q1, true);
 	return true;
 }
 
@@ -236,6 +236,6 @@ enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep,
 	};
 	enum query_answer answer = clearance_query_step(&query, step, contact);
 
-	follow(proof, &step->span.q1, answer == QUERY_CLEAR);
+	follow_to(proof, &step->span.q1, answer == QUERY_CLEAR);
 	return answer;
 }

@@ -55,7 +55,7 @@ void path_record_step(struct path_record *path, const struct motion_step *step)
 	}
 }
 
-static void compare(struct path_record *path, const struct record *now)
+static void compare_record(struct path_record *path, const struct record *now)
 {
 	struct record then;
 	double sum = 0;
@@ -87,7 +87,7 @@ void path_record_block(struct path_record *path, long line, int tool, const axis
 	record.tool = tool;
 	record.end = *end;
 	if (path->compares)
-		compare(path, &record);
+		compare_record(path, &record);
 	else if (fwrite(&record, sizeof(record), 1, path->file) != 1)
 		path->failed = true;
 }

@@ -97,7 +97,7 @@ static void on_fault(void *context, const struct diag_entry *entry)
  * Checks the program with the answer's quantity changed by `amount` in its direction. Measures clearances as far as
  * they matter for a further change by `measures` mm; 0: none. The caller releases the probe's `why`.
  */
-static struct probe run(struct search *search, double amount, double measures)
+static struct probe run_changed(struct search *search, double amount, double measures)
 {
 	const struct sensitivity_study *study = search->study;
 	const struct sensitivity *answer = search->answer;
@@ -185,10 +185,10 @@ static void give_up(struct search *search, char *why, double at)
 	search->answer->why = why;
 }
 
-/* run() with a complete check. False: the check was incomplete, and the search ends. */
-static bool ask(struct search *search, double amount, double measures, struct probe *probe)
+/* run_changed() with a complete check. False: the check was incomplete, and the search ends. */
+static bool run_completely(struct search *search, double amount, double measures, struct probe *probe)
 {
-	*probe = run(search, amount, measures);
+	*probe = run_changed(search, amount, measures);
 	if (probe->result == CHECK_INCOMPLETE) {
 		give_up(search, probe->why, amount);
 		return false;
@@ -198,7 +198,7 @@ static bool ask(struct search *search, double amount, double measures, struct pr
 	return true;
 }
 
-static void turn(struct search *search, double at)
+static void set_turn(struct search *search, double at)
 {
 	search->answer->state = SENSITIVITY_TURNS;
 	search->answer->turn = at;
@@ -216,7 +216,7 @@ static void close_in(struct search *search, double low, double high, bool proved
 		double middle = 0.5 * (low + high);
 		struct probe probe;
 
-		if (!ask(search, middle, 0, &probe))
+		if (!run_completely(search, middle, 0, &probe))
 			return;
 		if (probe.result == CHECK_FOUND)
 			high = middle;
@@ -225,11 +225,11 @@ static void close_in(struct search *search, double low, double high, bool proved
 		proved = proved && probe.orderly;
 	}
 	/* Repeats the last run that found something: its finding is the one to report. */
-	free(run(search, high, 0).why);
+	free(run_changed(search, high, 0).why);
 	search->answer->tried = low;
 	if (proved)
 		search->answer->proved = low;
-	turn(search, high);
+	set_turn(search, high);
 }
 
 /* Continues from a change of `low`, which was measured, with a larger one. True: the answer is found. */
@@ -242,14 +242,14 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	double next = fmin(*low + (stalls ? *stride : safe), answer->range);
 	struct probe probe;
 
-	if (!ask(search, next, answer->range - next, &probe))
+	if (!run_completely(search, next, answer->range - next, &probe))
 		return true;
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
 	/* With stock nothing is proved: only halving finds where the verdict changes. */
 	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->study->scene) >= 0))
 		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
-		turn(search, next);
+		set_turn(search, next);
 	if (probe.result == CHECK_FOUND)
 		return true;
 	/* If nothing more can be proved, tries larger and larger steps. */
@@ -271,11 +271,11 @@ static void search_clear(struct search *search)
 	struct probe probe;
 	bool proved, any = false;
 
-	if (!ask(search, first, 0, &probe))
+	if (!run_completely(search, first, 0, &probe))
 		return;
 	proved = probe.orderly;
 	if (probe.result == CHECK_FOUND) {
-		turn(search, first);
+		set_turn(search, first);
 		return;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -306,7 +306,7 @@ static void search_found(struct search *search)
 		double at = answer->range * i / PARTS;
 		struct probe probe;
 
-		if (!ask(search, at, 0, &probe))
+		if (!run_completely(search, at, 0, &probe))
 			return;
 		if (probe.result == CHECK_CLEAR)
 			high = at;
@@ -318,7 +318,7 @@ static void search_found(struct search *search)
 		double middle = 0.5 * (low + high);
 		struct probe probe;
 
-		if (!ask(search, middle, 0, &probe))
+		if (!run_completely(search, middle, 0, &probe))
 			return;
 		if (probe.result == CHECK_CLEAR)
 			high = middle;
@@ -330,7 +330,7 @@ static void search_found(struct search *search)
 		return;
 	answer->tried = low;
 	answer->kind = -1;
-	turn(search, high);
+	set_turn(search, high);
 }
 
 static void answer_one(struct search *search, struct sensitivity *answer, const double *proven)
@@ -387,7 +387,7 @@ size_t sensitivity_run(const struct sensitivity_study *study, const struct check
 	search.options.remainder = NULL;
 	search.proven = mem_zalloc(pair_count, sizeof(*search.proven));
 	proven = mem_zalloc(pair_count, sizeof(*proven));
-	probe = run(&search, 0, largest_of(study->range));
+	probe = run_changed(&search, 0, largest_of(study->range));
 	if (probe.result != study->result)
 		diag_error(diag, (struct srcloc){0}, "%s could not be checked again%s%s", study->name,
 			   probe.why ? ": " : "; it may have changed", probe.why ? probe.why : "");

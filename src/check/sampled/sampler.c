@@ -151,8 +151,8 @@ static axis_values position_at(const struct span *span, double s)
 	return q;
 }
 
-static bool look(struct sampler *sampler, struct sweep *sweep, const struct motion_step *step, const xform ends[2],
-		 double s, struct contact *contact)
+static bool look_at_pose(struct sampler *sampler, struct sweep *sweep, const struct motion_step *step,
+			 const xform ends[2], double s, struct contact *contact)
 {
 	struct sample sample = {.sampler = sampler, .ends = ends, .s = s};
 
@@ -177,12 +177,12 @@ bool sampler_step(struct sampler *sampler, struct sweep *sweep, const struct mot
 	ends[1] = body_pair_pose(&sampler->bodies, &step->span.q1);
 	if (sampler->cache)
 		axis_cache_clear(sampler->cache);
-	if (!started && look(sampler, sweep, step, ends, 0, contact))
+	if (!started && look_at_pose(sampler, sweep, step, ends, 0, contact))
 		return true;
 	for (long n = 0; (first + (double)n) * sampler->step <= end && !sweep->broken_off; n++) {
 		sweep->broken_off = cancel_asked(sweep->cancel);
-		if (look(sampler, sweep, step, ends, ((first + (double)n) * sampler->step - step->time) / step->seconds,
-			 contact))
+		if (look_at_pose(sampler, sweep, step, ends,
+				 ((first + (double)n) * sampler->step - step->time) / step->seconds, contact))
 			return true;
 	}
 	return false;

@@ -95,7 +95,7 @@ static const struct subcommand subcommand = {
 };
 
 /* Loads the written machine, to prove that the checker can read it. */
-static bool load(const struct request *request, const char *path)
+static bool load_machine(const struct request *request, const char *path)
 {
 	struct machine *machine = machine_load(path, request->diag);
 
@@ -158,7 +158,7 @@ static bool write_machine(const struct request *request, struct import_machine *
 		machine->description.controller.told.dialect = request->dialect;
 	}
 	good = import_output_write(machine, request->output, request->file, request->diag) &&
-	       load(request, strbuf_text(&path)) &&
+	       load_machine(request, strbuf_text(&path)) &&
 	       (!request->pictures || draw(request, strbuf_text(&path), strbuf_text(&page)));
 	strbuf_release(&path);
 	strbuf_release(&page);
@@ -322,7 +322,7 @@ static bool import_file(const struct request *request)
 }
 
 /* False: reported. */
-static bool check(const struct request *request, const struct operands *files)
+static bool check_request(const struct request *request, const struct operands *files)
 {
 	if (files->count != 1)
 		diag_error(request->diag, nowhere, "import needs one file");
@@ -341,7 +341,7 @@ enum run_status import_run(const struct command *all, int argc, char **argv, str
 
 	(void)all;
 	if (subcommand_read(&subcommand, &request, &files, argc, argv, &ui->diag, &status)) {
-		if (check(&request, &files)) {
+		if (check_request(&request, &files)) {
 			request.file = files.items[0];
 			status = import_file(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
 		} else {

@@ -39,7 +39,7 @@ static void note_setup(const char *path, const struct import_setup *setup, size_
 }
 
 /* Loads a written setup, to prove that the checker can read it. */
-static bool load(const struct import_project *project, size_t index, const char *folder, struct diag *diag)
+static bool load_setup(const struct import_project *project, size_t index, const char *folder, struct diag *diag)
 {
 	const struct import_setup *setup = &project->setups[index];
 	struct strbuf machine = {0}, path = {0};
@@ -64,7 +64,7 @@ static bool write_setup(const struct import_project *project, size_t index, cons
 	struct tool_library tools = {0};
 	bool good = (!library || library_file_read(&tools, library, options, diag)) &&
 		    import_output_write_setup(project, index, &tools, folder, source, diag) &&
-		    load(project, index, folder, diag);
+		    load_setup(project, index, folder, diag);
 
 	tool_library_release(&tools);
 	return good;

@@ -102,7 +102,7 @@ static bool has_mesh(const char *output, const char *mesh)
 }
 
 /* Prints the chains of axes and the next steps. */
-static void tell(const struct machine_plan *plan, const char *output, struct diag *diag)
+static void tell_next_steps(const struct machine_plan *plan, const char *output, struct diag *diag)
 {
 	const char *name = output ? output : "MACHINE.xml";
 	struct strbuf text = {0}, missing = {0};
@@ -125,7 +125,7 @@ static void tell(const struct machine_plan *plan, const char *output, struct dia
 }
 
 /* The questions go to the terminal, so the machine file goes to a file unless --output says otherwise. */
-static bool ask(struct request *request)
+static bool ask_questions(struct request *request)
 {
 	if (!isatty(STDIN_FILENO))
 		return init_prompts_report(&request->plan, request->diag);
@@ -151,7 +151,7 @@ static enum run_status make_file(struct request *request)
 	struct strbuf text = {0};
 
 	/* Check the output file before the user answers questions. */
-	if (!is_new(request->words.output, request->diag) || !ask(request) ||
+	if (!is_new(request->words.output, request->diag) || !ask_questions(request) ||
 	    !machine_plan_finish(&request->plan, request->diag))
 		return subcommand_refuse(&subcommand, request->diag);
 	machine_plan_xml_write(&text, &request->plan);
@@ -161,7 +161,7 @@ static enum run_status make_file(struct request *request)
 	}
 	if (!write_file(request->words.output, &text, request->diag))
 		return RUN_INCOMPLETE;
-	tell(&request->plan, request->words.output, request->diag);
+	tell_next_steps(&request->plan, request->words.output, request->diag);
 	return RUN_CLEAR;
 }
 

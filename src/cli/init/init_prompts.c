@@ -184,7 +184,7 @@ static bool read_line(struct strbuf *line, FILE *in)
 }
 
 /* False: the input has ended. */
-static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in, struct diag *diag)
+static bool ask_prompt(struct machine_plan *plan, const struct prompt *prompt, FILE *in, struct diag *diag)
 {
 	struct strbuf text = {0}, line = {0}, answer = {0};
 	bool good;
@@ -219,7 +219,7 @@ bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag)
 		if (i == list.count)
 			return true;
 		asked[list.items[i].key] = true;
-		if (!ask(plan, &list.items[i], in, diag)) {
+		if (!ask_prompt(plan, &list.items[i], in, diag)) {
 			diag_error(diag, nowhere,
 				   "the input ended before all questions were answered: nothing was written");
 			return false;

@@ -141,7 +141,7 @@ static bool set_rotary(struct machine_plan *plan, const char *text)
 	return true;
 }
 
-static bool set(struct machine_plan *plan, int key, const char *text)
+static bool set_value(struct machine_plan *plan, int key, const char *text)
 {
 	switch (key) {
 	case PLAN_FAMILY:
@@ -213,7 +213,7 @@ bool machine_plan_set(struct machine_plan *plan, const struct option_row *row, c
 {
 	struct strbuf names = {0};
 
-	if (set(plan, row->key, text))
+	if (set_value(plan, row->key, text))
 		return true;
 	if (row->choices) {
 		for (int i = 0; row->choices[i]; i++)

@@ -58,7 +58,7 @@ static bool direction(void *context, struct srcloc loc, const axis_values *rotar
 	return true;
 }
 
-static bool turn(void *context, struct srcloc loc, struct kinematics_turn *found)
+static bool find_turn(void *context, struct srcloc loc, struct kinematics_turn *found)
 {
 	(void)context;
 	(void)loc;
@@ -96,7 +96,7 @@ bool any_machine_read(const struct gcode_config *config, FILE *in, const char *n
 {
 	static const struct kinematics kinematics = {
 	    .tcp = switch_tcp, .orient = orient, .orientations = orientations, .direction = direction,
-	    .turn = turn, .great_circle = great_circle, .retract = retract, .table_point = table_point};
+	    .turn = find_turn, .great_circle = great_circle, .retract = retract, .table_point = table_point};
 	long blocks = 0;
 	const struct canon_sink sink = {&blocks, count_blocks};
 	struct interp *interp;

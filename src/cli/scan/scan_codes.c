@@ -20,7 +20,7 @@ void scan_codes_release(struct scan_codes *codes)
 	*codes = (struct scan_codes){0};
 }
 
-static void count(struct scan_codes *codes, char letter, int number, const struct code_word *word)
+static void count_code(struct scan_codes *codes, char letter, int number, const struct code_word *word)
 {
 	struct scan_code *item = NULL;
 
@@ -53,7 +53,7 @@ static void count_codes(struct scan_codes *codes, const char *block)
 		if (number_read(at + 1, &length, &number, &point) != NUMBER_OK)
 			continue;
 		if (number <= NUMBER_MAX && at[1 + length] != '=')
-			count(codes, *at, (int)lround(*at == 'G' ? number * 10 : number), NULL);
+			count_code(codes, *at, (int)lround(*at == 'G' ? number * 10 : number), NULL);
 		at += length;
 	}
 }
@@ -125,7 +125,7 @@ static void count_word(struct scan_codes *codes, const char *block, const struct
 		return;
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
 		if (stands_at(block, at, text) && !longer_stands(codes->dialect, block, at, text)) {
-			count(codes, 0, 0, word);
+			count_code(codes, 0, 0, word);
 			return;
 		}
 	}

@@ -46,7 +46,7 @@ static bool is_of_tool(const struct scan_setup *setup, const char *element)
 }
 
 /* "...: add <tool number="1" length=""/> with its shape" */
-static void take(void *context, const struct diag_entry *entry)
+static void take_element(void *context, const struct diag_entry *entry)
 {
 	static const char key[] = "add <";
 	struct scan_setup *setup = context;
@@ -71,7 +71,7 @@ static void take(void *context, const struct diag_entry *entry)
 void scan_setup_read(struct scan_setup *setup, const struct gcode_config *config, FILE *in, const char *name)
 {
 	struct gcode_config empty = *config;
-	struct diag diag = {.handle = take, .context = setup};
+	struct diag diag = {.handle = take_element, .context = setup};
 
 	empty.has_setup = true;
 	empty.any_tool = NULL;

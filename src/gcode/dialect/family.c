@@ -20,7 +20,7 @@ static bool reads(const struct family *family, const char *dialect)
 }
 
 /* Examines a line; true: a certain sign was found. */
-static bool look(const char *line, long number, const char *dialect, struct family_sign *found)
+static bool examine_line(const char *line, long number, const char *dialect, struct family_sign *found)
 {
 	char block[LINE_SHAPE_MAX];
 
@@ -65,7 +65,7 @@ struct family_sign family_find(struct reader *reader, const char *dialect)
 	const long last = reader->line + FAMILY_LINES;
 
 	while (more && reader->line < last && reader_next(reader, &text) == READER_LINE)
-		more = !look(text, reader->line, dialect, &found);
+		more = !examine_line(text, reader->line, dialect, &found);
 	go_back(reader, start);
 	return found;
 }

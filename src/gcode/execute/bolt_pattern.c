@@ -6,7 +6,7 @@
 
 #define HOLES_MAX 9999
 
-static bool check(struct interp *interp)
+static bool check_allowed(struct interp *interp)
 {
 	const struct state *state = &interp->state;
 	const struct block *block = &interp->block;
@@ -50,7 +50,7 @@ bool bolt_pattern_run(struct interp *interp)
 	int holes = 0;
 	bool good = true;
 
-	if (!check(interp) || !block_integer(block, &interp->at, 'L', 1, HOLES_MAX, &holes))
+	if (!check_allowed(interp) || !block_integer(block, &interp->at, 'L', 1, HOLES_MAX, &holes))
 		return false;
 	radius = block_value(&pattern, 'I') * state->scale;
 	step = pattern.g[G_NONMODAL] == G71 ? block_value(&pattern, 'K') : 360.0 / holes;

@@ -24,7 +24,7 @@ static bool refuse(struct interp *interp, const char *why)
 }
 
 /* Refuses what the manual does not allow, and what the boxes would not cover. */
-static bool check(struct interp *interp)
+static bool check_allowed(struct interp *interp)
 {
 	const struct state *state = &interp->state;
 	const struct block *block = &interp->block;
@@ -145,7 +145,7 @@ static double width(const struct spline_piece *piece)
 	return fmax(fmax(piece->beside.x, piece->beside.y), piece->beside.z);
 }
 
-static bool go(struct interp *interp, const struct spline_piece *piece, struct canon_move *move)
+static bool make_piece(struct interp *interp, const struct spline_piece *piece, struct canon_move *move)
 {
 	slot_values target = rotated_frame_straight(&interp->state);
 
@@ -177,7 +177,7 @@ static bool follow_span(struct interp *interp, const struct spline *spline, size
 			end = part_end(u, step, last, least);
 			piece = spline_part(spline, span, u, end);
 		}
-		if (!go(interp, &piece, move))
+		if (!make_piece(interp, &piece, move))
 			return false;
 		u = end;
 		step *= 2;
@@ -209,7 +209,7 @@ bool nurbs_move_run(struct interp *interp)
 	const bool opens = block->g[G_MOTION] == G6_2;
 	const slot_values here = rotated_frame_straight(&interp->state);
 
-	if (!check(interp) || (opens && !begin(interp)))
+	if (!check_allowed(interp) || (opens && !begin(interp)))
 		return false;
 	if (!opens && block_has(block, 'P'))
 		return fault(&interp->at, block_column(block, 'P'),

@@ -31,7 +31,7 @@ static const char *hindrance_of(const struct interp *interp)
 	return state->polar_interpolation.on ? "polar coordinate interpolation (G12.1)" : NULL;
 }
 
-static bool check(struct interp *interp)
+static bool check_allowed(struct interp *interp)
 {
 	const struct state *state = &interp->state;
 	const struct block *block = &interp->block;
@@ -108,7 +108,7 @@ bool space_arc_run(struct interp *interp)
 
 	waiting->on = false;
 	interp->state.motion = interp->state.path_motion = G2_4;
-	if (!check(interp))
+	if (!check_allowed(interp))
 		return false;
 	if (!ends) {
 		waiting->on = endpoint_find(interp, false, &waiting->through);

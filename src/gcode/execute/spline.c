@@ -70,7 +70,7 @@ static vec3 project(struct weighted point)
 }
 
 /* Widens the boxes so that they contain the point. They also contain the hull of all points that they contain. */
-static void hold(struct spline_piece *piece, vec3 point)
+static void widen_boxes(struct spline_piece *piece, vec3 point)
 {
 	vec3 way = vec3_sub(piece->end, piece->start), off = vec3_sub(point, piece->start);
 	double square = vec3_dot(way, way), part = 0;
@@ -114,8 +114,8 @@ static bool hold_arcs(struct spline_piece *piece, vec3 t0, vec3 t1)
 	if (!(b < 0))
 		return false;
 	d = 2 * c / (-b + sqrt(fmax(b * b - 4 * a * c, 0)));
-	hold(piece, vec3_mad(piece->start, d, t0));
-	hold(piece, vec3_mad(piece->end, -d, t1));
+	widen_boxes(piece, vec3_mad(piece->start, d, t0));
+	widen_boxes(piece, vec3_mad(piece->end, -d, t1));
 	return true;
 }
 
@@ -153,7 +153,7 @@ struct spline_piece spline_part(const struct spline *spline, size_t span, double
 	piece.start = hull[0];
 	piece.end = hull[spline->order - 1];
 	for (int i = 1; i < spline->order - 1; i++)
-		hold(&piece, hull[i]);
+		widen_boxes(&piece, hull[i]);
 	return piece;
 }
 
@@ -184,7 +184,7 @@ bool spline_piece_find(const struct spline *spline, size_t index, struct spline_
 		to = fmin(u1, floor(from) + 1);
 		find_uniform_hull(spline, from, to, hull);
 		for (int i = 0; i < spline->order; i++)
-			hold(&found, hull[i]);
+			widen_boxes(&found, hull[i]);
 		from = to;
 	}
 	if (!hold_arcs(&found, t0, t1))

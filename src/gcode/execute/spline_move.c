@@ -14,7 +14,7 @@ static double length_of(const struct interp *interp, char letter)
 	return block_value(&interp->block, letter) * interp->state.scale;
 }
 
-static bool follow(struct interp *interp, const struct spline *spline)
+static bool make_pieces(struct interp *interp, const struct spline *spline)
 {
 	const size_t pieces = spline_piece_count(spline);
 	struct canon_move move = {.kind = CANON_FEED};
@@ -68,7 +68,7 @@ static bool go_cubic(struct interp *interp, struct spline_point start, struct sp
 		return fault(&interp->at, block_motion_column(block), "G5 needs P and Q");
 	points[2].at.x += length_of(interp, 'P');
 	points[2].at.y += length_of(interp, 'Q');
-	if (!follow(interp, &(struct spline){points, 4, 4, NULL}))
+	if (!make_pieces(interp, &(struct spline){points, 4, 4, NULL}))
 		return false;
 	interp->spline.goes_on = true;
 	interp->spline.p = length_of(interp, 'P');
@@ -85,7 +85,7 @@ static bool go_quadratic(struct interp *interp, struct spline_point start, struc
 		return fault(&interp->at, block_motion_column(block), "G5.1 needs I or J");
 	points[1].at.x += block_has(block, 'I') ? length_of(interp, 'I') : 0;
 	points[1].at.y += block_has(block, 'J') ? length_of(interp, 'J') : 0;
-	return follow(interp, &(struct spline){points, 3, 3, NULL});
+	return make_pieces(interp, &(struct spline){points, 3, 3, NULL});
 }
 
 static bool add_point(struct interp *interp, struct spline_point point)
@@ -136,10 +136,10 @@ static bool finish(struct interp *interp)
 	if (memory->count < (size_t)memory->order)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "a spline of order %d needs at least as many control points", memory->order);
-	return follow(interp, &(struct spline){memory->points, memory->count, memory->order, NULL});
+	return make_pieces(interp, &(struct spline){memory->points, memory->count, memory->order, NULL});
 }
 
-static bool check(struct interp *interp)
+static bool check_allowed(struct interp *interp)
 {
 	const struct state *state = &interp->state;
 	const struct block *block = &interp->block;
@@ -172,7 +172,7 @@ bool spline_move_run(struct interp *interp)
 	const struct spline_point start = place(&here);
 	slot_values target;
 
-	if (!check(interp))
+	if (!check_allowed(interp))
 		return false;
 	if (code == G5_3)
 		return finish(interp);

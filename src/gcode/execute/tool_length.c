@@ -236,7 +236,7 @@ static bool find_length_in_words(struct interp *interp, int code, double *length
 }
 
 /* Sets TCP and the length; no effect if they are already set. */
-static bool put(struct interp *interp, int column, enum tcp_source source, double length)
+static bool set_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
 
@@ -258,16 +258,16 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 	slot_values before, after;
 
 	if (traits_of(interp)->length_never_moves == ANSWER_YES)
-		return put(interp, column, source, length);
-	if (!put(interp, column, meanwhile, state->length))
+		return set_tcp(interp, column, source, length);
+	if (!set_tcp(interp, column, meanwhile, state->length))
 		return false;
 	before = length_change_place(interp);
-	if (!put(interp, column, meanwhile, length))
+	if (!set_tcp(interp, column, meanwhile, length))
 		return false;
 	after = length_change_place(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		change.shift.v[slot] = before.v[slot] - after.v[slot];
-	return length_change_settle(interp, &change) && put(interp, column, source, length);
+	return length_change_settle(interp, &change) && set_tcp(interp, column, source, length);
 }
 
 static bool is_taken_back(const struct interp *interp, int code, int doubt)
@@ -361,7 +361,7 @@ bool tool_length_select(struct interp *interp)
 		source = TCP_BY_LENGTH;
 	else if (source == TCP_BY_LENGTH)
 		source = TCP_OFF;
-	return is_taken_back(interp, code, doubt) ? put(interp, column, source, length)
+	return is_taken_back(interp, code, doubt) ? set_tcp(interp, column, source, length)
 						  : change_length(interp, source, length, doubt);
 }
 

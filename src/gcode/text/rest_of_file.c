@@ -35,7 +35,7 @@ static bool ends_with(const char *block, const char *word)
 }
 
 /* Adds a line to the section. True: a program that moves axes ends here. */
-static bool take(struct section *section, const char *block, long line)
+static bool add_line(struct section *section, const char *block, long line)
 {
 	if (*block == 'O' && ends_with(block, "ENDSUB"))
 		section->nested = false;
@@ -83,7 +83,7 @@ struct rest_of_file rest_of_file_find(struct reader *reader, bool (*heads_main)(
 			if (!complete)
 				section = (struct section){.number = reader->line};
 		} else {
-			complete = take(&section, block, reader->line);
+			complete = add_line(&section, block, reader->line);
 		}
 	}
 	return found(&section);

@@ -59,7 +59,7 @@ static double given(double value)
 }
 
 /* Why these cannot be the sizes of a tool; NULL: they can. */
-static const char *judge(const struct catalog_tool *t)
+static const char *why_no_tool(const struct catalog_tool *t)
 {
 	const double radius = t->diameter / 2;
 
@@ -156,7 +156,7 @@ static void warn(const struct tool_outline *tool, const struct catalog_tool *t, 
 
 bool catalog_tool_add(struct tool_library *tools, const struct catalog_tool *t, struct diag *diag)
 {
-	const char *why = judge(t);
+	const char *why = why_no_tool(t);
 	struct tool_outline tool = {
 		.number = (long)tools->setup.tool_count + 1,
 		.name = t->name,

@@ -55,7 +55,7 @@ static bool fault(const struct csv_table *table, const char *what)
 }
 
 /* Puts a character into the current cell. */
-static bool put(const struct csv_table *table, char *cell, size_t *length, char c)
+static bool add_to_cell(const struct csv_table *table, char *cell, size_t *length, char c)
 {
 	if (*length == CSV_CELL_MAX)
 		return fault(table, "a cell of the table is longer than 200 bytes");
@@ -73,7 +73,7 @@ static bool read_quoted(struct csv_table *table, char *cell)
 		if (*table->next == '"' && *++table->next != '"')
 			return true;
 		table->next_line += *table->next == '\n';
-		if (!put(table, cell, &length, *table->next))
+		if (!add_to_cell(table, cell, &length, *table->next))
 			return false;
 	}
 	return fault(table, "a quotation mark is not closed");
@@ -102,7 +102,7 @@ static bool read_cell(struct csv_table *table)
 		return false;
 	length = strlen(cell);
 	for (; *table->next && !strchr("\r\n", *table->next) && *table->next != table->separator; table->next++)
-		if (!put(table, cell, &length, *table->next))
+		if (!add_to_cell(table, cell, &length, *table->next))
 			return false;
 	trim(cell);
 	return true;

@@ -339,7 +339,7 @@ static const struct type_row *find_type(const char *name)
 }
 
 /* Why no tool has these sizes; NULL: they are possible. */
-static const char *judge(const struct geometry *g, enum shape shape, const struct tool_outline *tool)
+static const char *why_no_tool(const struct geometry *g, enum shape shape, const struct tool_outline *tool)
 {
 	/* The corner radius of a tapered mill may be larger than that of its tip. */
 	const bool rounded = shape != SHAPE_TAPER && g->corner > g->diameter / 2;
@@ -406,7 +406,7 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 	good = add_shank(&tool, json_object_get(item, "shaft"), &g, unit) &&
 	       add_holder(&tool, json_object_get(item, "holder"), &g, unit, &known_to);
 	tool.diameter = g.diameter;
-	why = why ? why : good ? judge(&g, type->shape, &tool) : NULL;
+	why = why ? why : good ? why_no_tool(&g, type->shape, &tool) : NULL;
 	if (!good)
 		fault(r, "the segments of shaft or holder are invalid");
 	else if (why)

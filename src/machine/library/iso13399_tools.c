@@ -177,7 +177,7 @@ static void read_items(struct reading *r, struct catalog_tool *tool)
 }
 
 /* Leaves out tools with sizes that a plain mill or drill does not have. */
-static void judge(struct reading *r, const struct catalog_tool *tool, const struct limits *l)
+static void leave_out_special(struct reading *r, const struct catalog_tool *tool, const struct limits *l)
 {
 	if (fabs(l->largest_diameter - tool->diameter) > 0.001)
 		leave_out(r, "the greatest diameter DCX differs from the diameter DC", "");
@@ -208,7 +208,7 @@ bool iso13399_tools_read(struct tool_library *tools, const char *text, const cha
 	/* The flutes of a drill are its cutter. */
 	if (tool.shape == CATALOG_DRILL || isnan(tool.cutting_length))
 		tool.cutting_length = isnan(limits.flute_length) ? tool.cutting_length : limits.flute_length;
-	judge(&r, &tool, &limits);
+	leave_out_special(&r, &tool, &limits);
 	if (good && r.why.length)
 		catalog_tool_leave_out(tools, &tool, strbuf_text(&r.why), diag);
 	else if (good)

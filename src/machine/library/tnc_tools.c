@@ -202,7 +202,7 @@ static void add_values(struct reading *r, const struct row *row)
 /* ------------------------------------------------------------------- shapes */
 
 /* Why the row does not describe a tool; NULL: it does. */
-static const char *judge(const struct row *row)
+static const char *why_no_tool(const struct row *row)
 {
 	if (!(row->length > 0))
 		return "its length L is not greater than 0, so it is not measured from the gauge line";
@@ -324,7 +324,7 @@ static void leave_out(struct reading *r, const struct row *row, const char *why)
 /* Rows of tools that are not in the machine have a T only. */
 static bool describe(struct reading *r, const struct row *row)
 {
-	const char *why = judge(row);
+	const char *why = why_no_tool(row);
 
 	if (!why)
 		return add_tool(r, row);
@@ -369,7 +369,7 @@ static bool take_row(struct reading *r, struct row *row)
 	return true;
 }
 
-static void tell(const struct reading *r)
+static void warn_of_missing(const struct reading *r)
 {
 	const struct srcloc at = {.file = r->table.at.file};
 
@@ -400,7 +400,7 @@ bool tnc_tools_read(struct tool_library *tools, const char *text, const char *pa
 	while ((found = tnc_table_next(&r.table)) > 0 && take_row(&r, &row))
 		;
 	if (found == 0)
-		tell(&r);
+		warn_of_missing(&r);
 	strbuf_release(&row.name);
 	free(r.lines);
 	return found == 0;

@@ -47,7 +47,7 @@ static void skip_blanks(struct reading *r)
 		r->next++;
 }
 
-static bool take(struct reading *r, char wanted)
+static bool take_byte(struct reading *r, char wanted)
 {
 	skip_blanks(r);
 	if (r->next == r->end || *r->next != wanted)
@@ -95,7 +95,7 @@ static bool read_string(struct reading *r, char text[NAME_BYTES_MAX])
 		text[length++] = *r->next;
 	}
 	text[length] = '\0';
-	return take(r, '"');
+	return take_byte(r, '"');
 }
 
 static bool read_index(struct reading *r, struct assignment *out)
@@ -152,19 +152,19 @@ static bool is_complete(struct reading *r)
 /* Reads what follows the name of a variable that matters. */
 static bool read_assignment(struct reading *r, struct assignment *out)
 {
-	bool good = take(r, '[');
+	bool good = take_byte(r, '[');
 
 	do
 		good = good && read_index(r, out);
-	while (good && take(r, ','));
-	if (!good || !take(r, ']') || !take(r, '=')) {
+	while (good && take_byte(r, ','));
+	if (!good || !take_byte(r, ']') || !take_byte(r, '=')) {
 		diag_error(r->diag, r->at,
 			   "$%s must be followed by its numbers and its value, as in $TC_DP3[5,1]=120.25: take the "
 			   "file as the control archives it",
 			   out->name);
 		return false;
 	}
-	out->is_text = take(r, '"');
+	out->is_text = take_byte(r, '"');
 	if ((out->is_text ? read_string(r, out->text) : read_number(r, &out->value)) && is_complete(r))
 		return true;
 	diag_error(r->diag, r->at,
@@ -263,7 +263,7 @@ static bool set_tool(struct reading *r, const struct assignment *a)
 	return true;
 }
 
-static bool set(struct reading *r, const struct assignment *a)
+static bool set_parameter(struct reading *r, const struct assignment *a)
 {
 	if (is_needed(parameter_of(a->name)))
 		return set_edge(r, a);
@@ -331,7 +331,7 @@ static bool read_line(struct reading *r)
 		r->next++;
 		if (!read_word(r, assignment.name) || !matters(assignment.name))
 			continue;
-		if (!read_assignment(r, &assignment) || !set(r, &assignment))
+		if (!read_assignment(r, &assignment) || !set_parameter(r, &assignment))
 			return false;
 		/* 120.25 may have become 120, or 12. */
 		if (!*r->end)

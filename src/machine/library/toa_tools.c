@@ -164,7 +164,7 @@ static bool check_twins(const struct reading *r, const struct toa_edge *edge, co
 /* ------------------------------------------------------------------ shapes */
 
 /* Why the values do not describe a tool; NULL: they do. */
-static const char *judge(const struct reading *r, const struct toa_edge *edge, enum kind kind)
+static const char *why_no_tool(const struct reading *r, const struct toa_edge *edge, enum kind kind)
 {
 	const double corner = mm(r, edge, DP_CORNER);
 
@@ -266,7 +266,7 @@ static bool take_tool(struct reading *r, const struct toa_edge *edge)
 {
 	const struct identity identity = identity_of(r, edge->tool);
 	const enum kind kind = kind_of(edge->value[DP_TYPE]);
-	const char *why = r->shapes ? judge(r, edge, kind) : NULL;
+	const char *why = r->shapes ? why_no_tool(r, edge, kind) : NULL;
 
 	if (!tool_library_wants(r->tools, identity.number))
 		return true;

@@ -46,7 +46,7 @@ static bool fault(const struct reading *r, const char *what)
 }
 
 /* Reads one word of a line. */
-static bool take(const struct reading *r, const struct letter_word *word, struct line *line)
+static bool take_word(const struct reading *r, const struct letter_word *word, struct line *line)
 {
 	switch (word->letter) {
 	case 'T':
@@ -104,7 +104,7 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 	while ((found = letter_word_next(&at, end, &word)) > 0) {
 		if (strchr(letters, word.letter))
 			return fault(r, "a letter occurs twice in this line");
-		if (!take(r, &word, &line))
+		if (!take_word(r, &word, &line))
 			return false;
 		/* There are fewer letters than places. */
 		letters[count++] = word.letter;

@@ -8,7 +8,7 @@
 
 #include "base/mem.h"
 
-static void finish(char digest[DIGEST_SIZE], struct sha256_ctx *context)
+static void write_digest(char digest[DIGEST_SIZE], struct sha256_ctx *context)
 {
 	static const char digits[] = "0123456789abcdef";
 	uint8_t bytes[SHA256_DIGEST_SIZE];
@@ -31,7 +31,7 @@ void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count)
 
 	sha256_init(&context);
 	sha256_update(&context, count, (const uint8_t *)bytes);
-	finish(digest, &context);
+	write_digest(digest, &context);
 }
 
 bool digest_file(char digest[DIGEST_SIZE], const char *path, const struct cancel *cancel)
@@ -57,6 +57,6 @@ bool digest_file(char digest[DIGEST_SIZE], const char *path, const struct cancel
 	fclose(in);
 	errno = error;
 	if (!error)
-		finish(digest, &context);
+		write_digest(digest, &context);
 	return !error;
 }

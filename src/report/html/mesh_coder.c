@@ -165,7 +165,7 @@ static void open_edge(struct coder *coder, uint32_t from, uint32_t to)
 	coder->before[to] = from;
 }
 
-static void take(struct coder *coder, size_t triangle, uint32_t a, uint32_t b, uint32_t c)
+static void take_triangle(struct coder *coder, size_t triangle, uint32_t a, uint32_t b, uint32_t c)
 {
 	coder->taken[triangle] = true;
 	open_edge(coder, b, a);
@@ -230,11 +230,11 @@ static void look_beyond(struct coder *coder, const struct gate *gate)
 		code_beyond(coder, BEYOND_OLD, has_before, has_after);
 		code_old(coder, &coder->back, c);
 	}
-	take(coder, triangle, a, b, c);
+	take_triangle(coder, triangle, a, b, c);
 }
 
 /* Begins with a triangle that shares no open edge with earlier ones. */
-static void begin(struct coder *coder, size_t triangle)
+static void begin_part(struct coder *coder, size_t triangle)
 {
 	static const uint16_t zero[3] = {0};
 	const uint32_t *v = &coder->corners[3 * triangle];
@@ -252,7 +252,7 @@ static void begin(struct coder *coder, size_t triangle)
 		else
 			code_old(coder, &coder->back_at_start, v[k]);
 	}
-	take(coder, triangle, v[0], v[1], v[2]);
+	take_triangle(coder, triangle, v[0], v[1], v[2]);
 }
 
 static void walk(struct coder *coder, size_t triangles)
@@ -260,7 +260,7 @@ static void walk(struct coder *coder, size_t triangles)
 	for (size_t t = 0; t < triangles; t++) {
 		if (coder->taken[t])
 			continue;
-		begin(coder, t);
+		begin_part(coder, t);
 		while (coder->depth) {
 			const struct gate gate = coder->gates[--coder->depth];
 

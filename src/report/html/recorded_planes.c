@@ -36,8 +36,8 @@ void recorded_planes_add(struct recorded_planes *planes, const struct plane_wish
 	planes->forced_count += wish->forced;
 }
 
-static void make(struct recorded_planes *planes, struct scene *scene, struct sweep *sweep,
-		 const struct plane_wish *wish)
+static void make_plane(struct recorded_planes *planes, struct scene *scene, struct sweep *sweep,
+		       const struct plane_wish *wish)
 {
 	const struct scene_pair *pair = &scene->pairs[wish->pair];
 	const struct body_pair bodies = scene_pair_bodies(scene, pair);
@@ -68,7 +68,7 @@ void recorded_planes_make(struct recorded_planes *planes, struct scene *scene, s
 {
 	planes->rows = mem_alloc((planes->wish_count + 1) * sizeof(*planes->rows));
 	for (size_t i = 0; i < planes->wish_count; i++)
-		make(planes, scene, sweep, &planes->wishes[i]);
+		make_plane(planes, scene, sweep, &planes->wishes[i]);
 }
 
 void recorded_planes_release(struct recorded_planes *planes)

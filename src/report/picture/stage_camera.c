@@ -90,7 +90,7 @@ static bool sees_point(const struct stage *stage, const struct camera *camera, c
 	       raster->depths[y * raster->width + x] <= at.z + 1.5 / (camera->scale * raster->width);
 }
 
-static double judge(const struct stage *stage, const struct draft *draft, const struct camera *camera)
+static double rate(const struct stage *stage, const struct draft *draft, const struct camera *camera)
 {
 	struct raster raster;
 	double result;
@@ -142,7 +142,7 @@ static void judge_all(const struct stage *stage, const struct draft *draft, stru
 		struct candidate *it = &candidates[i];
 		const struct camera camera = camera_of(stage, it);
 
-		it->score = judge(stage, draft, &camera) * familiar(it->turn, it->rise);
+		it->score = rate(stage, draft, &camera) * familiar(it->turn, it->rise);
 	}
 }
 

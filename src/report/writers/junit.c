@@ -29,7 +29,7 @@ static char *xml_text(const char *text)
 	return out;
 }
 
-static void set(xmlNode *node, const char *name, const char *value)
+static void set_attribute(xmlNode *node, const char *name, const char *value)
 {
 	char *text = xml_text(value);
 
@@ -70,8 +70,8 @@ static void add_outcome(xmlNode *testcase, const char *element, const char *type
 {
 	xmlNode *node = add_text_node(testcase, element, body);
 
-	set(node, "message", message);
-	set(node, "type", type);
+	set_attribute(node, "message", message);
+	set_attribute(node, "type", type);
 }
 
 /* The first error is the message; all errors and the findings before them are the text. */
@@ -107,7 +107,7 @@ static void set_time(xmlNode *testcase, const struct report_program *program)
 	char text[32];
 
 	snprintf(text, sizeof(text), "%.3f", stats ? stats->seconds_interpret + stats->seconds_check : 0.0);
-	set(testcase, "time", text);
+	set_attribute(testcase, "time", text);
 }
 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
@@ -117,9 +117,9 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	struct strbuf verdict = {0};
 
 	xmlDocSetRootElement(doc, testcase);
-	set(testcase, "classname", run->scene->machine->path);
-	set(testcase, "name", program->name);
-	set(testcase, "file", program->name);
+	set_attribute(testcase, "classname", run->scene->machine->path);
+	set_attribute(testcase, "name", program->name);
+	set_attribute(testcase, "file", program->name);
 	set_time(testcase, program);
 	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE)
 		add_errors(testcase, program, strbuf_text(out));

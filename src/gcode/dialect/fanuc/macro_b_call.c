@@ -48,7 +48,7 @@ static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number
 	return macro_b_seek_jump(interp, entry, column);
 }
 
-static bool leave(struct interp *interp, int column)
+static bool leave_call(struct interp *interp, int column)
 {
 	struct macro_b *macro = macro_b_of(interp);
 	struct macro_b_call *call = macro_b_call_in_hand(interp);
@@ -298,7 +298,7 @@ static bool end_outline(struct interp *interp, int column)
 {
 	const bool good = pocket_milling_finish(interp);
 
-	return leave(interp, column) && good;
+	return leave_call(interp, column) && good;
 }
 
 /*
@@ -326,7 +326,7 @@ static bool do_m99(struct interp *interp, int column)
 		return fault(&interp->at, p, "M99 P before the last repetition of a call is not supported");
 	if (call->kind == MACRO_B_G66)
 		return fault(&interp->at, p, "M99 P in a macro that G66 calls is not supported");
-	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) &&
+	return leave_call(interp, column) && macro_b_seek_only(interp, number, p, &target) &&
 	       macro_b_seek_jump(interp, &target, p);
 }
 

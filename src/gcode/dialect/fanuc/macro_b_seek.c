@@ -161,7 +161,7 @@ struct judged {
 	bool first;	/* no line that matters has been met */
 };
 
-static enum line_sought judge(void *context, const char *text, long line)
+static enum line_sought judge_line(void *context, const char *text, long line)
 {
 	struct judged *judged = context;
 	bool over, met = meets(judged->interp, judged->search, text, line, judged->column, &over);
@@ -178,11 +178,11 @@ static enum line_sought judge(void *context, const char *text, long line)
  * Finds the first line of the search's target from `from` up to the line `to` (0: the end of the program, or of the
  * file). The position of the reader does not change.
  */
-static bool look(struct interp *interp, struct search *search, const struct position *from, long to, int column,
-		 struct position *found)
+static bool search_lines(struct interp *interp, struct search *search, const struct position *from, long to, int column,
+			 struct position *found)
 {
 	struct judged judged = {interp, search, column, search->own_line};
-	struct line_search lines = {.judge = judge, .context = &judged, .last = to, .most = 1};
+	struct line_search lines = {.judge = judge_line, .context = &judged, .last = to, .most = 1};
 
 	program_keep_line(&interp->program, &interp->at);
 	line_search_run(&lines, from);
@@ -241,11 +241,11 @@ bool macro_b_seek_only(struct interp *interp, int number, int column, struct pos
 		*found = label->at;
 		return true;
 	}
-	if (!look(interp, &search, &start, 0, column, found))
+	if (!search_lines(interp, &search, &start, 0, column, found))
 		return search.unfinished ? fault_window(interp, "N", number, column)
 					 : fault(&interp->at, column, "the program has no block N%d", number);
 	search.after = found->line;
-	if (look(interp, &search, &start, 0, column, &second))
+	if (search_lines(interp, &search, &start, 0, column, &second))
 		return fault(&interp->at, column, "N%d occurs in lines %ld and %ld, so the jump is ambiguous",
 			     number, found->line, second.line);
 	if (search.unfinished)
@@ -260,10 +260,10 @@ static bool seek_forward_first(struct interp *interp, int number, int column, st
 	struct search search = {.aim = AIM_BLOCK, .number = number};
 	long here = interp->at.line;
 
-	if (look(interp, &search, &next, 0, column, found))
+	if (search_lines(interp, &search, &next, 0, column, found))
 		return true;
 	search.own_line = true;
-	if (!search.unfinished && look(interp, &search, &start, here, column, found))
+	if (!search.unfinished && search_lines(interp, &search, &start, here, column, found))
 		return true;
 	return search.unfinished ? fault_window(interp, "N", number, column)
 				 : fault(&interp->at, column, "the program has no block N%d", number);
@@ -300,7 +300,7 @@ bool macro_b_seek_end(struct interp *interp, int number, int column, struct posi
 		*found = label->at;
 		return true;
 	}
-	if (!look(interp, &search, &next, 0, column, found)) {
+	if (!search_lines(interp, &search, &next, 0, column, found)) {
 		if (search.failed)
 			return false;
 		return search.unfinished ? fault_window(interp, "END", number, column)
@@ -330,9 +330,9 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 			     "program O%d is neither in %s nor in a file of its own beside it or in an --include "
 			     "folder",
 			     number, interp->program.sources.items[0]->name);
-	if (look(interp, &search, &start, 0, column, found))
+	if (search_lines(interp, &search, &start, 0, column, found))
 		return true;
-	if (look(interp, &any, &start, 0, column, found))
+	if (search_lines(interp, &any, &start, 0, column, found))
 		return fault(&interp->at, column, "%s does not contain program O%d", start.source->name, number);
 	*found = start;
 	return true;
@@ -346,9 +346,9 @@ static bool look_in_main(struct interp *interp, int number, int column, struct p
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, rest = search;
 
 	*unfinished = false;
-	if (look(interp, &search, &start, 0, column, found))
+	if (search_lines(interp, &search, &start, 0, column, found))
 		return true;
-	if (search.unfinished && look(interp, &rest, &forward, 0, column, found))
+	if (search.unfinished && search_lines(interp, &rest, &forward, 0, column, found))
 		return true;
 	*unfinished = search.unfinished;
 	return false;
@@ -360,7 +360,7 @@ static bool is_only(struct interp *interp, int number, int column, const struct 
 	struct search search = {.aim = AIM_PROGRAM, .number = number, .after = found->line};
 	struct position second;
 
-	if (look(interp, &search, found, 0, column, &second))
+	if (search_lines(interp, &search, found, 0, column, &second))
 		return fault(&interp->at, column, "O%d occurs in lines %ld and %ld of %s, so the call is ambiguous",
 			     number, found->line, second.line, found->source->name);
 	return !search.unfinished || fault_window(interp, "O", number, column);
@@ -379,7 +379,7 @@ bool macro_b_seek_program(struct interp *interp, int number, int column, struct 
 		return true;
 	}
 	if (!look_in_main(interp, number, column, found, &unfinished) &&
-	    (unfinished || !look(interp, &search, &in_hand, 0, column, found))) {
+	    (unfinished || !search_lines(interp, &search, &in_hand, 0, column, found))) {
 		if (unfinished)
 			return fault_window(interp, "O", number, column);
 		if (!look_in_folders(interp, number, column, found))
@@ -405,7 +405,7 @@ bool macro_b_seek_has_program(struct interp *interp, int number, int column, boo
 	if (*has || remembered(interp, &in_hand, "no O", number, key))
 		return true;
 	*has = look_in_main(interp, number, column, &found, &unfinished) ||
-	       look(interp, &search, &in_hand, 0, column, &found);
+	       search_lines(interp, &search, &in_hand, 0, column, &found);
 	if (!*has && !program_files_find(interp, number, column, &file))
 		return false;
 	*has = *has || file;

@@ -214,7 +214,7 @@ static bool do_m98(struct interp *interp, struct lexer *lexer, const struct owor
 	return enter(interp, name, oword->column, true, &back);
 }
 
-static bool leave(struct interp *interp, int column)
+static bool leave_call(struct interp *interp, int column)
 {
 	struct params *params = &linuxcnc_of(interp)->params;
 	struct call *call = linuxcnc_call_in_hand(interp);
@@ -252,7 +252,7 @@ static bool do_return(struct interp *interp, struct lexer *lexer, const struct o
 	params->returned = value;
 	params->value_returned = given;
 	params->value_unclear = false;
-	return leave(interp, oword->column);
+	return leave_call(interp, oword->column);
 }
 
 static bool do_m99(struct interp *interp, struct lexer *lexer, const struct oword *oword)
@@ -264,7 +264,7 @@ static bool do_m99(struct interp *interp, struct lexer *lexer, const struct owor
 	linuxcnc_of(interp)->params.returned = 0;
 	linuxcnc_of(interp)->params.value_returned = false;
 	linuxcnc_of(interp)->params.value_unclear = false;
-	return leave(interp, oword->column);
+	return leave_call(interp, oword->column);
 }
 
 bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const struct oword *oword)

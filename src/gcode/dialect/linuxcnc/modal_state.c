@@ -14,7 +14,7 @@ static bool refuse(struct interp *interp, int column, const char *what)
  * LinuxCNC 2.9 restores modes by running their codes, and some codes have further effects: G43 applies the length of
  * the tool in the spindle whatever its H was, and G94 clears the feed. If this matters, the code is refused.
  */
-static bool check(struct interp *interp, const struct modal_state *modal, int column)
+static bool check_restorable(struct interp *interp, const struct modal_state *modal, int column)
 {
 	const struct state *state = &interp->state, *before = &modal->modes;
 
@@ -35,7 +35,7 @@ static bool take_back(struct interp *interp, const struct modal_state *modal, in
 	struct state *state = &interp->state;
 	const struct state *before = &modal->modes;
 
-	if (!check(interp, modal, column))
+	if (!check_restorable(interp, modal, column))
 		return false;
 	if (before->spindle == SPINDLE_STOPPED && !motion_commands_spindle_stops(interp))
 		return false;

@@ -45,7 +45,7 @@ static bool may_be_same(const char *a, size_t a_length, const char *b, size_t b_
  * line with its number and the folders of the first path that names some. False: the path may mean another file, which
  * was reported.
  */
-static bool check(struct interp *interp, const char *path, const struct source *source, int column)
+static bool check_folder(struct interp *interp, const char *path, const struct source *source, int column)
 {
 	const struct sources *sources = &interp->program.sources;
 	struct strbuf *folders = &klartext_of(interp)->calls.folders;
@@ -104,5 +104,5 @@ bool klartext_folder_find(struct interp *interp, const char *name, const char *c
 		if (!find_spelling(interp, file, column, source))
 			return false;
 	}
-	return !*source || check(interp, name, *source, column);
+	return !*source || check_folder(interp, name, *source, column);
 }

@@ -96,7 +96,7 @@ static bool read_options(struct lexer *lexer, struct klartext_swivel *request)
 
 /* --------------------------------------------------------------- PLANE, 19 */
 
-static bool check(struct interp *interp, int column)
+static bool check_allowed(struct interp *interp, int column)
 {
 	const struct klartext *klartext = klartext_of(interp);
 
@@ -118,7 +118,7 @@ bool klartext_plane_run(struct lexer *lexer)
 	struct klartext_tilt tilt;
 
 	if (!klartext_tilt_read(lexer, &klartext->frame.tilt, &tilt) || !read_options(lexer, &request) ||
-	    !check(interp, request.column) || !klartext_preset_check(interp, request.column))
+	    !check_allowed(interp, request.column) || !klartext_preset_check(interp, request.column))
 		return false;
 	klartext->cycle_19.counts = false;
 	if (tilt.reset)
@@ -226,7 +226,7 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 	const enum cycle_19_angles angles = interp->config->controller.cycle_19_angles;
 	struct klartext_tilt tilt = {.axes = 0};
 
-	if (!read_cycle(interp, cycle, &tilt, &request) || !check(interp, cycle->column))
+	if (!read_cycle(interp, cycle, &tilt, &request) || !check_allowed(interp, cycle->column))
 		return false;
 	if (!tilt.axes && cycle->count)
 		return fault(&interp->at, cycle->column,

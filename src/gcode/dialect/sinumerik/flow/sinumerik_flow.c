@@ -22,7 +22,7 @@ struct flow {
 	int column;	/* of the word of the statement */
 };
 
-static bool go(const struct flow *flow, const struct position *to)
+static bool jump_to(const struct flow *flow, const struct position *to)
 {
 	return program_count(&flow->interp->program, flow->interp->config->read.max_blocks, &flow->interp->at) &&
 	       program_jump(&flow->interp->program, to, &flow->interp->at, flow->column);
@@ -84,12 +84,12 @@ static struct sinumerik_loop *begin(const struct flow *flow, enum sinumerik_loop
 	return loop;
 }
 
-static bool leave(const struct flow *flow, enum sinumerik_close close)
+static bool jump_behind(const struct flow *flow, enum sinumerik_close close)
 {
 	struct position behind;
 
 	flow->sinumerik->loops.count--;
-	return sinumerik_seek_close(flow->interp, close, flow->column, &behind) && go(flow, &behind);
+	return sinumerik_seek_close(flow->interp, close, flow->column, &behind) && jump_to(flow, &behind);
 }
 
 static bool run_while(struct flow *flow)
@@ -98,7 +98,7 @@ static bool run_while(struct flow *flow)
 
 	if (!begin(flow, SINUMERIK_WHILE) || !condition(flow, &holds) || !at_end(flow))
 		return false;
-	return holds || leave(flow, SINUMERIK_ENDWHILE);
+	return holds || jump_behind(flow, SINUMERIK_ENDWHILE);
 }
 
 static bool run_loop(struct flow *flow)
@@ -160,7 +160,7 @@ static bool run_for(struct flow *flow)
 	*value = loop->again ? *value + 1 : first;
 	loop->last = last;
 	loop->again = false;
-	return *value <= last || leave(flow, SINUMERIK_ENDFOR);
+	return *value <= last || jump_behind(flow, SINUMERIK_ENDFOR);
 }
 
 static const struct closing {
@@ -186,7 +186,7 @@ static bool run_closing(struct flow *flow, const struct closing *closing)
 	loop->again = true;
 	/* After an error every block is read once, because the value of a condition is not known any more. */
 	if (!ends && !flow->interp->faulty)
-		return go(flow, &loop->start);
+		return jump_to(flow, &loop->start);
 	flow->sinumerik->loops.count--;
 	return true;
 }
@@ -280,7 +280,7 @@ static bool start_again(const struct flow *flow, const struct jump *jump)
 	if (flow->interp->faulty)
 		return true;
 	flow->sinumerik->loops.count = 0;
-	return sinumerik_call_jumped(flow->interp, top.line, jump->column) && go(flow, &top);
+	return sinumerik_call_jumped(flow->interp, top.line, jump->column) && jump_to(flow, &top);
 }
 
 static bool make_jump(const struct flow *flow, const struct jump *jump)
@@ -302,7 +302,7 @@ static bool make_jump(const struct flow *flow, const struct jump *jump)
 			     : jump->direction == SINUMERIK_BACKWARD ? "before this line"
 								     : "in this program");
 	return leave_loops(flow, to.line) && sinumerik_call_jumped(flow->interp, to.line, jump->column) &&
-	       go(flow, &to);
+	       jump_to(flow, &to);
 }
 
 static bool run_goto(struct flow *flow, size_t word)
@@ -332,7 +332,7 @@ static bool run_if(struct flow *flow)
 		return true;
 	if (!sinumerik_seek_close(flow->interp, SINUMERIK_ELSE, flow->column, &behind))
 		return false;
-	return holds || go(flow, &behind);
+	return holds || jump_to(flow, &behind);
 }
 
 static bool run_else(struct flow *flow)
@@ -340,7 +340,7 @@ static bool run_else(struct flow *flow)
 	struct position behind;
 
 	return at_end(flow) && sinumerik_seek_close(flow->interp, SINUMERIK_ENDIF, flow->column, &behind) &&
-	       go(flow, &behind);
+	       jump_to(flow, &behind);
 }
 
 static bool read_constant(const struct flow *flow, double *value)

@@ -155,8 +155,8 @@ static void remember(struct interp *interp, const char *target, long long from, 
 /* ------------------------------------------------------------------ search */
 
 /* Searches for the name, or for what it describes, from this line on. False: reported, or cancelled. */
-static bool look(struct interp *interp, struct line_search *lines, const char *name, const struct position *from,
-		 int column)
+static bool search_lines(struct interp *interp, struct line_search *lines, const char *name,
+			 const struct position *from, int column)
 {
 	program_keep_line(&interp->program, &interp->at);
 	lines->cancel = interp->config->read.cancel;
@@ -171,7 +171,7 @@ struct search {
 	struct line_search lines;
 };
 
-static enum line_sought judge(void *context, const char *text, long line)
+static enum line_sought judge_line(void *context, const char *text, long line)
 {
 	const struct search *search = context;
 	struct sinumerik_head head;
@@ -191,13 +191,14 @@ static enum line_sought judge(void *context, const char *text, long line)
 
 static bool look_for(struct interp *interp, struct search *search, const struct position *from, int column)
 {
-	search->lines.judge = judge;
+	search->lines.judge = judge_line;
 	search->lines.context = search;
-	return look(interp, &search->lines, search->name, from, column);
+	return search_lines(interp, &search->lines, search->name, from, column);
 }
 
 /* Takes the only match. */
-static bool take(struct interp *interp, const struct search *search, int column, struct position *to, bool *found)
+static bool take_only_match(struct interp *interp, const struct search *search, int column, struct position *to,
+			    bool *found)
 {
 	*found = search->lines.count > 0;
 	*to = search->lines.first;
@@ -264,7 +265,7 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	search.lines.last = interp->at.line;
 	if (!search.lines.count && direction != SINUMERIK_FORWARD && !look_for(interp, &search, &top, column))
 		return false;
-	if (!take(interp, &search, column, to, found))
+	if (!take_only_match(interp, &search, column, to, found))
 		return false;
 	if (*found)
 		remember(interp, key, from, to);
@@ -276,7 +277,7 @@ bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const 
 {
 	struct search search = {.name = name, .lines = {.last = last, .most = only ? 2 : 1}};
 
-	return look_for(interp, &search, start, column) && take(interp, &search, column, to, found);
+	return look_for(interp, &search, start, column) && take_only_match(interp, &search, column, to, found);
 }
 
 bool sinumerik_seek_program(struct interp *interp, struct source *source, const char *name, char type, int column,
@@ -285,7 +286,7 @@ bool sinumerik_seek_program(struct interp *interp, struct source *source, const 
 	const struct position top = {source, 0, 1};
 	struct search search = {.name = name, .program = true, .type = type, .lines = {.most = 2}};
 
-	return look_for(interp, &search, &top, column) && take(interp, &search, column, head, found);
+	return look_for(interp, &search, &top, column) && take_only_match(interp, &search, column, head, found);
 }
 
 bool sinumerik_seek_heads_main(const char *text)
@@ -310,7 +311,7 @@ bool sinumerik_seek_main(struct interp *interp)
 
 	if (read_head(line_start(&interp->at), name) != 'S')
 		return true;
-	if (!look(interp, &lines, "the main program", &next, 1))
+	if (!search_lines(interp, &lines, "the main program", &next, 1))
 		return false;
 	if (!lines.count)
 		return true;
@@ -335,7 +336,7 @@ bool sinumerik_seek_tool_change(struct interp *interp, int column, bool *found)
 {
 	const struct position next = source_next(interp->program.source);
 	struct line_search lines = {.judge = judge_change, .most = 1};
-	const bool good = look(interp, &lines, "M6", &next, column);
+	const bool good = search_lines(interp, &lines, "M6", &next, column);
 
 	*found = lines.count > 0;
 	return good;
@@ -402,7 +403,7 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
 
 	if (recall(interp, key, start->offset, behind))
 		return true;
-	if (!look(interp, &lines, key, start, column))
+	if (!search_lines(interp, &lines, key, start, column))
 		return false;
 	if (!lines.count)
 		return fault(&interp->at, column, "%s in line %ld has no %s", structures[close].open, start->line,
