@@ -411,6 +411,29 @@ START_TEST(odd_bytes_far_behind)
 }
 END_TEST
 
+START_TEST(looking_ahead_leaves_no_trace)
+{
+	char bytes[] = "G0\r\nG1 X1\r\nG2\r\nM30\r\n";
+	FILE *in = fmemopen(bytes, strlen(bytes), "r");
+	struct reader_mark mark;
+	struct reader reader;
+	const char *text;
+
+	reader_init(&reader, in);
+	require(reader_next(&reader, &text) == READER_LINE && reader_next(&reader, &text) == READER_LINE, "two lines");
+	mark = reader_mark(&reader);
+	for (int ahead = 0; ahead < 3; ahead++) {
+		for (int k = 0; k < ahead; k++)
+			require(reader_next(&reader, &text) == READER_LINE, "%d ahead", k);
+		require(reader_return(&reader, &mark), "back from %d", ahead);
+		require(reader.line == 2 && reader.furthest == 2 && reader.start == 4, "back from %d", ahead);
+	}
+	require(reader_next(&reader, &text) == READER_LINE && !strcmp(text, "G2") && reader.line == 3, "%s", text);
+	reader_release(&reader);
+	fclose(in);
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {
@@ -420,6 +443,7 @@ int main(void)
 	    plain_and_general_blocks_agree,
 	    line_ends,
 	    odd_bytes_far_behind,
+	    looking_ahead_leaves_no_trace,
 	    faulty_files,
 	    long_lines,
 	    read_error,

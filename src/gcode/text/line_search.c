@@ -6,9 +6,8 @@
 bool line_search_run(struct line_search *search, const struct position *from)
 {
 	struct reader *reader = &from->source->reader;
-	const struct position next = source_next(from->source);
-	const long long start = reader->start, end = next.offset + (long long)READER_WINDOW - LINE_LENGTH_MAX;
-	const long furthest = reader->furthest;
+	const struct reader_mark mark = reader_mark(reader);
+	const long long end = mark.next + (long long)READER_WINDOW - LINE_LENGTH_MAX;
 	enum line_sought line = LINE_OTHER;
 	bool good = reader_seek(reader, from->offset, from->line);
 	const char *text;
@@ -28,9 +27,7 @@ bool line_search_run(struct line_search *search, const struct position *from)
 		}
 		good = reader->line % ASK_LINES != 0 || !cancel_asked(search->cancel);
 	}
-	reader_seek(reader, next.offset, next.line);
-	reader->start = start;
-	reader->furthest = furthest;
+	reader_return(reader, &mark);
 	return good && !search->unfinished;
 }
 

@@ -288,3 +288,17 @@ bool reader_seek(struct reader *reader, long long position, long line)
 	reader->line = line - 1;
 	return true;
 }
+
+struct reader_mark reader_mark(const struct reader *reader)
+{
+	return (struct reader_mark){reader_position(reader), reader->start, reader->line, reader->furthest};
+}
+
+bool reader_return(struct reader *reader, const struct reader_mark *mark)
+{
+	if (!reader_seek(reader, mark->next, mark->line + 1))
+		return false;
+	reader->start = mark->start;
+	reader->furthest = mark->furthest;
+	return true;
+}

@@ -75,4 +75,15 @@ long long reader_position(const struct reader *reader);
  */
 bool reader_seek(struct reader *reader, long long position, long line);
 
+/* Where a reader stands before it looks ahead. */
+struct reader_mark {
+	long long next, start;	/* of the next and of the last line, in bytes from base */
+	long line, furthest;	/* the number of the last line, and the greatest one */
+};
+
+struct reader_mark reader_mark(const struct reader *reader);
+
+/* Returns to the mark, as if no line had been read since. False, and nothing has changed: see reader_seek. */
+bool reader_return(struct reader *reader, const struct reader_mark *mark);
+
 #endif

@@ -36,8 +36,7 @@ static bool begins_corner(const char *text, size_t length)
 bool klartext_corner_follows(struct interp *interp)
 {
 	struct reader *reader = &interp->program.source->reader;
-	const struct position next = source_next(interp->program.source);
-	const long furthest = reader->furthest;
+	struct reader_mark mark;
 	const char *text;
 	bool corner;
 
@@ -45,9 +44,9 @@ bool klartext_corner_follows(struct interp *interp)
 		return begins_corner(text, LOOK_AHEAD);
 	/* The next line is not in the buffer. */
 	program_keep_line(&interp->program, &interp->at);
+	mark = reader_mark(reader);
 	corner = reader_next(reader, &text) == READER_LINE && begins_corner(text, strlen(text));
-	reader_seek(reader, next.offset, next.line);
-	reader->furthest = furthest;
+	reader_return(reader, &mark);
 	return corner;
 }
 

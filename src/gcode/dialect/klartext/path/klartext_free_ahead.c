@@ -78,8 +78,7 @@ static bool read_line(struct lexer *lexer, struct klartext_free_ahead *ahead, bo
 bool klartext_free_ahead_read(struct interp *interp, struct klartext_free_ahead *ahead)
 {
 	struct reader *reader = &interp->program.source->reader;
-	const struct position next = source_next(interp->program.source);
-	const long furthest = reader->furthest;
+	const struct reader_mark mark = reader_mark(reader);
 	const char *text;
 	bool done = false;
 
@@ -96,7 +95,6 @@ bool klartext_free_ahead_read(struct interp *interp, struct klartext_free_ahead 
 		if (!read_line(&lexer, ahead, &done))
 			break;
 	}
-	reader_seek(reader, next.offset, next.line);
-	reader->furthest = furthest;
+	reader_return(reader, &mark);
 	return done;
 }
