@@ -6,10 +6,12 @@
 #include "base/apart.h"
 #include "base/units.h"
 #include "motion/dogleg.h"
+#include "motion/limit_report.h"
 #include "motion/limits.h"
 #include "motion/motion_modes.h"
 #include "motion/move_bounds.h"
 #include "motion/move_path.h"
+#include "motion/move_spread.h"
 #include "motion/timing.h"
 
 /* mm: a move that deviates less from its chord needs few pieces. */
@@ -59,9 +61,7 @@ struct run {
 	const struct canon_move *move;
 	/* The converter's event: filled in place, because it is large and there are many. */
 	struct motion_step *step;
-	bool has_room;	/* the axes may be beside the path in a way that counts for the limits, by `room` */
-	axis_values room;	/* if has_room: how far */
-	bool turns;	/* a rotary axis may be beside its path */
+	struct move_spread spread;
 	bool swings;	/* a rapid under TCP that is only known to stay in a box */
 	axis_values swing;	/* if swings: how far the axes may be outside the box */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
@@ -108,57 +108,6 @@ static APART bool swing_out(struct run *run, const struct path *box)
 	return true;
 }
 
-/* Adds how far the axes may be beside the path of the move, because only a set of paths is known. */
-static void add_spread(struct run *run)
-{
-	const struct machine *machine = run->converter->machine;
-	const struct canon_move *move = run->move;
-	axis_values spread = {{move->spread[0], move->spread[1], move->spread[2]}};
-
-	/* Under TCP the spread is along X, Y and Z of the workpiece, which a table rotates. */
-	if (move->tcp)
-		spread = tcp_spread(&run->converter->tcp, &run->converter->position, &move->end, move->spread);
-	for (size_t i = 0; i < machine->axis_count; i++) {
-		const int slot = machine->axes[i].slot;
-
-		if (slot > SLOT_Z || !(spread.v[slot] > 0))
-			continue;
-		run->step->tolerance.v[slot] += spread.v[slot];
-		if (move->between[slot] && move->kind != CANON_ARC && !move->tcp)
-			continue;
-		run->room.v[slot] = spread.v[slot];
-		run->has_room = true;
-	}
-}
-
-/* The same for the rotary axes. Their effect on the linear axes under TCP is added when the path is known. */
-static void add_turn_spread(struct run *run)
-{
-	const struct canon_move *move = run->move;
-
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		if (!(move->turn_spread[slot - SLOT_A] > 0))
-			continue;
-		run->step->tolerance.v[slot] += move->turn_spread[slot - SLOT_A];
-		run->room.v[slot] += move->turn_spread[slot - SLOT_A];
-		run->has_room = run->turns = true;
-	}
-}
-
-static void add_following(struct run *run)
-{
-	const struct path *path = &run->legs[0].path;
-	axis_values follow;
-
-	if (!run->turns || !run->move->tcp)
-		return;
-	follow = tcp_follow(&run->converter->tcp, &path->start, &path->end, run->move->turn_spread);
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		run->step->tolerance.v[slot] += follow.v[slot];
-		run->room.v[slot] += follow.v[slot];
-	}
-}
-
 /* The path has no length, but the axes may move: a leg that takes no time. */
 static bool stand(struct run *run)
 {
@@ -199,7 +148,7 @@ static bool set_legs(struct run *run)
 	run->count = 0;
 	move_path_set(path, &start, move, &run->guided.path);
 	if (!move_path_moves(path) && !(path->circular && path_length(path) > 0))
-		return !run->has_room || stand(run);
+		return !run->spread.acts || stand(run);
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG)
 		return set_dogleg(run);
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, path))
@@ -223,75 +172,35 @@ static bool is_straight_rapid(const struct run *run)
 	       path->kind != PATH_BOX && move_path_axes(path) > 1;
 }
 
-static bool report_crossing(struct run *run, const struct path *path, double before,
-			    const struct limit_crossing *crossing)
-{
-	const struct canon_to_spans *converter = run->converter;
-	const struct canon_move *move = run->move;
-	const double since = before + crossing->u * path->seconds;
-	const int slot = crossing->slot;
-	/* The converter's own event holds the step. */
-	struct motion_event event = {.kind = MOTION_LIMIT};
-
-	event.of.limit = (struct motion_limit){
-	    .travel = {
-		.slot = slot,
-		.bound = crossing->bound,
-		.target = run->legs[run->count - 1].span.q1.v[slot],
-		.excess = crossing->excess,
-		.path_tolerance = crossing->room,
-		.work_offset = move->machine_coordinates ? NULL : move->origin->work_offset,
-		.work = move->origin->work.v[slot],
-		.shift = move->origin->shift.v[slot],
-		.length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
-		.length = move->origin->length,
-	    },
-	    .position = path_position(path, crossing->u), .time = converter->time + since,
-	    .block_time = converter->block_time + since, .file = move->file,
-	    .line = move->line, .move = move->number, .tool = converter->tool};
-	run->step->outside = true;
-	return converter->sink->event(converter->sink->context, &event);
-}
-
-/* Reports the limits that a rapid passes if the control keeps the tip on a line, for axes without a report. */
-static bool report_swing(struct run *run, const bool reported[SLOT_COUNT])
-{
-	struct limit_crossing crossings[SLOT_COUNT];
-	size_t count;
-
-	run->guided.path.seconds = run->legs[0].path.seconds;
-	count = limits_crossed(run->converter->machine, &run->guided, 1, NULL, crossings);
-	for (size_t i = 0; i < count; i++) {
-		crossings[i].room = run->swing.v[crossings[i].slot];
-		if (!reported[crossings[i].slot] && !report_crossing(run, &run->guided.path, 0, &crossings[i]))
-			return false;
-	}
-	return true;
-}
-
 static APART bool report_limits(struct run *run, const axis_values *room)
 {
-	struct limit_crossing crossings[SLOT_COUNT];
+	const struct canon_to_spans *converter = run->converter;
+	const struct limit_report report = {.machine = converter->machine,
+					    .move = run->move,
+					    .legs = run->legs,
+					    .leg_count = run->count,
+					    .time = converter->time,
+					    .block_time = converter->block_time,
+					    .tool = converter->tool,
+					    .sink = converter->sink};
 	bool reported[SLOT_COUNT] = {false};
-	size_t count;
 
-	count = limits_crossed(run->converter->machine, run->legs, run->count, room, crossings);
-	for (size_t i = 0; i < count; i++) {
-		double before = 0;
-
-		for (size_t k = 0; k < crossings[i].leg; k++)
-			before += run->legs[k].path.seconds;
-		reported[crossings[i].slot] = true;
-		if (!report_crossing(run, &run->legs[crossings[i].leg].path, before, &crossings[i]))
+	if (!limit_report_legs(&report, room, reported))
+		return false;
+	if (run->swings) {
+		run->guided.path.seconds = run->legs[0].path.seconds;
+		if (!limit_report_guided(&report, &run->guided, &run->swing, reported))
 			return false;
 	}
-	return !run->swings || report_swing(run, reported);
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		run->step->outside |= reported[slot];
+	return true;
 }
 
 static bool check_limits(struct run *run)
 {
 	struct canon_to_spans *converter = run->converter;
-	const axis_values *room = run->has_room ? &run->room : NULL;
+	const axis_values *room = run->spread.acts ? &run->spread.room : NULL;
 	const bool straight = run->count == 1 && path_is_straight(&run->legs[0].path) && !room && !run->swings;
 
 	/* A straight move between two positions inside the limits stays inside. */
@@ -393,15 +302,13 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	run.converter = converter;
 	run.move = move;
 	run.step = &converter->event.of.step;
-	run.step->outside = run.has_room = run.swings = run.turns = false;
+	run.step->outside = run.spread.acts = run.spread.turns = run.swings = false;
 	blend_take(&converter->blend, converter->machine, &converter->axes, move);
 	run.step->tolerance = converter->blend.tolerance;
 	run.step->bounded = canon_move_is_bounded(move);
-	if (run.step->bounded) {
-		run.room = (axis_values){{0}};
-		add_spread(&run);
-		add_turn_spread(&run);
-	}
+	if (run.step->bounded)
+		move_spread_find(&run.spread, converter->machine, &converter->tcp, &converter->position, move,
+				 &run.step->tolerance);
 	if (!move_is_in_reach(move, converter->diag, converter->name) ||
 	    (cutter_hand_is_asked(move) &&
 	     !cutter_hand_ask(&converter->hand, converter->diag, move_place(move, converter->name))) ||
@@ -409,7 +316,8 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		return false;
 	if (!run.count)
 		return true;
-	add_following(&run);
+	if (run.spread.turns && move->tcp)
+		move_spread_follow(&run.spread, &converter->tcp, move, &run.legs[0].path, &run.step->tolerance);
 	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
 		run.step->tolerance.v[slot] += run.swing.v[slot];
 	length_check_move(&converter->length, converter->diag, move_place(move, converter->name), move);
