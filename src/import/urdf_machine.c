@@ -40,6 +40,35 @@ static bool fault(struct reading *r, const xmlNode *node, const char *what)
 	return false;
 }
 
+/* ---------------------------------------------------------------- macros */
+
+static bool is_macro(const xmlNode *node)
+{
+	return node->type == XML_ELEMENT_NODE && node->ns && node->ns->prefix &&
+	       !strcmp((const char *)node->ns->prefix, "xacro");
+}
+
+/* The node after this one in the order of the file; NULL: it is the last. */
+static const xmlNode *next_node(const xmlNode *node)
+{
+	if (node->children && node->type == XML_ELEMENT_NODE)
+		return node->children;
+	while (node && !node->next)
+		node = node->parent;
+	return node ? node->next : NULL;
+}
+
+/* A macro may add links, and condition others: without its expansion bodies would be missing unnoticed. */
+static bool has_no_macros(struct reading *r)
+{
+	for (const xmlNode *at = xml_root(&r->xml); at; at = next_node(at))
+		if (is_macro(at))
+			return fault(r, at,
+				     "a macro of xacro may contain links and joints: write the expanded file with "
+				     "'xacro FILE > robot.urdf', and import that");
+	return true;
+}
+
 /* -------------------------------------------------------------- numbers */
 
 static bool numbers_fault(struct reading *r, const xmlNode *node, const char *name, size_t count)
@@ -432,7 +461,7 @@ static bool read_machine(struct reading *r)
 	const char *name = foreign_attribute(xml_root(&r->xml), "name");
 
 	d->name = name && *name ? arena_strdup(&d->arena, name) : NULL;
-	if (!read_links(r) || !place_all(r))
+	if (!has_no_macros(r) || !read_links(r) || !place_all(r))
 		return false;
 	if (!d->axis_count)
 		return fault(r, xml_root(&r->xml), "the robot has no joint that moves");

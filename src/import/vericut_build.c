@@ -23,7 +23,12 @@ static bool is_work(const struct vericut_part *part)
 
 bool vericut_part_is_model(const xmlNode *node)
 {
-	/* Each of these occurs in models only; a model that was not recognised would be missing without notice. */
+	/* A model that was not recognised would be missing without notice. */
+	static const char *const solids[] = {"Block", "Cylinder", "Cone", "Sphere", "Torus", "Revolve", "Sweep", NULL};
+
+	for (const char *const *solid = solids; *solid; solid++)
+		if (foreign_is(node, *solid))
+			return true;
 	return foreign_attribute(node, "Mirror") || foreign_child(node, "File") || foreign_child(node, "Position");
 }
 

@@ -326,6 +326,22 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 	}
 }
 
+/* A stock without a model is usually the one that the setup before leaves. It would be missing without notice. */
+static void note_stock(struct reading *r, struct import_setup *setup, const struct vericut_build *build)
+{
+	for (size_t i = 0; i < build->count; i++) {
+		const struct vericut_part *part = &build->parts[i];
+
+		if (strcasecmp(part->type, "stock") || vericut_part_has_model(part) || find_stock(setup) >= 0)
+			continue;
+		note(r, setup, part->node,
+		     "'%s' has no model in this setup: without <stock> contacts with material are not found. Add the "
+		     "stock; the option stock-out writes the one that the setup before leaves.",
+		     xml_quote(part->name).text);
+		return;
+	}
+}
+
 /* Reads the bodies that the setup mounts. The first setup is that of r->first. */
 static bool read_build(struct reading *r, struct import_setup *setup, const xmlNode *node,
 		       struct vericut_components *components)
@@ -337,7 +353,10 @@ static bool read_build(struct reading *r, struct import_setup *setup, const xmlN
 	    (!vericut_build_read(&build, &r->xml, node, arena) || !vericut_build_same(&build, &r->first)))
 		return false;
 	note_build(r, setup, node, &build);
-	return vericut_components_mounted(components, &build, arena) && read_bodies(r, setup, components);
+	if (!vericut_components_mounted(components, &build, arena) || !read_bodies(r, setup, components))
+		return false;
+	note_stock(r, setup, &build);
+	return true;
 }
 
 static bool read_setup(struct reading *r, const xmlNode *node)

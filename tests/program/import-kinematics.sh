@@ -170,6 +170,8 @@ fault 's/0.1 0.2 0.3"/0.1 0.2"/'
 fault 's/TABLE/..\/..\/TABLE/'
 fault 's/<box size="0.4 0.3 0.2"/<sphere radius="1"/'
 fault 's/<child link="ram"\/>/&<mimic joint="joint_x"\/>/'
+fault 's/.*<link name="ram"/  <xacro:include filename="gantry.xacro"\/>\n&/'
+fault 's/<joint name="joint_x"/<xacro:if value="1">&/; s/.*<joint name="Z-axis"/<\/xacro:if>&/'
 echo "the file begins with any section or includes one, and the machine's name holds any bytes:"
 named() { # NAME
 	printf '[DISPLAY]\nCYCLE_TIME = 0.2\n'

@@ -79,6 +79,10 @@ echo "models without the word Mirror are bodies, too:"
 machine millimeter | sed 's/ Mirror="Off"//' >plain.mch
 fivecheck import --output plain plain.mch 2>/dev/null
 grep -c '<body' plain/machine.xml
+echo "a solid by its sizes that is not moved is one, too:"
+machine millimeter | sed 's/<Block .*/<Block Length="600" Width="400" Height="50"\/><\/Component>/' >block.mch
+fivecheck import --output block block.mch 2>/dev/null
+sed -n '/<base>/{n;p;}' block/machine.xml
 echo "a project: the machine, a setup with its tools, and the program as a job"
 mkdir job
 box job/z_head -60 -40 0 60 40 30 # as a mesh of the machine is called
@@ -147,6 +151,15 @@ project_fault() { # SED-SCRIPT
 	"$FIVECHECK" import --meshes . --output bad job/bad.VcProject 2>&1 | grep error:
 	[ ! -e bad ] || { echo "a folder was written"; rm -r bad; }
 }
+echo "the stock of the second setup is what the first one leaves:"
+project '' | python3 -c '
+import re, sys
+text = sys.stdin.read()
+setup = text[text.index("<Setup"):text.index("</VcProject>")].replace("op 10", "op-20")
+print(text.replace("</VcProject>", re.sub("<Poly.*blank.*</Poly>", "", setup) + "</VcProject>"))' >job/second.VcProject
+fivecheck import --meshes . --output job/second job/second.VcProject 2>&1 | grep "has no model"
+grep -c '<stock name' job/second/setup-*.xml
+grep 'TODO.*no model' job/second/setup-op-20.xml
 echo "most of a project may be missing:"
 project '' | sed '/<Build>/,/<.Build>/d; /<NCPrograms/,/<.NCPrograms>/d; /<GCode>/,/<.GCode>/d; /<ToolMan>/d; /<Collision>/d
 	s,<.Setup>,</Machine>&,' >job/bare.VcProject
