@@ -327,14 +327,14 @@ static void note_build(struct reading *r, struct import_setup *setup, const xmlN
 }
 
 /* A stock without a model is usually the one that the setup before leaves. It would be missing without notice. */
-static void note_stock(struct reading *r, struct import_setup *setup, const struct vericut_build *build)
+static void warn_of_stock(struct reading *r, struct import_setup *setup, const struct vericut_build *build)
 {
 	for (size_t i = 0; i < build->count; i++) {
 		const struct vericut_part *part = &build->parts[i];
 
-		if (strcasecmp(part->type, "stock") || vericut_part_has_model(part) || find_stock(setup) >= 0)
+		if (!ascii_same(part->type, "stock") || vericut_part_has_model(part) || find_stock(setup) >= 0)
 			continue;
-		note(r, setup, part->node,
+		warn(r, setup, part->node,
 		     "'%s' has no model in this setup: without <stock> contacts with material are not found. Add the "
 		     "stock; the option stock-out writes the one that the setup before leaves.",
 		     xml_quote(part->name).text);
@@ -355,7 +355,7 @@ static bool read_build(struct reading *r, struct import_setup *setup, const xmlN
 	note_build(r, setup, node, &build);
 	if (!vericut_components_mounted(components, &build, arena) || !read_bodies(r, setup, components))
 		return false;
-	note_stock(r, setup, &build);
+	warn_of_stock(r, setup, &build);
 	return true;
 }
 

@@ -70,6 +70,7 @@ enum doubt_kind {
 	DOUBT_TOOL_ENDS, /* the tool's bodies end `value` from the gauge line, its length is `limit` */
 	DOUBT_TOOL_ASIDE, /* the middle of `body`, of a tool, is `value` beside the spindle's line */
 	DOUBT_RADIUS_OFFSET, /* the radius of D is `value`; the diameter of the tool with its number is `limit` */
+	DOUBT_TOOL_SHARP, /* the outermost `value` of the cutter has no core, though its depth is only `limit` */
 	DOUBT_TOOL_NAME, /* the tool's diameter is `value`; its name gives twice as much, `limit` */
 	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
 	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */

@@ -7,6 +7,12 @@
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 
+/*
+ * mm: a radius that is only rounding. The radius of a side is 0 at a cut, and there it may come out a little above 0; a
+ * section with this radius would be a needle below the core of every point.
+ */
+static const double RADIUS_ROUNDING = 1e-9;
+
 /* A frustum in the half plane of height and radius; top > bottom. */
 struct frustum {
 	double top, bottom;
@@ -211,7 +217,7 @@ static size_t erode(const struct eroder *e, double end, struct tool_section *sec
 		}
 		sections[count++] = (struct tool_section){top - bottom, 2 * fmax(line.r_top, TOOL_DIAMETER_MIN / 2),
 							  2 * fmax(line.r_bottom, TOOL_DIAMETER_MIN / 2)};
-		if (line.r_top > 0 || line.r_bottom > 0)
+		if (line.r_top > RADIUS_ROUNDING || line.r_bottom > RADIUS_ROUNDING)
 			kept = count;
 		top = bottom;
 	}

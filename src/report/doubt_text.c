@@ -137,6 +137,9 @@ static const char *const texts[] = {
 			     "it; " GAUGE_AT_ORIGIN OR_CHECKED,
 	[DOUBT_RADIUS_OFFSET] = "tool {tool} has a diameter of {limit} mm, but the radius of its D is {value} mm: "
 				"check that it is not a diameter" OR_CHECKED,
+	[DOUBT_TOOL_SHARP] = "tool {tool} has a point or rim so thin that contact of its outermost {value} mm is not "
+			     "found where a cutter may enter {limit} mm deep; give a smaller rapid_allowance or gouge"
+			     OR_CHECKED,
 	[DOUBT_TOOL_NAME] = "tool {tool} has a diameter of {value} mm, but its name says {limit} mm: check that the "
 			    "diameter is not a radius" OR_CHECKED,
 	[DOUBT_LENGTH_OFFSET] = "tool {tool} is {limit 5} mm long, but its length offset is {value 5} mm: with G43 its "

@@ -3,6 +3,8 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "base/minmax.h"
+#include "machine/tool_core.h"
 #include "machine/tool_name.h"
 #include "machine/tool_solid.h"
 
@@ -19,6 +21,8 @@ static const double DRAWN_LEAST = 0.1;
 static const double ASIDE_MOST = 0.5;
 /* A D above this share of the tool's diameter is not a radius. */
 static const double RADIUS_MOST = 0.75;
+/* A point or a rim without a core is worth a doubt above this many times the depth, and above this length in mm. */
+static const double CORELESS_MOST = 7, CORELESS_LEAST = 0.3;
 
 static void check_holder(const struct body *body, size_t item, struct doubts *doubts)
 {
@@ -90,6 +94,71 @@ static void check_radius(const struct setup *setup, size_t item, struct doubts *
 	}
 }
 
+static double widest(const struct tool_solid *solid)
+{
+	double most = 0;
+
+	for (size_t i = 0; i < solid->count; i++)
+		most = larger(most, 0.5 * larger(solid->sections[i].diameter, solid->sections[i].diameter_end));
+	return most;
+}
+
+/* The larger one of what the core lacks at the tip and all around. */
+static double coreless(const struct tool_solid *cutter, const struct tool_solid *core)
+{
+	return larger(tool_solid_bottom(core) - tool_solid_bottom(cutter), widest(cutter) - widest(core));
+}
+
+/* The same for a cutter and a part, or the stock. */
+static double coreless_in(const struct scene *scene, const struct scene_pair *pair, const struct body *cutter)
+{
+	const struct scene_body *a = &scene->bodies[pair->a], *b = &scene->bodies[pair->b];
+	const struct tool_solid *core = a->core ? a->core : b->core;
+	struct arena arena = {0};
+	struct tool_solid made;
+	double most;
+
+	if (core)
+		return coreless(cutter->profile, core);
+	made = tool_core(cutter->profile, pair->inset, INFINITY, &arena);
+	most = coreless(cutter->profile, &made);
+	arena_release(&arena);
+	return most;
+}
+
+/* mm: the depth to which the cutter may enter the other body of the pair; 0: the pair has no core. */
+static double depth_in(const struct scene_pair *pair, const struct body *other)
+{
+	if (pair->fault == PAIR_GOUGE)
+		return other->gouge;
+	return pair->fault == PAIR_RAPID_CONTACT && (pair->steps || pair->stock) ? other->rapid_allowance : 0;
+}
+
+/* Adds at most one doubt for each tool: the largest. */
+static void check_sharp(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	struct doubt doubt = {.kind = DOUBT_TOOL_SHARP, .item = item};
+
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+		const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+		const struct body *cutter = a->role == ROLE_CUTTER ? a : b;
+		const double depth = depth_in(pair, cutter == a ? b : a);
+		double most;
+
+		if (cutter->role != ROLE_CUTTER || cutter->tool != scene->setup->tools[item].number ||
+		    !cutter->profile || !(depth > 0) || !scene_pair_needs_check(pair))
+			continue;
+		most = coreless_in(scene, pair, cutter);
+		if (most > larger(CORELESS_MOST * depth, CORELESS_LEAST) && most > doubt.value) {
+			doubt.value = most;
+			doubt.limit = depth;
+		}
+	}
+	if (doubt.value > 0)
+		doubts_add(doubts, &doubt);
+}
+
 static void check_name(const struct tool *tool, size_t item, struct doubts *doubts)
 {
 	if (tool_name_tells_twice(tool))
@@ -117,5 +186,6 @@ void tool_check(const struct scene *scene, struct doubts *doubts)
 		check_end(scene, item, doubts);
 		check_radius(setup, item, doubts);
 		check_name(&setup->tools[item], item, doubts);
+		check_sharp(scene, item, doubts);
 	}
 }

@@ -6,7 +6,8 @@
 #include "scene/scene.h"
 
 /*
- * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE, DOUBT_RADIUS_OFFSET and DOUBT_TOOL_NAME, tool by tool.
+ * Adds DOUBT_HOLDER_TURNED, DOUBT_TOOL_ENDS, DOUBT_TOOL_ASIDE, DOUBT_RADIUS_OFFSET, DOUBT_TOOL_NAME and
+ * DOUBT_TOOL_SHARP, tool by tool.
  * Tools that the setup marks checked="" are left out.
  */
 void tool_check(const struct scene *scene, struct doubts *doubts);

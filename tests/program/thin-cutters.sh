@@ -59,6 +59,20 @@ sed 's|<cutter>.*|<cutter mesh="pin.stl"/>|' s.xml >mesh.xml
 mv mesh.xml s.xml
 through 'a pin that is a mesh' 0
 
+# A cone's core ends depth / sin(angle / 2) above its tip: at 0.1 mm 1.147 mm for 10 degrees, 0.576 mm for 20 degrees.
+echo "== a point that has no core is said, with the length of it"
+for body in 'part name="block" mesh="part.stl" gouge="0.02"' 'stock box="40 30 10"' \
+	'stock box="40 30 10" rapid_allowance="0.01" checked="r"'; do
+	for angle in 10 20; do
+		tool "$body" "$(section 70 6)" " tip=\"cone\" angle=\"$angle\">$(section 30 4)"
+		printf '%s\n' 'G21 G90 G94 G61 T1 M6' 'M3 S1000' 'G0 G43 H1 Z100' >p.nc
+		echo "$body, $angle degrees"
+		"$FIVECHECK" -s s.xml m.xml p.nc 2>/dev/null | grep 'so thin'
+	done
+done
+sed -i 's/length="100">/length="100" checked="r">/; s/ rapid_allowance.*r"//' s.xml
+"$FIVECHECK" -s s.xml m.xml p.nc 2>/dev/null | grep 'so thin'
+
 # A slot with a roof on both sides, 5 mm high and 16 mm wide, with a slit of 7 mm.
 box floor -40 -20 0 40 20 3
 box left -40 8 3 40 20 12

@@ -153,6 +153,32 @@ START_TEST(a_ball_stays_a_ball)
 }
 END_TEST
 
+/* The core of a point is a point, too: depth / sin(angle / 2) higher, and not a needle that is longer. */
+START_TEST(a_point_stays_a_point)
+{
+	struct random random = random_case(7, _i);
+
+	for (int i = 0; i < 50; i++) {
+		const double half = radians(random_in(&random, 3, 85)), depth = random_in(&random, 0.02, 0.5);
+		const double r = depth * random_in(&random, 2, 40), length = r / tan(half);
+		const struct tool_section cone = {length + 1, 2 * r, 2 * r}, taper[] = {{1, 2 * r, 2 * r}, {length, 2 * r, 0}};
+		const struct tool_solid points[] = {
+			{.sections = &cone, .count = 1, .tip = TIP_CONE, .angle = 2 * half},
+			{.sections = taper, .count = 2},
+		};
+
+		for (int k = 0; k < 2; k++) {
+			struct arena arena = {0};
+			struct tool_solid core = tool_core(&points[k], depth, INFINITY, &arena);
+			const double end = tool_solid_bottom(&core) - tool_solid_bottom(&points[k]);
+
+			ck_assert_double_eq_tol(end, depth / sin(half), TOOL_SECTION_MIN);
+			arena_release(&arena);
+		}
+	}
+}
+END_TEST
+
 START_TEST(no_depth_keeps_the_solid)
 {
 	static const struct tool_section section = {5, 10, 8};
@@ -254,6 +280,7 @@ int main(void)
 
 	tcase_add_test(tcase, tips_are_exact);
 	tcase_add_test(tcase, a_ball_stays_a_ball);
+	tcase_add_loop_test(tcase, a_point_stays_a_point, 0, 20);
 	tcase_add_test(tcase, no_depth_keeps_the_solid);
 	tcase_add_test(tcase, a_core_is_never_empty);
 	tcase_add_test(tcase, the_end_beside_a_neck_is_surface);
