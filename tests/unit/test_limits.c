@@ -22,6 +22,7 @@ START_TEST(straight_moves_past_a_limit)
 	ck_assert_int_eq(record.steps_before_limit, 2);
 	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Z);
 	ck_assert_double_eq(record.limits[0].travel.bound, -100);
+	ck_assert(record.limits[0].travel.length_acts && !record.limits[1].travel.length_acts);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Z], -100, 1e-6);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 150, 1e-6);
 	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_X);
@@ -108,6 +109,9 @@ START_TEST(a_dogleg_reports_an_axis_once)
 	ck_assert_double_eq_tol(record.limits[0].time, 10 / 500.0, 1e-9);
 	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_Y);
 	ck_assert_double_eq_tol(record.limits[1].time, 150 / 500.0, 1e-9);
+	/* Commanded were the ends of the whole rapid. */
+	ck_assert_double_eq(record.limits[0].travel.target, 300);
+	ck_assert_double_eq(record.limits[1].travel.target, 200);
 	ck_assert_int_eq(record.step_count, 3);
 	ck_assert(record.steps[0].outside && record.steps[2].outside);
 }
@@ -224,6 +228,72 @@ START_TEST(spread_between_covered_places)
 }
 END_TEST
 
+/* Under TCP the places turn with the table, so the spread counts at its ends, too. */
+START_TEST(spread_between_covered_places_under_tcp)
+{
+	struct machine machine = rig_trunnion();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{199, 0, 0}});
+	struct record record;
+
+	rig_find(&machine, SLOT_X)->limit_max = 200;
+	start(&record, &machine);
+	guide(&record, 50);
+	move.tcp = true;
+	move.spread[0] = 5;
+	move.between[0] = true;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 4, 1e-9);
+	ck_assert(record.limits[0].travel.length_acts);
+}
+END_TEST
+
+START_TEST(a_rotary_axis_may_turn_past_a_limit)
+{
+	struct machine machine = rig_trunnion();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{0, 0, 0, 0, 0, 0.05}});
+	struct record record;
+
+	rig_find(&machine, SLOT_C)->limit_max = 0.1;
+	start(&record, &machine);
+	move.turn_spread[2] = 0.125;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_C);
+	ck_assert_double_eq_tol(record.limits[0].travel.excess, 0.075, 1e-9);
+	ck_assert_double_eq(record.limits[0].travel.path_tolerance, 0.125);
+	ck_assert(!record.limits[0].travel.length_acts);
+}
+END_TEST
+
+/* If C is off by 0.01 with the tip held at radius 100, Y is off by 100 sin(0.01), X by 100 (1 - cos(0.01)) or more. */
+START_TEST(linear_axes_follow_a_rotary_one)
+{
+	struct machine machine = rig_trunnion();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{100, 1, -400}});
+	struct record record;
+
+	rig_find(&machine, SLOT_Y)->limit_max = 1.5;
+	start(&record, &machine);
+	go(&record, move_to(CANON_RAPID, (axis_values){{100, 0, -400}}));
+	guide(&record, 50);
+	move.tcp = true;
+	record.step_count = 0;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 0);
+	move.end.v[SLOT_Y] = 0.99;
+	move.turn_spread[2] = 0.01;
+	record.step_count = 0;
+	go(&record, move);
+	ck_assert_double_ge(record.steps[0].tolerance.v[SLOT_Y], 100 * sin(0.01));
+	ck_assert_double_le(record.steps[0].tolerance.v[SLOT_Y], 1.1);
+	ck_assert_double_ge(record.steps[0].tolerance.v[SLOT_X], 100 * (1 - cos(0.01)));
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_Y);
+	ck_assert_double_eq(record.limits[0].travel.path_tolerance, record.steps[0].tolerance.v[SLOT_Y]);
+}
+END_TEST
+
 /* A move without length makes a step that takes no time if the axes may be beside their positions. */
 START_TEST(a_spread_at_one_place)
 {
@@ -271,7 +341,18 @@ START_TEST(a_rapid_under_tcp_may_swing_past_a_limit)
 	ck_assert_double_eq_tol(record.limits[0].travel.excess, 30, 1e-3);
 	ck_assert_double_eq_tol(record.limits[0].travel.path_tolerance, 100, 0.1);
 	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Y], 70, 1e-5);
+	ck_assert(record.limits[0].travel.length_acts);
 	ck_assert(record.steps[record.step_count - 1].outside);
+	/* X passes its limit at the end of the move: one report, about the end. */
+	rig_find(&machine, SLOT_X)->limit_min = -90;
+	start(&record, &machine);
+	go(&record, move_to(CANON_RAPID, (axis_values){{100, 0, 0}}));
+	guide(&record, 50);
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 2);
+	ck_assert_int_eq(record.limits[0].travel.slot, SLOT_X);
+	ck_assert_double_eq(record.limits[0].travel.path_tolerance, 0);
+	ck_assert_int_eq(record.limits[1].travel.slot, SLOT_Y);
 }
 END_TEST
 
@@ -304,6 +385,9 @@ int main(void)
 	tcase_add_test(tests, limits_agree_with_samples);
 	tcase_add_test(tests, the_whole_set_is_held_to_the_limits);
 	tcase_add_test(tests, spread_between_covered_places);
+	tcase_add_test(tests, spread_between_covered_places_under_tcp);
+	tcase_add_test(tests, a_rotary_axis_may_turn_past_a_limit);
+	tcase_add_test(tests, linear_axes_follow_a_rotary_one);
 	tcase_add_test(tests, a_spread_at_one_place);
 	tcase_add_test(tests, a_rapid_under_tcp_may_swing_past_a_limit);
 	tcase_add_test(tests, path_tolerance_is_not_held_to_the_limits);
