@@ -28,7 +28,9 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 {
 	struct batch_step *copy;
 
-	batch->steps = mem_grow(batch->steps, &batch->step_capacity, batch->step_count + 1, sizeof(*batch->steps));
+	if (batch->step_count == batch->step_capacity)
+		batch->steps = mem_grow(batch->steps, &batch->step_capacity, batch->step_count + 1,
+					sizeof(*batch->steps));
 	copy = &batch->steps[batch->step_count++];
 	copy->motion = *step;
 	copy->motion.span.path = path_copies_add(&batch->paths, &step->span);

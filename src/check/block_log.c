@@ -42,7 +42,9 @@ struct block_record *block_log_complete(struct block_log *log, const struct bloc
 	struct block_page *page = &log->open;
 	struct block_record *copy;
 
-	page->blocks = mem_grow(page->blocks, &page->block_capacity, page->block_count + 1, sizeof(*page->blocks));
+	if (page->block_count == page->block_capacity)
+		page->blocks =
+		    mem_grow(page->blocks, &page->block_capacity, page->block_count + 1, sizeof(*page->blocks));
 	copy = &page->blocks[page->block_count++];
 	*copy = *block;
 	copy->text = arena_strdup(&page->texts, block->text);

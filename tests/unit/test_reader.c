@@ -1,6 +1,10 @@
-/* test_reader.c - the lines of a pipe are those of a file with the same bytes, in whatever packets the bytes arrive. */
+/*
+ * test_reader.c - the lines of a pipe are those of a file with the same bytes, in whatever packets the bytes arrive;
+ * the lines of a long file are its bytes up to each line feed, in whatever order the program jumps.
+ */
 #include "gcode/text/reader.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -168,9 +172,108 @@ START_TEST(a_line_is_handed_out_when_it_is_there)
 }
 END_TEST
 
+/* Lines that end with LF or CR LF, as a simple program splits them. */
+struct text {
+	char *bytes;
+	size_t length;
+	size_t starts[6000];
+	int lines;
+	bool open;	/* the last line has no end */
+};
+
+/* Short and long lines, so that the text is several times as long as all that a reader looks at together. */
+static void make_text(struct random *random, struct text *text)
+{
+	const int longest = random_below(random, 2) ? 100 : 1000, returns = random_below(random, 3) ? 0 : 2;
+
+	text->bytes = malloc(COUNT(text->starts) * (size_t)(longest + 2));
+	ck_assert_ptr_nonnull(text->bytes);
+	/* The first line shows that the file is a program, and how its lines end. */
+	text->length = (size_t)sprintf(text->bytes, "G1\n");
+	text->starts[0] = 0;
+	for (text->lines = 1; text->lines < COUNT(text->starts); text->lines++) {
+		const int length = random_below(random, longest);
+
+		text->starts[text->lines] = text->length;
+		for (int i = 0; i < length; i++)
+			text->bytes[text->length++] = (char)('A' + random_below(random, 26));
+		if (returns && random_below(random, returns))
+			text->bytes[text->length++] = '\r';
+		text->bytes[text->length++] = '\n';
+	}
+	text->open = random_below(random, 2);
+	text->length -= text->open;
+}
+
+/* Puts a byte that no line may have into a line. Returns its number, from 0, or that of no line. */
+static int spoil(struct random *random, struct text *text, char *odd)
+{
+	const size_t at = (size_t)random_below(random, (int)text->length);
+	int line = text->lines - 1;
+
+	*odd = random_below(random, 2) ? '\0' : '\r';
+	/* A CR before the line's LF, or at the end of the text, would be allowed; one at the start is skipped. */
+	if (random_below(random, 3) == 0 || at <= text->starts[1] || at + 2 >= text->length ||
+	    text->bytes[at - 1] < 'A' || text->bytes[at + 1] < 'A')
+		return text->lines;
+	while (text->starts[line] > at)
+		line--;
+	text->bytes[at] = *odd;
+	return line;
+}
+
+START_TEST(lines_are_the_same_after_jumps)
+{
+	static struct text text;
+
+	for (long n = 0; n < random_cases(60); n++) {
+		struct random random = random_case(2, n);
+		struct reader reader;
+		int odd_line, line = 0;
+		const char *found;
+		char odd;
+		FILE *file;
+
+		make_text(&random, &text);
+		odd_line = spoil(&random, &text, &odd);
+		file = file_of(text.bytes, text.length);
+		reader_init(&reader, file);
+		for (long step = 0; line < text.lines && step < 3L * text.lines; step++) {
+			const char *start = text.bytes + text.starts[line];
+			const char *feed = memchr(start, '\n', (size_t)(text.bytes + text.length - start));
+			size_t length = (size_t)((feed ? feed : text.bytes + text.length) - start);
+			enum reader_status status = reader_next(&reader, &found);
+
+			length -= length > 0 && start[length - 1] == '\r';
+			require(reader.line == line + 1 && reader.start == (long long)text.starts[line],
+				"case %ld: line %ld, not %d", n, reader.line, line + 1);
+			if (line == odd_line) {
+				require(status == (odd ? READER_MIXED_ENDS : READER_NUL_BYTE),
+					"case %ld: status %d of line %d", n, status, line + 1);
+				break;
+			}
+			require(status == READER_LINE && strlen(found) == length && !memcmp(found, start, length),
+				"case %ld: line %d differs", n, line + 1);
+			require(reader.open_end == !feed, "case %ld: the end of line %d", n, line + 1);
+			line++;
+			if (random_below(&random, 500))
+				continue;
+			line = random_below(&random, line + 1);
+			require(reader_seek(&reader, (long long)text.starts[line], line + 1), "case %ld: seek", n);
+		}
+		if (line == text.lines)
+			ck_assert_int_eq(reader_next(&reader, &found), READER_END);
+		reader_release(&reader);
+		fclose(file);
+		free(text.bytes);
+	}
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {packets_are_as_a_file, a_line_is_handed_out_when_it_is_there};
+	const TTest *const tests[] = {packets_are_as_a_file, a_line_is_handed_out_when_it_is_there,
+				      lines_are_the_same_after_jumps};
 
 	return RUN_TESTS("reader", tests);
 }

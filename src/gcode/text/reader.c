@@ -113,8 +113,6 @@ static size_t find_break(struct reader *reader, size_t from)
 	/* If lines end with CR, a search for LF would examine the whole buffer at each line. */
 	if (reader->style == LINE_END_LF) {
 		line_end = find_byte(p, end, '\n');
-		if (line_end <= reader->buffer + reader->clear)
-			return (size_t)(line_end - reader->buffer);
 		p = find_odd(p, line_end);
 		/* After a line without such bytes, the next lines probably have none either. */
 		if (p == line_end)
@@ -219,15 +217,52 @@ static bool skip_returns(struct reader *reader, size_t *at)
 	return true;
 }
 
-enum reader_status reader_next(struct reader *reader, const char **text)
+/* The next line begins at reader->begin; its end is not known yet. */
+static void begin_line(struct reader *reader)
+{
+	reader->start = reader_position(reader);
+	if (++reader->line > reader->furthest)
+		reader->furthest = reader->line;
+}
+
+/*
+ * Terminates the line, which ends at `at`; the one after it begins at `next`. Returns its text. The next call of
+ * reader_next puts the byte back, because the program may jump back to this line.
+ */
+static const char *cut_line(struct reader *reader, size_t at, size_t next)
+{
+	const char *text = reader->buffer + reader->begin;
+
+	reader->open_end = at == reader->end;
+	reader->cut = at;
+	reader->cut_byte = reader->buffer[at];
+	reader->buffer[at] = '\0';
+	reader->begin = next;
+	return text;
+}
+
+/* The next line, if it ends with LF in the part of the buffer that is known to have no CR or NUL; else NULL. */
+static const char *next_clear_line(struct reader *reader)
+{
+	const char *begin = reader->buffer + reader->begin, *end = NULL;
+	size_t at;
+
+	if (reader->begin < reader->clear)
+		end = memchr(begin, '\n', reader->clear - reader->begin);
+	if (!end)
+		return NULL;
+	at = (size_t)(end - reader->buffer);
+	begin_line(reader);
+	return cut_line(reader, at, at + 1);
+}
+
+/* Any line. */
+static enum reader_status next_line(struct reader *reader, const char **text)
 {
 	enum reader_status status = READER_LINE;
 	const char *advice = NULL;
 	size_t at, next;
 
-	reader->buffer[reader->cut] = reader->cut_byte;
-	reader->cut = reader->end;
-	reader->cut_byte = '\0';
 	/* The line number is 0 at the start of the file, also after a look ahead that has returned there. */
 	if ((reader->line == 0 && !skip_feed(reader)) || !find_line_end(reader, &at) || !skip_returns(reader, &at))
 		return READER_FAILED;
@@ -239,24 +274,32 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	}
 	if (!advice && at == reader->end && reader->begin == reader->end)
 		return READER_END;
-	reader->start = reader_position(reader);
-	if (++reader->line > reader->furthest)
-		reader->furthest = reader->line;
+	begin_line(reader);
 	*text = advice ? advice : reader->buffer + reader->begin;
 	if (advice)
 		return READER_NO_TEXT;
 	if (at - reader->begin > LINE_LENGTH_MAX)
 		return READER_TOO_LONG;
 	next = at;
-	reader->open_end = at == reader->end;
-	if (!reader->open_end)
+	if (at < reader->end)
 		status = take_break(reader, at, &next);
-	/* The next call puts this byte back, because the program may jump back to this line. */
-	reader->cut = at;
-	reader->cut_byte = reader->buffer[at];
-	reader->buffer[at] = '\0';
-	reader->begin = next;
+	cut_line(reader, at, next);
 	return status;
+}
+
+enum reader_status reader_next(struct reader *reader, const char **text)
+{
+	const char *line;
+
+	reader->buffer[reader->cut] = reader->cut_byte;
+	reader->cut = reader->end;
+	reader->cut_byte = '\0';
+	/* Nearly all lines of most files are such lines. */
+	line = next_clear_line(reader);
+	if (!line)
+		return next_line(reader, text);
+	*text = line;
+	return READER_LINE;
 }
 
 bool reader_peek(const struct reader *reader, size_t least, const char **text)
