@@ -45,8 +45,11 @@ def tell(folder):
     """Writes the service worker of the build that is in the folder."""
     names = [os.path.relpath(os.path.join(path, name), folder) for path, _, files in os.walk(folder) for name in files]
     names = [name for name in names if name != "service_worker.js" and (not name.startswith("examples/") or name == "examples/index.json")]
-    with open(os.path.join(folder, "service_worker.js"), "wb") as file:
+    worker = os.path.join(folder, "service_worker.js")
+    # In one step: a browser that requests an update by itself would take an empty worker.
+    with open(worker + ".new", "wb") as file:
         subprocess.run(["sh", "scripts/web-build", folder, "src/web/app/service_worker.js", *names], stdout=file, check=True)
+    os.replace(worker + ".new", worker)
 
 
 @contextlib.contextmanager
