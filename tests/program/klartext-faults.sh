@@ -29,3 +29,14 @@ program p.h <<'NC'
 14 END PGM P MM
 NC
 status fivecheck --parse-only -a k.xml p.h
+# A corner that is refused is not an error of the line before it as well.
+program r.h <<'NC'
+0 BEGIN PGM R MM
+1 TOOL CALL 0 Z F500
+2 L X+1 F100
+3 RND
+4 L X+5
+5 END PGM R MM
+NC
+status fivecheck --parse-only k.xml r.h
+status fivecheck --parse-only -a k.xml r.h

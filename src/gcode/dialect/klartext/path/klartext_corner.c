@@ -100,10 +100,9 @@ void klartext_corner_keep_line(struct interp *interp)
 	strbuf_addf(text, "%s", interp->at.text);
 }
 
-bool klartext_corner_read(struct lexer *lexer, bool chamfer)
+static bool read_corner(struct lexer *lexer, struct klartext_corner *corner, bool chamfer)
 {
 	struct interp *interp = lexer->context;
-	struct klartext_corner *corner = &klartext_of(interp)->corner;
 	int column = lexer_next_column(lexer);
 	double feed = 0;
 
@@ -127,6 +126,16 @@ bool klartext_corner_read(struct lexer *lexer, bool chamfer)
 	corner->line = interp->at.line;
 	corner->column = column;
 	return klartext_expect_end(lexer);
+}
+
+bool klartext_corner_read(struct lexer *lexer, bool chamfer)
+{
+	struct klartext_corner *corner = &klartext_of(lexer->context)->corner;
+	bool good = read_corner(lexer, corner, chamfer);
+
+	/* What is reported of this line is not reported again of the block before it. */
+	corner->waits = corner->waits && good;
+	return good;
 }
 
 /* -------------------------------------------------------------------- shape */
