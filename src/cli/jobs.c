@@ -88,7 +88,7 @@ static bool is_inside(const char *root, const char *kind, const char *path, stru
 static bool check_root(const struct options *options, const struct job_list *list, struct diag *diag)
 {
 	const char *root = options->check.read.input_root;
-	bool good = path_checks_root(options, diag);
+	bool good = path_checks_folders(options, diag);
 
 	for (const struct job_item *job = list->items; good && root && job < list->items + list->count; job++) {
 		const struct srcloc at = {.file = list->path, .line = job->line};

@@ -228,15 +228,24 @@ static bool check_meshes_within(const char *root, struct body *bodies, size_t co
 	return good;
 }
 
-bool path_checks_root(const struct options *options, struct diag *diag)
+static bool is_folder(const char *option, const char *path, struct diag *diag)
 {
-	const char *root = options->check.read.input_root;
 	struct stat status;
 
-	if (!root || (!stat(root, &status) && S_ISDIR(status.st_mode)))
+	if (!stat(path, &status) && S_ISDIR(status.st_mode))
 		return true;
-	diag_error(diag, (struct srcloc){0}, "--input-root: %s is not a folder", root);
+	diag_error(diag, (struct srcloc){0}, "--%s: %s is not a folder", option, path);
 	return false;
+}
+
+bool path_checks_folders(const struct options *options, struct diag *diag)
+{
+	const char *root = options->check.read.input_root;
+	bool good = !root || is_folder("input-root", root, diag);
+
+	for (size_t i = 0; i < options->includes.count; i++)
+		good = is_folder("include", options->includes.items[i], diag) && good;
+	return good;
 }
 
 bool path_checks_within(const struct options *options, const struct machine *machine, const struct setup *setup,

@@ -40,8 +40,8 @@ bool path_checks_inputs(const struct options *options, const struct input_files 
 /* False, reported: a file that was read is the stock of another job of this run, from before the run. */
 bool path_checks_stocks(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
-/* False, reported: --input-root is not a folder. */
-bool path_checks_root(const struct options *options, struct diag *diag);
+/* False, reported: --input-root, or one of --include, is not a folder. */
+bool path_checks_folders(const struct options *options, struct diag *diag);
 
 /*
  * False, reported: the machine or the setup has a mesh outside --input-root, after symbolic links are followed. The

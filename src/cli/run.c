@@ -113,7 +113,7 @@ static bool job_read(struct job *job, const struct options *options, struct diag
 {
 	double start = stderr_ui_seconds();
 
-	if (!path_checks_root(options, diag))
+	if (!path_checks_folders(options, diag))
 		return false;
 	if (!job->borrowed)
 		job->model = model_load(options->machine, options->setup, options->check.read.input_root, diag);

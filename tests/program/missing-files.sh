@@ -12,3 +12,6 @@ rm head.stl
 status fivecheck -q m.xml a.nc
 # No body is used, so a missing mesh is no error.
 status fivecheck -q --parse-only m.xml a.nc
+# A folder of --include that is no folder, before anything is read.
+status fivecheck -q --include=folder --include=nowhere --include=a.nc m.xml a.nc
+status fivecheck -q --include=folder --parse-only m.xml a.nc
