@@ -30,6 +30,7 @@ struct option_row {
 	double least, greatest;
 	const char *unit;
 	const char *const *choices;	/* ends in NULL */
+	const char *other_choice;	/* one more, which completions offer; NULL: none */
 	int mode;
 	const char *help;	/* %s is replaced by the choices, "a, b or c" */
 };

@@ -122,7 +122,7 @@ const struct option_row option_table[OPTION_COUNT] = {
     {KEY_DEPENDS, "depends", NULL, MODE(RUN_DEPENDS),
      .help = "print the names of the files that a check reads, except subprograms, escaped for make"},
     {KEY_EXPLAIN, "explain", "WORD", 1 << RUN_EXPLAIN, .kind = VALUE_MODE, .mode = RUN_EXPLAIN, FIELD(explain),
-     .choices = topic_names,
+     .choices = topic_names, .other_choice = "codes",
      .help = "explain a word of the reports or a code such as G43.4; codes: list all codes"},
     {KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM | 1 << RUN_EXPLAIN, CHOICE(dialect, dialect_choice_names),
      .help = "%s; overrides the machine file; auto: find the dialect from codes that only some controls have"},

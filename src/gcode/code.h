@@ -181,10 +181,12 @@ struct code_set {
 	const struct code *rows;
 	size_t count;
 	short last;	/* not 0: there is one row, for its G code and the whole ones up to this, in tenths */
+	const char *manual;	/* where the codes come from; NULL: the manual of the dialect */
 };
 
-#define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0]), 0}
-#define CODE_RUN(row, last) {&(row), 1, (last)}
+#define CODE_SET_OF(array, manual) {(array), sizeof(array) / sizeof((array)[0]), 0, (manual)}
+#define CODE_SET(array) CODE_SET_OF(array, NULL)
+#define CODE_RUN(row, last) {&(row), 1, (last), NULL}
 
 /* A word or a statement of a language besides its numbered codes, as programs write it: "TRAORI", "CYCL DEF 200". */
 struct code_word {

@@ -104,22 +104,27 @@ static int find_number(const char *name, bool tenths)
 	return *rest == '\0' ? (int)number : -1;
 }
 
-static void explain(struct strbuf *out, const struct dialect *dialect, enum code_state state, const char *what)
+/* `manual`: NULL for that of the dialect. */
+static void explain(struct strbuf *out, const struct dialect *dialect, enum code_state state, const char *what,
+		    const char *manual)
 {
 	strbuf_addf(out, " in the %s dialect: %s\n    %s: %s\n    source: %s\n", dialect->name, what,
-		    code_state_name(state), state_meaning(state), dialect->manual);
+		    code_state_name(state), state_meaning(state), manual ? manual : dialect->manual);
 }
 
 bool code_list_explain(struct strbuf *out, const struct dialect *dialect, const char *name)
 {
 	char letter = ascii_upper(name[0]);
 	int number = letter == 'G' || letter == 'M' ? find_number(name + 1, letter == 'G') : -1;
-	const struct code *code =
-		number >= 0 ? code_find(letter == 'G' ? dialect->g_codes : dialect->m_codes, number) : NULL;
+	const struct code_set *const *sets = letter == 'G' ? dialect->g_codes : dialect->m_codes;
 
-	if (code) {
+	for (int i = 0; number >= 0 && i < CODE_SETS_MAX && sets[i]; i++) {
+		const struct code *code = code_find((const struct code_set *const[CODE_SETS_MAX]){sets[i]}, number);
+
+		if (!code)
+			continue;
 		add_name(out, letter, number);
-		explain(out, dialect, code->state, code->what);
+		explain(out, dialect, code->state, code->what, sets[i]->manual);
 		return true;
 	}
 	for (int i = 0; i < CODE_SETS_MAX && dialect->words[i]; i++) {
@@ -129,7 +134,7 @@ bool code_list_explain(struct strbuf *out, const struct dialect *dialect, const 
 			if (!is_same_word(name, word->word))
 				continue;
 			strbuf_addf(out, "%s", word->word);
-			explain(out, dialect, word->state, word->what);
+			explain(out, dialect, word->state, word->what, NULL);
 			return true;
 		}
 	}

@@ -1,5 +1,8 @@
 # --explain takes the treatment of a code from the tables of the interpreter: for all dialects that have it, or for one.
 fivecheck --explain G43.4 --dialect=haas
+# LinuxCNC itself has neither of these.
+fivecheck --explain G43.4 --dialect=linuxcnc | tail -n 1
+fivecheck --explain G50 --dialect=linuxcnc | tail -n 1
 fivecheck --explain m08
 fivecheck --explain 'while[...]do m' --dialect=fanuc
 status fivecheck --explain G999 2>&1 | sed 's/nor one of .*/nor one of .../'

@@ -34,6 +34,8 @@ static enum completion_value completion_value(struct strbuf *words, const struct
 		return COMPLETE_NOTHING;
 	for (int i = 0; row->choices && row->choices[i]; i++)
 		add_word(words, row->choices[i]);
+	if (row->other_choice)
+		add_word(words, row->other_choice);
 	if (words->length)
 		return COMPLETE_WORDS;
 	if (!strncmp(row->argument, "DIR", 3))

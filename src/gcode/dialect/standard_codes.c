@@ -20,7 +20,6 @@ static const struct code g_codes[] = {
 	{G30, G_NONMODAL, CODE_READ, "return to the second reference position"},
 	{G40, G_CUTTER, CODE_READ, "end of cutter compensation"},
 	{G43, G_LENGTH, CODE_READ, "tool length compensation"},
-	{G43_4, G_LENGTH, CODE_READ, "tool centre point control"},
 	{G49, G_LENGTH, CODE_READ, "end of tool length compensation"},
 	{G52, G_NONMODAL, CODE_READ, "local coordinate system"},
 	{G53, G_NONMODAL, CODE_READ, "move in machine coordinates"},

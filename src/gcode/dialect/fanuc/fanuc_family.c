@@ -8,6 +8,7 @@ static const struct code g_codes[] = {
 	{370, GROUP_NONE, CODE_REFUSED, "tool offset measurement"},
 	{G41, G_CUTTER, CODE_BOUNDED, "cutter compensation, left"},
 	{G42, G_CUTTER, CODE_BOUNDED, "cutter compensation, right"},
+	{G43_4, G_LENGTH, CODE_READ, "tool centre point control"},
 	{440, GROUP_NONE, CODE_REFUSED, "negative tool length compensation"},
 	{G50, G_SCALING, CODE_READ, "end of scaling"},
 	{G51, G_SCALING, CODE_READ, "scaling"},

@@ -36,16 +36,10 @@ static const struct code g_codes[] = {
 	{G42_1, G_CUTTER, CODE_READ, "dynamic cutter compensation, right of the path"},
 	{G43_1, G_LENGTH, CODE_READ, "dynamic tool length offset"},
 	{G43_2, G_LENGTH, CODE_READ, "additional tool length offset"},
-	{G43_5, GROUP_NONE, CODE_REFUSED, "tool centre point control with tool vectors"},
-	/* Not LinuxCNC's own: posts for PathPilot (Tormach) and Mach3 begin each program with G50 or G69. */
-	{G50, G_SCALING, CODE_IGNORED, "end of scaling (PathPilot, Mach3)"},
-	{G51, GROUP_NONE, CODE_REFUSED, "scaling (PathPilot, Mach3)"},
 	{591, G_SYSTEM, CODE_READ, "work offset 7"},
 	{592, G_SYSTEM, CODE_READ, "work offset 8"},
 	{593, G_SYSTEM, CODE_READ, "work offset 9"},
 	{G61_1, G_PATH, CODE_READ, "exact stop"},
-	{G68, GROUP_NONE, CODE_REFUSED, "coordinate rotation (PathPilot, Mach3)"},
-	{G69, G_ROTATION, CODE_IGNORED, "end of coordinate rotation (PathPilot, Mach3)"},
 	{700, GROUP_NONE, CODE_REFUSED, "lathe finishing cycle"},
 	{710, GROUP_NONE, CODE_REFUSED, "lathe roughing cycle"},
 	{711, GROUP_NONE, CODE_REFUSED, "lathe roughing cycle"},
@@ -65,6 +59,25 @@ static const struct code g_codes[] = {
 	/* The mode that is always active here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 };
+
+/* No codes of LinuxCNC itself: machines with switched kinematics get them by a remap. */
+static const struct code remapped_g_codes[] = {
+	{G43_4, G_LENGTH, CODE_READ, "tool centre point control"},
+	{G43_5, GROUP_NONE, CODE_REFUSED, "tool centre point control with tool vectors"},
+};
+
+/* No codes of LinuxCNC either: posts for PathPilot (Tormach) and Mach3 begin each program with G50 or G69. */
+static const struct code mach3_g_codes[] = {
+	{G50, G_SCALING, CODE_IGNORED, "end of scaling (PathPilot, Mach3)"},
+	{G51, GROUP_NONE, CODE_REFUSED, "scaling (PathPilot, Mach3)"},
+	{G68, GROUP_NONE, CODE_REFUSED, "coordinate rotation (PathPilot, Mach3)"},
+	{G69, G_ROTATION, CODE_IGNORED, "end of coordinate rotation (PathPilot, Mach3)"},
+};
+
+static const struct code_set remapped_set =
+	CODE_SET_OF(remapped_g_codes, "Fanuc 30i-B operator's manual (B-64484EN); LinuxCNC itself has no such code");
+static const struct code_set mach3_set =
+	CODE_SET_OF(mach3_g_codes, "manuals of PathPilot and Mach3; LinuxCNC itself has no such code");
 
 static const struct code m_codes[] = {
 	{19, M_SPINDLE, CODE_READ, "spindle orientation"},
@@ -145,7 +158,7 @@ static bool read_block(struct interp *interp)
 const struct dialect dialect_linuxcnc = {
 	.name = "linuxcnc",
 	.manual = "LinuxCNC's manual",
-	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
+	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes), &remapped_set, &mach3_set},
 	.m_codes = {&basic_m_codes, &standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.words = {&(const struct word_set){words, sizeof(words) / sizeof(*words)}},
 	.traits = {
