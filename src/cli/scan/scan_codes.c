@@ -117,11 +117,25 @@ static bool longer_stands(const struct dialect *dialect, const char *block, cons
 	return false;
 }
 
-static void count_word(struct scan_codes *codes, const char *block, const struct code_word *word)
+/* Is a word of two letters or more, such as CP, only the start of longer names here, such as CPA? */
+static bool only_starts(const char *line, const char *text)
+{
+	const size_t length = strlen(text);
+	const char *at = strstr(line, text);
+
+	if (!at || length < 2 || ascii_is_digit(text[length - 1]))
+		return false;
+	while (at && is_name_byte(at[length]))
+		at = strstr(at + 1, text);
+	return !at;
+}
+
+/* `line` has its blanks, `block` has none. */
+static void count_word(struct scan_codes *codes, const char *line, const char *block, const struct code_word *word)
 {
 	char text[LINE_SHAPE_MAX];
 
-	if (!is_plain(word, text))
+	if (!is_plain(word, text) || only_starts(line, text))
 		return;
 	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
 		if (stands_at(block, at, text) && !longer_stands(codes->dialect, block, at, text)) {
@@ -139,13 +153,14 @@ void scan_codes_read(struct scan_codes *codes, FILE *in)
 	codes->programs++;
 	reader_init(&reader, in);
 	while (reader_next(&reader, &text) == READER_LINE) {
-		char block[LINE_SHAPE_MAX];
+		char block[LINE_SHAPE_MAX], line[LINE_SHAPE_MAX];
 
 		line_shape_squeeze(text, block);
+		line_shape_fold(text, line);
 		count_codes(codes, block);
 		for (int i = 0; i < CODE_SETS_MAX && codes->dialect->words[i]; i++) {
 			for (size_t k = 0; k < codes->dialect->words[i]->count; k++)
-				count_word(codes, block, &codes->dialect->words[i]->rows[k]);
+				count_word(codes, line, block, &codes->dialect->words[i]->rows[k]);
 		}
 	}
 	reader_release(&reader);

@@ -6,17 +6,27 @@
 #include "base/ascii.h"
 #include "base/axes.h"
 
-void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX])
+static void write_shape(const char *line, bool blanks, char out[LINE_SHAPE_MAX])
 {
 	size_t length = 0;
 	bool comment = false;
 
 	for (; *line && *line != ';' && length < LINE_SHAPE_MAX - 1; line++) {
 		comment = comment ? *line != ')' : *line == '(';
-		if (!comment && *line != ')' && !ascii_is_space(*line))
+		if (!comment && *line != ')' && (blanks || !ascii_is_space(*line)))
 			out[length++] = ascii_upper(*line);
 	}
 	out[length] = '\0';
+}
+
+void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX])
+{
+	write_shape(line, false, out);
+}
+
+void line_shape_fold(const char *line, char out[LINE_SHAPE_MAX])
+{
+	write_shape(line, true, out);
 }
 
 static bool starts_value(char byte)

@@ -10,6 +10,9 @@
 /* Writes the line without comments and blanks, in upper case, and cut off at LINE_SHAPE_MAX. */
 void line_shape_squeeze(const char *line, char out[LINE_SHAPE_MAX]);
 
+/* The same with its blanks. */
+void line_shape_fold(const char *line, char out[LINE_SHAPE_MAX]);
+
 /* Has the line, squeezed or not, an axis letter with a value and no letter before it, such as X10, Y-.5 or Z#1? */
 bool line_shape_moves_axes(const char *line);
 
