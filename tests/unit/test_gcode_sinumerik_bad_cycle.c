@@ -55,6 +55,10 @@ static const struct refused_program programs[] = {
 	{"R1=_SETVAL\n", 1, 4,
 	 "_SETVAL keeps its value from one program to the next, and this program has not set it: set <variable "
 	 "name=\"_SETVAL\" value=\"\"/> in the machine file's <controller>"},
+	/* Their results. */
+	{"_OVI[9]=2.4\nIF _OVI[9]<>2\nSETAL(65000)\nENDIF\nR1=_OVR[4]\n", 5, 4,
+	 "_OVR[4] keeps its value from one program to the next, and this program has not set it: set <variable "
+	 "name=\"_OVR[4]\" value=\"\"/> in the machine file's <controller>"},
 	{"_SETVAL=20\nR1=_SETVAL\nDEF INT _MVAR=3\nR1=_MVAR\n_FOO=1\n", 5, 1,
 	 "_FOO is neither an axis of the machine nor a variable of this program; if the machine's maker or a user "
 	 "has defined it (GUD), set <variable name=\"_FOO\" type=\"\"/> in the machine file's <controller>"},

@@ -30,6 +30,8 @@ static const struct refused_program programs[] = {
 	 "this and the word at column 1 are of one group; a block can have only one of them"},
 	{"ROT Z30\nG58 X5\n", 2, 1,
 	 "G58 and G59 while ROT, SCALE or MIRROR is in force are not supported"},
+	{"TRANS X10\nATRANS X5\nTRANS X1\nG59 X2\nTRANS Y1\n", 5, 1,
+	 "the manual leaves open whether TRANS with an axis deletes the shift of G59, too; write TRANS alone before it"},
 	{"PROC\n", 1, 5,
 	 "PROC needs the name of its subprogram"},
 	{"CALL\n", 1, 5,

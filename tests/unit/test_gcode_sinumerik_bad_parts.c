@@ -26,6 +26,14 @@ static const struct refused_program programs[] = {
 	 "AA is in line 1 of p.nc and in line 2 of p.nc: which one is meant is not certain"},
 	{"CALL BLOCK AA TO BB\nM30\nAA:\nAA:\nBB:\n", 1, 12,
 	 "AA is in line 3 of p.nc and in line 4 of p.nc: which one is meant is not certain"},
+	/* Whether a control takes N0100 for N100 is not known: neither is taken for the other one. */
+	{"GOTOF N100\nR1=1\nN0100 R1=2\n", 1, 7,
+	 "N100 has other leading zeros in line 3: write both alike"},
+	{"N7 R1=1\nN007 R1=2\nGOTOB N7\n", 3, 7,
+	 "N7 is in line 1 of p.nc and in line 2 of p.nc: which one is meant is not certain"},
+	/* Numbers that do not rise: the second one is found, too. */
+	{"N10 GOTOF N30\nN20 R1=1\nN30 R1=2\nN25 R1=3\nN30 R1=4\n", 1, 11,
+	 "N30 is in line 3 of p.nc and in line 5 of p.nc: which one is meant is not certain"},
 	/* The program calls itself, or the other one of its name. */
 	{"%_N_OWN_MPF\nOWN\nM30\n%_N_OWN_SPF\nM17\n", 2, 1,
 	 "OWN is in line 1 of p.nc and in line 4 of p.nc: which one is meant is not certain"},

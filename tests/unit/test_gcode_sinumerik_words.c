@@ -103,8 +103,8 @@ static const struct program {
 	{"F6 G500 TOWSTD CUTCONOF TRAILOF(Y) FB=5\nWAITM(1,1,2)\nX1\n",
 	 "feed 1 0 0 0 0\n"},
 	/* "Axial zero offset": G58 replaces what TRANS has shifted, G59 what ATRANS has added, of the axes named. */
-	{"F6 G500\nTRANS X10 Y20\nATRANS X1\nX0 Y0\nG58 X30\nX0 Y0\nG59 X2 Y3\nX0 Y0\nTRANS X5\nG59 X1\nX0 Y0\nTRANS\n"
-	 "X0\n",
+	{"F6 G500\nTRANS X10 Y20\nATRANS X1\nX0 Y0\nG58 X30\nX0 Y0\nG59 X2 Y3\nX0 Y0\nTRANS\nTRANS X5\nG59 X1\nX0 Y0\n"
+	 "TRANS\nX0\n",
 	 "feed 11 20 0 0 0\nfeed 31 20 0 0 0\nfeed 32 23 0 0 0\nfeed 6 0 0 0 0\nfeed 0 0 0 0 0\n"},
 	{"G700 F6 G500\nG58 X1\nX1\n", "feed 50.8 0 0 0 0\n"},
 	/* Words that cancel what was never active, and words without geometry. */

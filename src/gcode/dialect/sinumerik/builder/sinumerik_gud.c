@@ -107,17 +107,18 @@ static bool make_one(struct interp *interp, const struct control_variable *from)
  */
 static bool make_measuring(struct interp *interp)
 {
-	/* Behind a number is a blank, behind a text $, and behind an array [. */
-	static const char names[] = "_CALNUM _CORA _CPA _CPO _EVNUM _FA _ID _INCA _K _KNUM _MA _MD _MVAR _NMSP _PRNUM "
+	/* Behind a number is a blank, behind a text $, behind an array [, and behind an array of INT ]. */
+	static const char names[] = "_CALNUM _CORA _CPA _CPO _EVNUM _FA _ID _INCA _K _KNUM _MA _MD _MVAR _NMSP _OVI]"
+				    "_OVR[_PRNUM "
 				    "_RA _RF _SETV[_SETVAL _STA1 _SZA _SZO _TDIF _TLL _TMV _TNAME$_TNUM _TSA _TUL _TZL "
 				    "_VMS ";
 
 	for (const char *name = names, *end; *name; name = end + 1) {
-		struct sinumerik_variable made = {.size = {8}, .refers_to = -1};
+		struct sinumerik_variable made = {.size = {32}, .refers_to = -1};
 
-		end = name + strcspn(name, " $[");
-		made.type = *end == '$' ? SINUMERIK_STRING : SINUMERIK_REAL;
-		made.dimensions = *end == '[';
+		end = name + strcspn(name, " $[]");
+		made.type = *end == '$' ? SINUMERIK_STRING : *end == ']' ? SINUMERIK_INT : SINUMERIK_REAL;
+		made.dimensions = *end == '[' || *end == ']';
 		memcpy(made.name, name, (size_t)(end - name));
 		if (sinumerik_variables_find(sinumerik_of(interp), made.name) < 0 && !add(interp, &made))
 			return false;

@@ -1,5 +1,6 @@
 #include "gcode/dialect/sinumerik/flow/sinumerik_seek.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/ascii.h"
@@ -168,12 +169,26 @@ struct search {
 	const char *name;	/* of a label, a block number, or a program */
 	bool program;	/* heads of programs in the whole file; else labels and numbers of one program */
 	char type;	/* of the program: 'M', 'S', or 0 */
+	bool other_zeros;	/* a block was found whose number has other leading zeros */
 	struct line_search lines;
 };
 
+/* A block number, N100 or :100. */
+static bool is_number(const char *name)
+{
+	return (name[0] == 'N' || name[0] == ':') && name[1] && !name[1 + strspn(name + 1, "0123456789")];
+}
+
+/* The same number with other leading zeros? `number` may be empty. */
+static bool is_same_number(const char *number, const char *name)
+{
+	return number[0] == name[0] && is_number(name) &&
+	       !strcmp(number + 1 + strspn(number + 1, "0"), name + 1 + strspn(name + 1, "0"));
+}
+
 static enum line_sought judge_line(void *context, const char *text, long line)
 {
-	const struct search *search = context;
+	struct search *search = context;
 	struct sinumerik_head head;
 
 	(void)line;
@@ -186,7 +201,12 @@ static enum line_sought judge_line(void *context, const char *text, long line)
 	if (!search->lines.last && is_head(text))
 		return LINE_BEHIND;
 	head = sinumerik_seek_head(text);
-	return !strcmp(head.label, search->name) || !strcmp(head.number, search->name) ? LINE_SOUGHT : LINE_OTHER;
+	if (!strcmp(head.label, search->name) || !strcmp(head.number, search->name))
+		return LINE_SOUGHT;
+	if (!is_same_number(head.number, search->name))
+		return LINE_OTHER;
+	search->other_zeros = true;
+	return LINE_SOUGHT;
 }
 
 static bool look_for(struct interp *interp, struct search *search, const struct position *from, int column)
@@ -202,6 +222,9 @@ static bool take_only_match(struct interp *interp, const struct search *search, 
 {
 	*found = search->lines.count > 0;
 	*to = search->lines.first;
+	if (search->lines.count == 1 && search->other_zeros)
+		return fault(&interp->at, column, "%s has other leading zeros in line %ld: write both alike",
+			     search->name, to->line);
 	return search->lines.count <= 1 ||
 	       line_search_refuse(&interp->at, column, search->name, to, &search->lines.second);
 }
@@ -209,35 +232,46 @@ static bool take_only_match(struct interp *interp, const struct search *search, 
 static enum line_sought note_label(void *context, const char *text, long line)
 {
 	const struct sinumerik_head head = sinumerik_seek_head(text);
-	struct label *label = labels_find(context, head.label);
+	struct sinumerik_search *search = context;
+	struct label *label = labels_find(&search->labels, head.label);
 
 	(void)line;
 	if (label)
 		label->kind++;
 	else if (head.label[0])
-		labels_add(context, head.label, 0);
+		labels_add(&search->labels, head.label, 0);
+	if (head.number[0]) {
+		const long number = strtol(head.number + 1, NULL, 10);
+
+		search->numbers_repeat |= number <= search->last_number;
+		search->last_number = number;
+	}
 	return LINE_OTHER;
 }
 
 /*
- * Has the file no second label of this name from the next line on? Otherwise, and where this is not known, the rest of
- * the program has to be searched. The labels are read once: a program may have many jumps.
+ * Has the file no second label or block number of this name from the next line on? Otherwise, and where this is not
+ * known, the rest of the program has to be searched. The labels are read once: a program may have many jumps.
  */
 static bool is_only(struct interp *interp, const char *name, const struct position *next)
 {
 	struct sinumerik_search *search = &sinumerik_of(interp)->search;
 	struct line_search lines = {
-	    .judge = note_label, .context = &search->labels, .cancel = interp->config->read.cancel, .most = 1};
+	    .judge = note_label, .context = search, .cancel = interp->config->read.cancel, .most = 1};
 	const struct label *label;
 
 	if (search->labelled != next->source || next->offset < search->labelled_from) {
 		labels_release(&search->labels);
 		search->labelled = NULL;
+		search->last_number = -1;
+		search->numbers_repeat = false;
 		if (!line_search_run(&lines, next))
 			return false;
 		search->labelled = next->source;
 		search->labelled_from = next->offset;
 	}
+	if (is_number(name))
+		return !search->numbers_repeat;
 	label = labels_find(&search->labels, name);
 	return label && label->kind == 0;
 }

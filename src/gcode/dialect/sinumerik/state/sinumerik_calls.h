@@ -43,6 +43,8 @@ struct sinumerik_search {
 	const struct source *labelled;
 	long long labelled_from;
 	struct labels labels;
+	long last_number;	/* of a block there */
+	bool numbers_repeat;	/* a block there has no larger number than the one before it */
 };
 
 /* 840D sl, NC programming: 16 levels of calls. */
