@@ -120,7 +120,7 @@ START_TEST(stays_at_its_place)
 	assert_not_found(finding_at(10.0101, -90));
 	assert_not_found(finding_at(10, -89.9899));
 	assert_not_found(finding_at(10, 270));
-	f = finding_at(10.499, -89.501);
+	f = finding_at(10.5, -89.501);
 	f.text = "G1 X20";
 	ck_assert_ptr_eq(find(&f), &waivers->items[1]);
 	f = finding_at(10.501, -90);
@@ -168,6 +168,28 @@ START_TEST(knows_the_calendar)
 }
 END_TEST
 
+START_TEST(counts_from_1_to_a_million)
+{
+	static const struct {
+		const char *times;
+		bool good;
+	} cases[] = {{"0", false}, {"1", true}, {"1000000", true}, {"1000001", false}, {"4294967297", false}};
+	char text[512];
+
+	for (int i = 0; i < COUNT(cases); i++) {
+		struct diag diag = {0};
+		struct waivers *read;
+
+		snprintf(text, sizeof(text), WAIVERS(WAIVER("block='G1' axes='X0C0' expires='2026-12-31' times='%s'")),
+			 cases[i].times);
+		write_text("s.xml", text);
+		read = waivers_load("s.xml", machine, &diag);
+		ck_assert_msg((read != NULL) == cases[i].good, "%s", cases[i].times);
+		waivers_free(read);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	TCase *tcase = tcase_create("waivers");
@@ -178,5 +200,6 @@ int main(void)
 	tcase_add_test(tcase, stays_at_its_place);
 	tcase_add_test(tcase, expires);
 	tcase_add_test(tcase, knows_the_calendar);
+	tcase_add_test(tcase, counts_from_1_to_a_million);
 	return run_suite("waivers", tcase);
 }
