@@ -108,7 +108,7 @@ static void add_tools(struct cutter_approach *approach, const struct scene *scen
 		added->cutter.along = mat3_apply(&cutter->body->placement.rotation, added->cutter.along);
 		added->nearest.tool = tool->number;
 		added->nearest.distance = INFINITY;
-		added->last_distance = -1;
+		added->last.distance = -1;
 		approach->tool_count++;
 	}
 }
@@ -180,9 +180,9 @@ static double distance_to(struct approach_target *target, const struct approach_
 	return to_box >= matters(tool) ? to_box : fmax(to_box, gap_to_hull(target, &cutter));
 }
 
-/* The same at the axis positions q, from the nearest target. Keeps the smallest so far. */
-static double distance_at(const struct cutter_approach *approach, struct approach_tool *tool, const axis_values *q,
-			  const struct motion_step *step)
+/* Measures at the axis positions q. The tool keeps the smallest distance so far. */
+static struct approach_place measure_at(const struct cutter_approach *approach, struct approach_tool *tool,
+					const axis_values *q, const struct motion_step *step)
 {
 	const xform pose = chain_pose(&approach->chain, q);
 	double least = INFINITY;
@@ -199,9 +199,8 @@ static double distance_at(const struct cutter_approach *approach, struct approac
 		tool->nearest.in_subprogram = strcmp(step->file, approach->file) != 0;
 	}
 	tool->near |= least <= near_enough(approach, tool);
-	tool->last = *q;
-	tool->last_distance = least;
-	return least;
+	tool->last = (struct approach_place){*q, least};
+	return tool->last;
 }
 
 /* mm: an upper bound of the way of any point of the cutter relative to the work between two positions of the axes. */
@@ -236,22 +235,23 @@ static double way_between(const struct cutter_approach *approach, const struct a
 	return bound.length;
 }
 
-/* Halves the straight path from q0 to q1, with the distances d0 and d1 at its ends, while a part may be nearer. */
-static void look_between(const struct cutter_approach *approach, struct approach_tool *tool, const axis_values *q0,
-			 double d0, const axis_values *q1, double d1, const struct motion_step *step, int halvings)
+/* Halves the straight path between two measured positions while a part of it may be nearer. */
+static void look_between(const struct cutter_approach *approach, struct approach_tool *tool,
+			 const struct approach_place *from, const struct approach_place *to,
+			 const struct motion_step *step, int halvings)
 {
-	const double way = way_between(approach, tool, q0, q1);
-	axis_values middle;
-	double d;
+	const double way = way_between(approach, tool, &from->q, &to->q);
+	struct approach_place middle;
+	axis_values q;
 
 	if (tool->near || halvings == 0 || way < SHORT_MOTION * near_enough(approach, tool) ||
-	    0.5 * (d0 + d1 - way) >= matters(tool))
+	    0.5 * (from->distance + to->distance - way) >= matters(tool))
 		return;
 	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * (q0->v[i] + q1->v[i]);
-	d = distance_at(approach, tool, &middle, step);
-	look_between(approach, tool, q0, d0, &middle, d, step, halvings - 1);
-	look_between(approach, tool, &middle, d, q1, d1, step, halvings - 1);
+		q.v[i] = 0.5 * (from->q.v[i] + to->q.v[i]);
+	middle = measure_at(approach, tool, &q, step);
+	look_between(approach, tool, from, &middle, step, halvings - 1);
+	look_between(approach, tool, &middle, to, step, halvings - 1);
 }
 
 static struct approach_tool *tool_of(const struct cutter_approach *approach, int number)
@@ -267,9 +267,9 @@ static struct approach_tool *tool_of(const struct cutter_approach *approach, int
 static bool stays_far(const struct cutter_approach *approach, const struct approach_tool *tool, const axis_values *q0,
 		      const axis_values *q1)
 {
-	const double room = tool->last_distance - matters(tool);
+	const double room = tool->last.distance - matters(tool);
 
-	return room > 0 && way_between(approach, tool, &tool->last, q0) + way_between(approach, tool, q0, q1) <= room;
+	return room > 0 && way_between(approach, tool, &tool->last.q, q0) + way_between(approach, tool, q0, q1) <= room;
 }
 
 void cutter_approach_look(struct cutter_approach *approach, const struct motion_step *step)
@@ -278,9 +278,10 @@ void cutter_approach_look(struct cutter_approach *approach, const struct motion_
 	struct approach_tool *tool = tool_of(approach, step->tool);
 
 	if (tool && !tool->near && !stays_far(approach, tool, q0, q1)) {
-		const double d0 = distance_at(approach, tool, q0, step), d1 = distance_at(approach, tool, q1, step);
+		const struct approach_place from = measure_at(approach, tool, q0, step),
+					    to = measure_at(approach, tool, q1, step);
 
-		look_between(approach, tool, q0, d0, q1, d1, step, HALVINGS);
+		look_between(approach, tool, &from, &to, step, HALVINGS);
 	}
 	if (!tool || tool->near)
 		approach->settled = step->tool;

@@ -35,12 +35,17 @@ struct approach_target {
 	int body;
 };
 
+/* Axis positions, and a lower bound of the distance from the nearest target there. */
+struct approach_place {
+	axis_values q;
+	double distance;	/* mm */
+};
+
 struct approach_tool {
 	struct cylinder cutter;	/* bounds in machine coordinates at the zero pose */
 	bool near;
 	struct far_cutters nearest;	/* distance INFINITY: it has not fed yet */
-	axis_values last;	/* axis positions at the last measurement */
-	double last_distance;	/* mm: a lower bound of the distance there; negative: not measured */
+	struct approach_place last;	/* of the last measurement; a negative distance: none */
 };
 
 struct cutter_approach {
