@@ -199,12 +199,17 @@ static const struct klartext_fault faults[] = {
 	{"QS1 = QS2\n",
 	 "p.nc:2:7: error: QS2 has no value that is known here; if the control holds one from before, set "
 	 "<variable name=\"QS2\" value=\"\"/> in the machine file's <controller>"},
-	{"QS1 = SUBSTR ( SRC_QS2 BEG0 LEN4 )\n",
-	 "p.nc:2:7: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings are "
-	 "not supported"},
+	{"QS2 = \"ABC\"\nQS1 = SUBSTR ( SRC_QS2 BEG1 LEN3 )\n",
+	 "p.nc:3:32: error: a place inside of the string is a whole number from 0 to 2"},
+	{"QS1 = TOCHAR ( DAT+1.25 DECIMALS1 )\n",
+	 "p.nc:2:14: error: TOCHAR: 1.25 is too large, or has more decimals than 1"},
+	{"QS1 = \"A\"\nQS2 = \"b\"\nQ1 = STRCOMP ( SRC_QS1 SEA_QS2 )\n",
+	 "p.nc:4:6: error: STRCOMP: which of the two texts comes first is not known here"},
+	{"QS1 = \"X\" || SYSSTR ( ID10321 NR0 )\nFN 16: F-PRINT A.A / A.TXT\nQ1 = STRLEN ( SRC_QS1 )\n",
+	 "p.nc:4:19: error: QS1 has no value that is known here"},
 	{"QS1 = \"A\" || \n",
-	 "p.nc:2:14: error: a string is a text in quotation marks, QS, or several of them joined by ||; functions of strings "
-	 "are not supported"},
+	 "p.nc:2:14: error: a string is a text in quotation marks, QS, SUBSTR, TOCHAR, SYSSTR, or several of them joined by "
+	 "||"},
 	{"QS1 \"A\"\n",
 	 "p.nc:2:5: error: '=' is needed here"},
 	{"QS1 = \"A\" + 5\n",

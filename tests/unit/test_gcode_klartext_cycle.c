@@ -108,6 +108,15 @@ static const struct klartext_program cycles[] = {
 	/* Strings: joined, as numbers, as names. */
 	{"DECLARE STRING QS1 = \"1\"\nQS2 = QS1 || \"2.\" || \"5\"\nQS2 = \"\" || QS2\nQ5 = TONUMB ( SRC_QS2 )\nL X+Q5 FMAX\n",
 	 "rapid 12.5 0 0 0 0\n"},
+	/* "String parameters": the first place is 0; a text that is not found gives the length. */
+	{"QS1 = \"TOOL25.5\"\nQS2 = \"25\"\nQS3 = SUBSTR ( SRC_QS1 BEG4 LEN4 )\nQ1 = TONUMB ( SRC_QS3 )\n"
+	 "Q2 = INSTR ( SRC_QS1 SEA_QS2 BEG0 )\nQ3 = INSTR ( SRC_QS1 SEA_QS2 BEG5 )\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 25.5 4 8 0 0\n"},
+	{"QS1 = TOCHAR ( DAT+0.5 DECIMALS3 ) || \"X\"\nQ1 = STRLEN ( SRC_QS1 )\nQS2 = \"0.600\"\n"
+	 "Q2 = STRCOMP ( SRC_QS1 SEA_QS2 )\nQ3 = STRCOMP ( SRC_QS2 SEA_QS1 )\nL X+Q1 Y+Q2 Z+Q3 FMAX\n"
+	 "Q1 = STRCOMP ( SRC_QS2 SEA_QS2 )\nQS1 = SYSSTR ( ID10321 NR0 )\nQS1 = \"5\"\nQ2 = TONUMB ( SRC_QS1 )\n"
+	 "L X+Q1 Y+Q2 FMAX\n",
+	 "rapid 6 -1 1 0 0\nrapid 0 5 1 0 0\n"},
 	{"DECLARE STRING QS12 = \"DRILL 5\"\nTOOL CALL QS12 Z S100\n",
 	 "tool 2\n"},
 	/* Z shifts the surface. */

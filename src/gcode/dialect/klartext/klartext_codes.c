@@ -111,7 +111,7 @@ static const struct code_word words[] = {
     {"CALL LBL", CODE_READ, "subprogram; with REP a program section repeat"},
     {"CALL PGM", CODE_READ, "another program"},
     {"Q", CODE_READ, "assignment of a Q, QL or QR parameter by a formula"},
-    {"QS", CODE_READ, "string parameter: texts, || and TONUMB; names of programs and tools"},
+    {"QS", CODE_READ, "string parameter: texts, || and functions; names of programs and tools"},
     {"FN 0 to 8, 13", CODE_READ, "computation with Q parameters"},
     {"FN 9 to 12", CODE_READ, "conditional jump"},
     {"FN 14", CODE_REFUSED, "error message of the program"},

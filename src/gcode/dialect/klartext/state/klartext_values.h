@@ -41,6 +41,7 @@ struct klartext_values {
 /* QS<number>. */
 struct klartext_string {
 	int number;
+	bool unknown;	/* the control alone has the text */
 	char text[KLARTEXT_NAME];
 };
 

@@ -200,7 +200,8 @@ bool klartext_formula_assign(struct lexer *lexer)
 	struct expr expr = {.lexer = lexer, .rules = &rules};
 	struct expr_operand value;
 	struct klartext_q *q;
-	double number_in_text;
+	bool of_string;
+	double result;
 
 	if (klartext_string_follows(lexer))
 		return klartext_string_assign(lexer);
@@ -212,9 +213,10 @@ bool klartext_formula_assign(struct lexer *lexer)
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);
-	if (klartext_take(lexer, "TONUMB"))
-		return klartext_string_number(lexer, &number_in_text) && klartext_expect_end(lexer) &&
-		       assign(lexer, q, number, column, number_in_text);
+	if (!klartext_string_compute(lexer, &result, &of_string))
+		return false;
+	if (of_string)
+		return klartext_expect_end(lexer) && assign(lexer, q, number, column, result);
 	return expr_sum(&expr, &value) && klartext_expect_end(lexer) && assign(lexer, q, number, column, value.number);
 }
 

@@ -14,11 +14,11 @@ bool klartext_string_follows(struct lexer *lexer);
 bool klartext_string_assign(struct lexer *lexer);
 bool klartext_string_declare(struct lexer *lexer);
 
-/* Assigns a text to QS<number>. False: it is too long, or there are too many, which was reported at the column. */
+/* Assigns a text to QS<number>; NULL: the control alone has it. False: it is too long, or there are too many, which was reported at the column. */
 bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text);
 
-/* After TONUMB: reads "( SRC_QS5 )" and converts the string to a number. False: reported. */
-bool klartext_string_number(struct lexer *lexer, double *value);
+/* Computes TONUMB, STRLEN, INSTR or STRCOMP if one of them comes next (*is_function). False: reported. */
+bool klartext_string_compute(struct lexer *lexer, double *value, bool *is_function);
 
 /* Like klartext_name; a string parameter may give the name, too. */
 bool klartext_string_name(struct lexer *lexer, const char *what, char name[KLARTEXT_NAME]);
