@@ -29,3 +29,14 @@ program part.h <<'NC'
 18 END PGM PART MM
 NC
 status fivecheck scan part.h 2>&1 | sed -n '/error/p; /^needed in the machine/,$p'
+# Parameters that keep their values, and data of the tables that FN 18 reads; the lines are those that a machine file takes.
+program kept.h <<'NC'
+0 BEGIN PGM KEPT MM
+1 FN 18: SYSREAD Q1 = ID50 NR3 IDX12
+2 L X+Q1600 Y+QR5 Z+Q1 R0 FMAX
+3 CALL LBL QS3
+4 LBL "1"
+5 LBL 0
+6 END PGM KEPT MM
+NC
+status fivecheck scan --dialect=klartext kept.h 2>&1 | sed -n '/error/p; /^needed in the machine/,/^$/p; /status/p'

@@ -181,6 +181,8 @@ static void answer_variable(struct scan_questions *q, const char *asked)
 	struct control_variable *variable = &q->variables[i];
 
 	snprintf(q->variable_names[i], CONTROL_VARIABLE_NAME, "%.*s", (int)strcspn(name, "\""), name);
+	/* "ID50 NR3 IDX12" without its blanks. */
+	control_variable_name_normalise(q->variable_names[i], q->variable_names[i]);
 	*variable = (struct control_variable){.name = q->variable_names[i], .typed = type != NULL, .number = 1};
 	if (type && !strncmp(type, " type=\"STRING", 13))
 		variable->type = CONTROL_STRING;
