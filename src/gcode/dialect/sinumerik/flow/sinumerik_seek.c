@@ -173,10 +173,10 @@ struct search {
 	struct line_search lines;
 };
 
-/* A block number, N100 or :100. */
+/* A block number, N100 or :100; labels do not begin like this. */
 static bool is_number(const char *name)
 {
-	return (name[0] == 'N' || name[0] == ':') && name[1] && !name[1 + strspn(name + 1, "0123456789")];
+	return (name[0] == 'N' || name[0] == ':') && ascii_is_digit(name[1]);
 }
 
 /* The same number with other leading zeros? `number` may be empty. */
