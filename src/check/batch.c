@@ -6,7 +6,6 @@
 #include "base/minmax.h"
 #include "base/prefetch.h"
 #include "geom/tolerance.h"
-#include "scene/pairs.h"
 
 void batch_release(struct batch *batch)
 {
@@ -42,30 +41,40 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block, 
 		prefetch_for_writing(copy + 2, sizeof(*copy));
 }
 
-/* Slots without an axis keep the values of the first step. */
-static void widen(struct batch_chunk *chunk, const struct motion_step *step, const struct machine *machine)
+/* Plain loops over all slots, which compilers turn into instructions for several slots at once. */
+static void widen(struct batch_chunk *piece, const struct motion_step *step)
 {
 	const struct span *span = &step->span;
 
-	for (size_t i = 0; i < machine->axis_count; i++) {
-		const int slot = machine->axes[i].slot;
-		const double off = span->chord_error.v[slot], from = span->q0.v[slot], to = span->q1.v[slot];
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		const double off = span->chord_error.v[i], from = span->q0.v[i], to = span->q1.v[i];
 
-		chunk->low.v[slot] = smaller(smaller(from, to) - off, chunk->low.v[slot]);
-		chunk->high.v[slot] = larger(larger(from, to) + off, chunk->high.v[slot]);
-		if (step->tolerance.v[slot] > chunk->errors.path.v[slot]) {
-			chunk->errors.path.v[slot] = step->tolerance.v[slot];
-			chunk->errors.any = true;
-		}
+		piece->low.v[i] = smaller(piece->low.v[i], smaller(from, to) - off);
+		piece->high.v[i] = larger(piece->high.v[i], larger(from, to) + off);
+		piece->errors.path.v[i] = larger(piece->errors.path.v[i], step->tolerance.v[i]);
 	}
+	piece->beyond |= step->outside;
+	piece->classes |= step->step_class;
 }
 
-static bool is_beyond_travel(const struct motion_step *step, const struct machine *machine)
+static double largest(const axis_values *tolerance)
 {
-	for (size_t i = 0; i < machine->axis_count; i++)
-		if (step->tolerance.v[machine->axes[i].slot] > REACH_PATH_TOLERANCE)
-			return true;
-	return step->outside;
+	double most = 0;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		most = larger(most, tolerance->v[i]);
+	return most;
+}
+
+/* The path tolerance may take a step past a limit. */
+static void mark_beyond(struct batch_step *steps, size_t count, struct batch_chunk *piece)
+{
+	const double most = largest(&piece->errors.path);
+
+	piece->errors.any = most > 0;
+	for (size_t i = 0; i < count && most > REACH_PATH_TOLERANCE; i++)
+		steps[i].beyond |= largest(&steps[i].motion.tolerance) > REACH_PATH_TOLERANCE;
+	piece->beyond |= most > REACH_PATH_TOLERANCE;
 }
 
 static void widen_chunk(struct batch_chunk *chunk, const struct batch_chunk *piece)
@@ -85,28 +94,29 @@ static size_t count_of(const struct batch *batch, size_t steps)
 	return (batch->step_count + steps - 1) / steps;
 }
 
-static void fill_pieces(struct batch *batch, const struct machine *machine)
+static void fill_pieces(struct batch *batch)
 {
 	batch->pieces = mem_grow(batch->pieces, &batch->piece_capacity, count_of(batch, PIECE_STEPS),
 				 sizeof(*batch->pieces));
-	for (size_t i = 0; i < batch->step_count; i++) {
-		struct batch_chunk *piece = &batch->pieces[i / PIECE_STEPS];
-		struct batch_step *step = &batch->steps[i];
+	for (size_t first = 0; first < batch->step_count; first += PIECE_STEPS) {
+		struct batch_chunk *piece = &batch->pieces[first / PIECE_STEPS];
+		struct batch_step *steps = &batch->steps[first];
+		const size_t left = batch->step_count - first, count = left < PIECE_STEPS ? left : PIECE_STEPS;
 
-		if (i % PIECE_STEPS == 0)
-			*piece = (struct batch_chunk){.low = step->motion.span.q0, .high = step->motion.span.q0};
-		widen(piece, &step->motion, machine);
-		step->beyond = is_beyond_travel(&step->motion, machine);
-		piece->beyond |= step->beyond;
-		piece->classes |= step->motion.step_class;
+		*piece = (struct batch_chunk){.low = steps->motion.span.q0, .high = steps->motion.span.q0};
+		for (size_t i = 0; i < count; i++) {
+			widen(piece, &steps[i].motion);
+			steps[i].beyond = steps[i].motion.outside;
+		}
+		mark_beyond(steps, count, piece);
 	}
 }
 
-void batch_close(struct batch *batch, const struct machine *machine)
+void batch_close(struct batch *batch)
 {
 	enum { PIECES = CHUNK_STEPS / PIECE_STEPS };
 
-	fill_pieces(batch, machine);
+	fill_pieces(batch);
 	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count_of(batch, CHUNK_STEPS),
 				 sizeof(*batch->chunks));
 	for (size_t i = 0; i < count_of(batch, PIECE_STEPS); i++) {

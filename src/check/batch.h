@@ -7,7 +7,6 @@
 
 #include "check/path_copies.h"
 #include "check/step.h"
-#include "machine/machine.h"
 #include "motion/events.h"
 
 /* A step and its place in the program. */
@@ -52,8 +51,8 @@ void batch_clear(struct batch *batch);
 void batch_add(struct batch *batch, const struct motion_step *step, long block, long number,
 	       long share);
 
-/* Fills in chunks and pieces for this machine. Call it after the last batch_add, before they are used. */
-void batch_close(struct batch *batch, const struct machine *machine);
+/* Fills in chunks and pieces. Call it after the last batch_add, before they are used. */
+void batch_close(struct batch *batch);
 
 /* The number of steps in a box of this size; the last box of a batch may have fewer. */
 static inline size_t batch_box_steps(enum batch_box size)

@@ -95,7 +95,7 @@ static bool run_batch(void *context, size_t number)
 
 	if (!pending->runs)
 		return true;
-	batch_close(&pending->batch, c->scene->machine);
+	batch_close(&pending->batch);
 	pending->complete = !measures_first(c->options) || measure_clearances(c, pending);
 	if (pending->complete) {
 		pending->complete = scheduler_run(&c->scheduler, &pending->batch, pending->tool, c->options);
