@@ -19,4 +19,5 @@ test -h link && head -n 1 report
 status fivecheck -q -o nowhere/report m.xml a.nc
 # - is no file.
 status fivecheck -q -o - --list-pairs m.xml
+status fivecheck -q -f text=- m.xml a.nc
 ls

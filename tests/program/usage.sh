@@ -82,6 +82,7 @@ bad m.xml a.nc --shard 0/3
 bad m.xml a.nc --shard 4/3
 bad m.xml a.nc --shard 1
 bad m.xml a.nc --shard 1/2x
+bad m.xml a.nc --shard 1/1000001
 bad m.xml a.nc -q --progress=plain
 bad m.xml a.nc --fail-on collision,
 bad m.xml a.nc --fail-on crash
