@@ -104,7 +104,7 @@ static bool run_batch(void *context, size_t number)
 	if (pending->complete && c->options->block_clearances && !measures_first(c->options))
 		pending->complete = measure_clearances(c, pending);
 	pending->seconds = checker_clock() - start;
-	return pending->complete && !pending->result_count && !c->options->block_clearances;
+	return pending->complete && !pending->results.count && !c->options->block_clearances;
 }
 
 /* Takes the results of the batch, and checks it against the stock. */
@@ -116,13 +116,13 @@ static void take_pending(struct checker *c)
 	c->end.broken_off = !pending->complete;
 	c->timing.measuring += pending->measuring;
 	if (!c->end.broken_off) {
-		last = checker_last_step(c, pending->results, pending->result_count, last);
+		last = checker_last_step(c, &pending->results, last);
 		c->end.broken_off = !stock_check_run(&c->stock, &pending->batch, last, pending->tool, c->options);
 	}
 	if (!c->end.broken_off) {
-		last = checker_last_step(c, c->stock.results, c->stock.result_count, last);
-		checker_take_results(c, pending->results, pending->result_count, last);
-		checker_take_results(c, c->stock.results, c->stock.result_count, last);
+		last = checker_last_step(c, &c->stock.results, last);
+		checker_take_results(c, &pending->results, last);
+		checker_take_results(c, &c->stock.results, last);
 		c->end.broken_off = c->options->block_clearances && !measure_stock(c);
 	}
 	if (!c->end.broken_off && c->options->block_clearances)
@@ -228,7 +228,7 @@ static void begin_batch(struct checker *c)
 	pending->summary = c->program.summary;
 	pending->blocks_checked = c->stats->blocks_checked;
 	pending->runs = !checker_has_enough(c) && !c->end.broken_off && pending->batch.step_count;
-	pending->result_count = 0;
+	pending->results.count = 0;
 	pending->measuring = 0;
 	c->pending.begun++;
 	if (c->background)

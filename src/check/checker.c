@@ -125,7 +125,7 @@ void checker_add_finding(struct checker *c, const struct block_finding *at, enum
 	c->end.found = true;
 }
 
-static void add_contact(struct checker *c, const struct pair_check_result *result)
+static void add_contact(struct checker *c, const struct pair_result *result)
 {
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
 	const struct batch_step *step = &c->pending.settling->batch.steps[result->step];
@@ -192,7 +192,7 @@ static const char *remedy_of(const struct checker *c, const struct motion_step *
 	return "too many axes move at once in this rapid, whose path is not known; move fewer axes at once";
 }
 
-static void say_exhausted(struct checker *c, const struct pair_check_result *result, const struct batch_step *step)
+static void say_exhausted(struct checker *c, const struct pair_result *result, const struct batch_step *step)
 {
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
 	const struct motion_step *motion = &step->motion;
@@ -204,7 +204,7 @@ static void say_exhausted(struct checker *c, const struct pair_check_result *res
 	end_messages(c);
 }
 
-static void report_undecided(struct checker *c, const struct pair_check_result *result)
+static void report_undecided(struct checker *c, const struct pair_result *result)
 {
 	const struct batch_step *step = &c->pending.settling->batch.steps[result->step];
 
@@ -212,32 +212,37 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 		say_exhausted(c, result, step);
 	else
 		checker_say_undecided(c, result->pair, step->block, 2 * step->number + 1);
-	if (!pair_check_result_ends(result, &c->pending.settling->batch, c->options))
+	if (!pair_result_ends(result, &c->pending.settling->batch, c->options))
 		return;
 	c->end.exhausted = true;
 	c->end.exhausted_step = step->number;
 	c->end.last_block = step->block;
 }
 
-size_t checker_last_step(const struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
+size_t checker_last_step(const struct checker *c, const struct pair_results *results, size_t last)
 {
 	const struct batch *batch = &c->pending.settling->batch;
 
-	for (size_t i = 0; i < count; i++)
-		if (results[i].step < last && pair_check_result_ends(&results[i], batch, c->options))
-			last = results[i].step;
+	for (size_t i = 0; i < results->count; i++) {
+		const struct pair_result *result = &results->items[i];
+
+		if (result->step < last && pair_result_ends(result, batch, c->options))
+			last = result->step;
+	}
 	return last;
 }
 
-void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
+void checker_take_results(struct checker *c, const struct pair_results *results, size_t last)
 {
-	for (size_t i = 0; i < count; i++) {
-		if (results[i].step > last)
+	for (size_t i = 0; i < results->count; i++) {
+		const struct pair_result *result = &results->items[i];
+
+		if (result->step > last)
 			continue;
-		if (results[i].answer == QUERY_CONTACT)
-			add_contact(c, &results[i]);
+		if (result->answer == QUERY_CONTACT)
+			add_contact(c, result);
 		else
-			report_undecided(c, &results[i]);
+			report_undecided(c, result);
 	}
 }
 

@@ -155,10 +155,10 @@ void checker_add_finding(struct checker *c, const struct block_finding *at, enum
 			 int step_class, const struct contact *found, const axis_values *tolerance);
 
 /* The step of the batch with which these results end the check, at the latest `last`. Later steps do not matter. */
-size_t checker_last_step(const struct checker *c, const struct pair_check_result *results, size_t count, size_t last);
+size_t checker_last_step(const struct checker *c, const struct pair_results *results, size_t last);
 
 /* Logs the contacts, and reports what was not decided, up to the step `last` of the batch. */
-void checker_take_results(struct checker *c, const struct pair_check_result *results, size_t count, size_t last);
+void checker_take_results(struct checker *c, const struct pair_results *results, size_t last);
 
 /*
  * Reports that the pair cannot be decided because of rounding, once for the whole program: the message names no block.

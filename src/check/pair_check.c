@@ -69,11 +69,10 @@ void pair_check_release(struct pair_check *check)
 		sampler_release(&check->methods->sampler);
 		free(check->methods);
 	}
-	free(check->results);
+	pair_results_release(&check->results);
 	free(check->clearances);
 	free(check->open);
 	check->methods = NULL;
-	check->results = NULL;
 	check->open = NULL;
 	check->clearances = NULL;
 }
@@ -114,37 +113,6 @@ void pair_check_jump(struct pair_check *check)
 		return;
 	check->methods->sampler.started = true;
 	strategy_forget_position(&check->methods->strategy);
-}
-
-int open_boxes_count(struct open_boxes *boxes, long share)
-{
-	if (boxes->share != share)
-		*boxes = (struct open_boxes){.share = share};
-	return boxes->count;
-}
-
-void open_boxes_add(struct open_boxes *boxes, const struct pair_check_result *result, const struct batch_step *step)
-{
-	if (result->answer == QUERY_UNDECIDED && result->exhausted && step_is_box(&step->motion) &&
-	    boxes->count < BOX_HALVINGS_MAX)
-		boxes->count++;
-}
-
-bool pair_check_result_ends(const struct pair_check_result *result, const struct batch *batch,
-			    const struct check_options *options)
-{
-	if (result->answer == QUERY_CONTACT)
-		return !options->all;
-	return result->exhausted && !step_is_box(&batch->steps[result->step].motion);
-}
-
-static void add_result(struct pair_check *check, size_t step, enum query_answer answer, bool exhausted,
-		       const struct contact *contact)
-{
-	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
-				   sizeof(*check->results));
-	check->results[check->result_count++] =
-	    (struct pair_check_result){check->pair, step, answer, exhausted, *contact, false};
 }
 
 static enum query_answer pass_step(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
@@ -262,12 +230,13 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 	size_t skipped, next_open = 0;
 	long examined = 0;
 
-	check->result_count = 0;
+	check->results.count = 0;
 	check->nearest_block = -1;
 	for (size_t i = from; i < to; i += skipped ? skipped : 1, examined++) {
 		const struct batch_step *step = &batch->steps[i];
 		struct contact contact = {0};
 		enum query_answer answer;
+		struct pair_result result;
 
 		skipped = skip_measured(check, i, to, &next_open);
 		if (!skipped)
@@ -292,10 +261,11 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		}
 		if (answer == QUERY_CLEAR)
 			continue;
-		add_result(check, i, answer, sweep->exhausted, &contact);
+		result = (struct pair_result){check->pair, i, answer, sweep->exhausted, contact, false};
+		pair_results_add(&check->results, &result);
 		pair_check_leave_block(check, step->block);
-		open_boxes_add(&check->open_boxes, &check->results[check->result_count - 1], step);
-		if (pair_check_result_ends(&check->results[check->result_count - 1], batch, options))
+		open_boxes_add(&check->open_boxes, &result, step);
+		if (pair_result_ends(&result, batch, options))
 			break;
 	}
 	return examined;

@@ -8,37 +8,11 @@
 #include "check/batch.h"
 #include "check/certified/strategy.h"
 #include "check/measure/block_clearance.h"
+#include "check/open_boxes.h"
 #include "check/options.h"
+#include "check/pair_result.h"
 #include "check/sampled/sampler.h"
 #include "scene/scene.h"
-
-/*
- * The rapids whose path is not known (PATH_BOX) and that were not decided in this share of the program. Each of them
- * halves the effort for the next one of the same pair, so that a program with many of them ends in a reasonable time.
- * They are counted anew in each share: the result must not depend on which shard checks which share.
- */
-struct open_boxes {
-	long share;
-	int count;	/* at most BOX_HALVINGS_MAX */
-};
-
-enum { BOX_HALVINGS_MAX = 16 };
-
-/* Their number in this share. */
-int open_boxes_count(struct open_boxes *boxes, long share);
-
-/* A contact or an undecided step of a pair. */
-struct pair_check_result {
-	size_t pair;	/* of the scene */
-	size_t step;	/* of the batch */
-	enum query_answer answer;	/* CONTACT or UNDECIDED */
-	bool exhausted;	/* undecided because the effort was used up */
-	struct contact contact;
-	bool certain;	/* with the stock: the contact holds for every possible remaining stock */
-};
-
-/* Counts the result of this step, if it is one of them. Call open_boxes_count before. */
-void open_boxes_add(struct open_boxes *boxes, const struct pair_check_result *result, const struct batch_step *step);
 
 /* The clearance of the pair in those steps of a block that are in the batch; or the cap, in each of several blocks. */
 struct pair_check_clearance {
@@ -79,8 +53,7 @@ struct pair_check {
 	long unknown_block;	/* the first block in which one body may have been inside the other; -1: none */
 
 	/* The results of this batch. */
-	struct pair_check_result *results;
-	size_t result_count, result_capacity;
+	struct pair_results results;
 	struct pair_check_clearance *clearances;
 	size_t clearance_count, clearance_capacity;
 	long nearest_block;	/* the last block of the batch that lowered the smallest clearance; -1: none */
@@ -110,14 +83,6 @@ bool pair_check_is_active(const struct pair_check *check, int tool);
 
 /* Leaves out the rest of this block: the pair has a finding in it, or was not decided. */
 void pair_check_leave_block(struct pair_check *check, long block);
-
-/*
- * Does the check end with this result of the batch? Without options->all the first contact ends it. Always a step ends
- * it that has used up check_options.effort, because the next one would probably do so, too. A rapid whose path is not
- * known does not end it.
- */
-bool pair_check_result_ends(const struct pair_check_result *result, const struct batch *batch,
-			    const struct check_options *options);
 
 /* The tool that one of the bodies belongs to has come into the spindle, or left it. */
 void pair_check_change_tool(struct pair_check *check);

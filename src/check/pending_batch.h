@@ -30,8 +30,7 @@ struct pending_batch {
 	long blocks_checked;
 	bool runs;	/* it has steps to check */
 	bool complete;	/* it was checked to its end; only then the next batch is valid */
-	struct pair_check_result *results;	/* of all pairs, in their order */
-	size_t result_count, result_capacity;
+	struct pair_results results;	/* of all pairs, in their order */
 	double seconds, measuring;	/* duration of the check; the part of it that measured clearances */
 };
 

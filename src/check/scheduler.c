@@ -55,7 +55,7 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->sweeps);
 	free(scheduler->tasks);
 	free(scheduler->turns);
-	free(scheduler->results);
+	pair_results_release(&scheduler->results);
 	free(scheduler->most);
 	measured_blocks_release(&scheduler->blocks);
 	free(scheduler->order);
@@ -123,8 +123,7 @@ static void divide(struct scheduler *scheduler, struct pair_check *check, const 
 
 		*copy = *check;
 		copy->methods = mem_zalloc(1, sizeof(*copy->methods));
-		copy->results = NULL;
-		copy->result_count = copy->result_capacity = 0;
+		copy->results = (struct pair_results){0};
 		strategy_fork(&check->methods->strategy, &copy->methods->strategy);
 		count = part_of(batch->step_count - from);
 		add_task(scheduler, check, copy, from, from + count);
@@ -137,7 +136,7 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 	for (size_t i = 0; i < scheduler->count; i++) {
 		struct pair_check *check = &scheduler->checks[i];
 
-		check->result_count = 0;
+		check->results.count = 0;
 		check->nearest_block = -1;
 		if (!pair_check_is_active(check, tool))
 			continue;
@@ -214,14 +213,6 @@ static void do_tasks(struct scheduler *scheduler, int threads, struct work *work
 
 /* ---------------------------------------------------------------- results */
 
-static void add_results(struct scheduler *scheduler, const struct pair_check *check)
-{
-	scheduler->results = mem_grow(scheduler->results, &scheduler->result_capacity,
-				      scheduler->result_count + check->result_count, sizeof(*scheduler->results));
-	for (size_t i = 0; i < check->result_count; i++)
-		scheduler->results[scheduler->result_count++] = check->results[i];
-}
-
 /*
  * A part of a divided check left out the rest of a block that it could not decide. The parts after it do not know this,
  * nor that one body may be inside the other since then: checks the whole batch in one piece.
@@ -234,7 +225,7 @@ static void run_undivided(struct scheduler *scheduler, struct pair_check *check,
 	strategy_forget_position(&check->methods->strategy);
 	pair_check_run(check, &scheduler->sweeps[0], batch, 0, batch->step_count, options);
 	scheduler->work += scheduler->sweeps[0].visits - before;
-	add_results(scheduler, check);
+	pair_results_append(&scheduler->results, &check->results);
 }
 
 /*
@@ -245,7 +236,7 @@ static void gather(struct scheduler *scheduler, const struct batch *batch, const
 {
 	bool met = false, again = false;
 
-	scheduler->result_count = 0;
+	scheduler->results.count = 0;
 	scheduler->work = 0;
 	memset(scheduler->visits, 0, scheduler->count * sizeof(*scheduler->visits));
 	memset(scheduler->costs, 0, scheduler->count * sizeof(*scheduler->costs));
@@ -259,11 +250,11 @@ static void gather(struct scheduler *scheduler, const struct batch *batch, const
 		scheduler->visits[task->check - scheduler->checks] += task->visits;
 		scheduler->costs[task->check - scheduler->checks] += task->visits + EXAMINED_COST * task->examined;
 		scheduler->work += task->visits;
-		if (ran->result_count && !met) {
+		if (ran->results.count && !met) {
 			met = true;
-			again = task->copy && !pair_check_result_ends(&ran->results[0], batch, options);
+			again = task->copy && !pair_result_ends(&ran->results.items[0], batch, options);
 			if (!again)
-				add_results(scheduler, ran);
+				pair_results_append(&scheduler->results, &ran->results);
 		}
 		if (!task->copy)
 			continue;
@@ -271,7 +262,7 @@ static void gather(struct scheduler *scheduler, const struct batch *batch, const
 			task->check->nearest_block = task->copy->nearest_block;
 		strategy_join(&task->check->methods->strategy, &task->copy->methods->strategy);
 		free(task->copy->methods);
-		free(task->copy->results);
+		pair_results_release(&task->copy->results);
 		free(task->copy);
 		/* Once its last part is gathered. */
 		if (again && task->to == batch->step_count)

@@ -35,8 +35,7 @@ struct scheduler {
 	struct task *tasks;	/* of this batch */
 	size_t *turns;	/* the order in which threads take the tasks */
 	size_t task_count, task_capacity, turn_capacity;
-	struct pair_check_result *results;	/* of the last batch, of all checks in order */
-	size_t result_count, result_capacity;
+	struct pair_results results;	/* of the last batch, of all checks in order */
 	double *most;	/* measure_plan.most */
 	size_t most_capacity;
 	struct measured_blocks blocks;

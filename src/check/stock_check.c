@@ -124,7 +124,7 @@ void stock_check_release(struct stock_check *check)
 	free(check->clearances);
 	free(check->cutters);
 	free(check->tools);
-	free(check->results);
+	pair_results_release(&check->results);
 	cut_log_release(&check->log);
 	stock_cells_release(&check->cells);
 	*check = (struct stock_check){.pair_count = 0};
@@ -190,12 +190,12 @@ void stock_check_jump(struct stock_check *check)
 
 static void add_results(struct stock_check *check, struct stock_pair *pair, const struct batch *batch)
 {
-	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + pair->result_count,
-				  sizeof(*check->results));
-	for (size_t i = 0; i < pair->result_count; i++) {
-		struct pair_check_result *result = &check->results[check->result_count++];
+	const size_t before = check->results.count;
 
-		*result = pair->results[i];
+	pair_results_append(&check->results, &pair->results);
+	for (size_t i = before; i < check->results.count; i++) {
+		struct pair_result *result = &check->results.items[i];
+
 		result->certain = result->answer == QUERY_CONTACT &&
 				  stock_certainty_from(pair, batch, result->step, result->contact.s);
 	}
@@ -204,7 +204,7 @@ static void add_results(struct stock_check *check, struct stock_pair *pair, cons
 bool stock_check_run(struct stock_check *check, const struct batch *batch, size_t last, int tool,
 		     const struct check_options *options)
 {
-	check->result_count = 0;
+	check->results.count = 0;
 	for (size_t i = 0; i < check->pair_count; i++) {
 		struct stock_pair *pair = &check->pairs[i];
 
@@ -215,9 +215,9 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 			return false;
 		add_results(check, pair, batch);
 		/* Nothing after a result that ends the check matters. */
-		if (pair->result_count &&
-		    pair_check_result_ends(&pair->results[pair->result_count - 1], batch, options))
-			last = pair->results[pair->result_count - 1].step;
+		if (pair->results.count &&
+		    pair_result_ends(&pair->results.items[pair->results.count - 1], batch, options))
+			last = pair->results.items[pair->results.count - 1].step;
 	}
 	return true;
 }

@@ -41,8 +41,7 @@ struct stock_check {
 	vec3 low, high;	/* the box around the blank */
 	struct cut_log log;
 	struct stock_cells cells;
-	struct pair_check_result *results;	/* of the last batch */
-	size_t result_count, result_capacity;
+	struct pair_results results;	/* of the last batch */
 };
 
 /* *check must not be moved afterwards. False: an error, or something that is not supported with stock, reported. */

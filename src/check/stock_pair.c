@@ -1,9 +1,7 @@
 #include "check/stock_pair.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-#include "base/mem.h"
 #include "base/minmax.h"
 #include "check/step.h"
 #include "motion/path.h"
@@ -95,8 +93,7 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 void stock_pair_release(struct stock_pair *check)
 {
 	revolved_release(&check->revolved);
-	free(check->results);
-	check->results = NULL;
+	pair_results_release(&check->results);
 }
 
 bool stock_pair_is_active(const struct stock_pair *check, int tool)
@@ -290,24 +287,17 @@ static size_t skip_chunk(struct stock_pair *check, const struct batch *batch, si
 	return count;
 }
 
-static void add_result(struct stock_pair *check, size_t step, enum query_answer answer, const struct contact *contact)
-{
-	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
-				  sizeof(*check->results));
-	check->results[check->result_count++] =
-	    (struct pair_check_result){check->pair, step, answer, check->sweep.exhausted, *contact, false};
-}
-
 void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
 		    const struct check_options *options)
 {
 	size_t skipped;
 
-	check->result_count = 0;
+	check->results.count = 0;
 	for (size_t i = 0; i < to; i += skipped ? skipped : 1) {
 		const struct batch_step *step = &batch->steps[i];
 		struct contact contact = {0};
 		enum query_answer answer;
+		struct pair_result result;
 
 		skipped = skip_chunk(check, batch, i, to);
 		if (skipped)
@@ -325,10 +315,11 @@ void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t 
 			check->unknown_block = step->block;
 		if (answer == QUERY_CLEAR)
 			continue;
-		add_result(check, i, answer, &contact);
+		result = (struct pair_result){check->pair, i, answer, check->sweep.exhausted, contact, false};
+		pair_results_add(&check->results, &result);
 		stock_pair_leave_block(check, step->block);
-		open_boxes_add(&check->open_boxes, &check->results[check->result_count - 1], step);
-		if (pair_check_result_ends(&check->results[check->result_count - 1], batch, options))
+		open_boxes_add(&check->open_boxes, &result, step);
+		if (pair_result_ends(&result, batch, options))
 			return;
 	}
 }

@@ -8,7 +8,10 @@
 #include "check/batch.h"
 #include "check/certified/clearance_query.h"
 #include "check/certified/motion_budget.h"
-#include "check/pair_check.h"
+#include "check/open_boxes.h"
+#include "check/options.h"
+#include "check/pair_result.h"
+#include "scene/scene.h"
 #include "stock/stock_sweep.h"
 
 /*
@@ -36,8 +39,7 @@ struct stock_pair {
 	bool clear_at_end;	/* proved where the last step ended: the pair is apart there */
 	bool asked;	/* a distance was proved, or a step was swept */
 	long queries, covered_steps;
-	struct pair_check_result *results;	/* of the batch */
-	size_t result_count, result_capacity;
+	struct pair_results results;	/* of the batch */
 };
 
 /*

@@ -1,4 +1,4 @@
-#include "check/pair_check.h"
+#include "check/open_boxes.h"
 
 #include "suite.h"
 
@@ -6,7 +6,7 @@ static int after(struct open_boxes *boxes, long share, enum query_answer answer,
 {
 	const struct path path = {.kind = kind};
 	const struct batch_step step = {.motion.span.path = &path, .share = share};
-	const struct pair_check_result result = {.answer = answer, .exhausted = exhausted};
+	const struct pair_result result = {.answer = answer, .exhausted = exhausted};
 
 	open_boxes_count(boxes, share);
 	open_boxes_add(boxes, &result, &step);
