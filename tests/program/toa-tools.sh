@@ -98,6 +98,14 @@ sed '/<tools/d; s|name="mill_d16; r1"|& length_offset="109.6" radius_offset="8.0
 echo "an internal number is not that of a tool with a name:"
 sed 's/name="BALL" //; s/number="6"/number="7"/' s.xml >seven.xml
 "$FIVECHECK" -q --parse-only -s seven.xml m.xml p.mpf 2>&1 | grep error:
+echo "the second edge is outside of the shape:"
+cp TO_TOA.INI kept.ini
+for value in DP3:110.1 DP3:109.5 DP6:8.3 DP6:8.2; do
+	sed "s/^.TC_${value%:*}\[1,2\]=.*/\$TC_${value%:*}[1,2]=${value#*:}/" kept.ini >TO_TOA.INI
+	echo "$value"
+	"$FIVECHECK" --parse-only -s s.xml m.xml p.mpf 2>&1 | grep ' D2 '
+done
+mv kept.ini TO_TOA.INI
 
 echo "faults:"
 fault() { # SED-SCRIPT

@@ -194,6 +194,27 @@ static void set_edge(struct setup_description *described, const struct tool_desc
 	described->edge_count++;
 }
 
+static void warn_of_edge(const struct setup_description *described, const struct tool_values_description *row,
+			 long tool, const char *what, double table, double shape, struct diag *diag)
+{
+	diag_warning(diag, description_place(&described->file, row->at),
+		     "the table has the %s %.9g mm for D%ld of tool %ld, but its shape has %.9g mm: what is outside of "
+		     "the shape is not checked; describe it",
+		     what, table, row->edge, tool, shape);
+}
+
+/* A shape has to enclose all edges of its tool. Other edges than the first may be higher, or thinner. */
+static void check_edge(const struct setup_description *described, const struct tool_description *tool,
+		       const struct tool_values_description *row, struct diag *diag)
+{
+	const double radius = cutter_diameter(tool) / 2;
+
+	if (!row->part && row->length > tool->length + TOOL_SUM_TOLERANCE)
+		warn_of_edge(described, row, tool->number, "length", row->length, tool->length, diag);
+	if (radius > 0 && row->radius > radius + WEAR_MAX)
+		warn_of_edge(described, row, tool->number, "radius", row->radius, radius, diag);
+}
+
 /* The control finds the tool by the name in its table. */
 static void set_row(struct setup_description *described, struct tool_description *tool,
 		    const struct tool_values_description *row, struct length_differences *differences,
@@ -203,6 +224,7 @@ static void set_row(struct setup_description *described, struct tool_description
 
 	if (row->edge > 1) {
 		set_edge(described, tool, row);
+		check_edge(described, tool, row, diag);
 		return;
 	}
 	check_agreement(described, tool, row);
