@@ -14,7 +14,10 @@ bool klartext_string_follows(struct lexer *lexer);
 bool klartext_string_assign(struct lexer *lexer);
 bool klartext_string_declare(struct lexer *lexer);
 
-/* Assigns a text to QS<number>; NULL: the control alone has it. False: it is too long, or there are too many, which was reported at the column. */
+/*
+ * Assigns a text to QS<number>; NULL: the control alone has it. False: it is too long, or there are too many, which was
+ * reported at the column.
+ */
 bool klartext_string_set(struct lexer *lexer, int column, int number, const char *text);
 
 /* Computes TONUMB, STRLEN, INSTR or STRCOMP if one of them comes next (*is_function). False: reported. */
