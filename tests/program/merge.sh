@@ -64,6 +64,7 @@ echo "faults:"
 shards 3 m.xml long.nc
 status fivecheck merge s1.json s3.json 2>&1
 status fivecheck merge s1.json s2.json s2.json s3.json 2>&1
+status fivecheck merge s1.json s2.json s2.json 2>&1
 sed '$d' s2.json >cut.json
 status fivecheck merge s1.json cut.json s3.json 2>&1
 : >empty.json
@@ -80,6 +81,8 @@ status fivecheck merge s1.json other.json s3.json 2>&1
 sed 's/"checked":[0-9]*/"checked":1/' s3.json >other.json
 status fivecheck merge s1.json s2.json other.json 2>&1
 grep -v '^{"kind":"program"' s2.json >other.json
+status fivecheck merge s1.json other.json s3.json 2>&1
+sed 's/\("file":"m.xml"\),"sha256":"[0-9a-f]*"/\1/' s2.json >other.json
 status fivecheck merge s1.json other.json s3.json 2>&1
 status fivecheck merge s1.json nowhere.json 2>&1
 cat s1.json s2.json >other.json

@@ -77,7 +77,9 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: <variable>: only the program determines the value of LinuxCNC\n"},
     {MACHINE("<controller dialect='sinumerik'><variable name='_A' type='REAL' value='x'/>\n"
 	     "<variable name='_B' type='AXIS' value='Q'/>\n<variable name='_C' size='3'/>\n"
-	     "<variable name='_D' type='INT' size='3,'/>\n<variable name='_E' type='INT' size='1,2,3,4'/></controller><base/>"),
+	     "<variable name='_D' type='INT' size='3,'/>\n<variable name='_E' type='INT' size='1,2,3,4'/>\n"
+	     "<variable name='_F' type='INT' size='32767,32768'/>\n"
+	     "<variable name='_G' type='REAL' value='1e999'/></controller><base/>"),
      "m.xml:2: error: value=\"x\" of <variable> is not a number\n"
      "m.xml:3: error: value=\"Q\" of <variable> is not an axis letter\n"
      "m.xml:4: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
@@ -85,7 +87,10 @@ static const struct xml_case bad[] = {
      "m.xml:5: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
      "size=\"3,4\"\n"
      "m.xml:6: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
-     "size=\"3,4\"\n"},
+     "size=\"3,4\"\n"
+     "m.xml:7: error: size of <variable> must be one to three whole numbers, and needs a type: size=\"10\", "
+     "size=\"3,4\"\n"
+     "m.xml:8: error: value=\"1e999\" of <variable> is not a number\n"},
     {MACHINE("<controller dialect='sinumerik'><variable name='_F' type='FRAME'/></controller><base/>"),
      "m.xml:2: error: type=\"FRAME\" of <variable> must be REAL, INT, BOOL, CHAR, STRING or AXIS\n"},
     {BASE("<body name='b' mesh='b.stl' units='feet'/>"),
