@@ -47,18 +47,6 @@ bool checker_goes_on(struct checker *c)
 	return goes_on;
 }
 
-bool checker_has_enough(const struct checker *c)
-{
-	return c->end.found && !c->options->all;
-}
-
-bool checker_owns(const struct checker *c)
-{
-	const struct check_options *options = c->options;
-
-	return options->shards < 2 || c->program.share % options->shards == options->shard - 1;
-}
-
 bool checker_ends_share(const struct checker *c, double seconds)
 {
 	return c->program.share_blocks + 1 >= SHARE_BLOCKS && seconds > 0;

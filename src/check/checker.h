@@ -133,10 +133,18 @@ bool checker_asks(void *context);
 bool checker_goes_on(struct checker *c);
 
 /* Is the first finding known, so that nothing later must be checked? Never with options->all. */
-bool checker_has_enough(const struct checker *c);
+static inline bool checker_has_enough(const struct checker *c)
+{
+	return c->end.found && !c->options->all;
+}
 
 /* Does this shard check the block being read? */
-bool checker_owns(const struct checker *c);
+static inline bool checker_owns(const struct checker *c)
+{
+	const struct check_options *options = c->options;
+
+	return options->shards < 2 || c->program.share % options->shards == options->shard - 1;
+}
 
 /*
  * Is the block being read, whose motion takes `seconds`, the last one of its share? Only a block that moves can be: the

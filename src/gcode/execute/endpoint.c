@@ -133,6 +133,8 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 	const bool in_doubt = !machine && (incremental || state->length_doubt != CODE_NONE);
 	/* A fast test: in most programs no probe ever stops an axis. */
 	const bool probed = memcmp(state->probed, none, sizeof(none)) != 0;
+	/* Nearly all blocks: each word alone gives the position of its axis. */
+	const bool usual = !polar && !block->polar && !incremental && !in_doubt && !probed;
 	uint32_t left = block->letters & AXIS_BITS;
 
 	*target = state->frame.on ? rotated_frame_straight(state) : state->position;
@@ -158,15 +160,17 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 			continue;
 		left &= ~letter_bit(letter);
 		origin = machine ? 0 : state->offset.v[slot];
+		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (usual && !turns_round(interp, slot)) {
+			target->v[slot] = value + origin;
+			continue;
+		}
 		if ((polar && polar_coordinates_take(interp, slot)) || block->polar & letter_bit(letter))
 			continue;
-		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (in_doubt && !is_certain(interp, slot, value))
 			return false;
 		if (incremental)
 			target->v[slot] += value;
-		else if (!turns_round(interp, slot))
-			target->v[slot] = value + origin;
 		else if (!endpoint_absolute(interp, slot, value, origin, block_column(block, letter),
 					    &target->v[slot]))
 			return false;
