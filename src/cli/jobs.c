@@ -20,19 +20,16 @@ static const struct srcloc nowhere;
 /* Options that belong to a job must be in its file. False: reported. */
 static bool check_options(const struct options *options, struct diag *diag)
 {
-	const char *fault = NULL;
-
-	if (options->setup)
-		fault = "setup";
-	else if (options->waivers)
-		fault = "waivers";
+	if (options->setup || options->waivers)
+		diag_error(diag, nowhere,
+			   "--%s cannot be used with a job file, because it names the file for each job",
+			   options->setup ? "setup" : "waivers");
 	else if (options->shards)
-		fault = "shard";
-	if (fault)
-		diag_error(diag, nowhere, "--%s cannot be used with a job file%s", fault,
-			   options->shards ? ": give its jobs to several computers instead"
-					   : ", because it names the file for each job");
-	return !fault;
+		diag_error(diag, nowhere,
+			   "--shard cannot be used with a job file: give its jobs to several computers instead");
+	else
+		return true;
+	return false;
 }
 
 static bool check_name(const char *name, const char *option, struct diag *diag)

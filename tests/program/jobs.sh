@@ -68,6 +68,7 @@ fault 's/version="1"/version="2"/'
 fault '' -s low.xml
 fault '' --waivers w.xml
 fault '' --shard 1/2
+fault '' -s low.xml --shard 1/2
 fault '' --list-pairs
 status "$FIVECHECK" -q jobs.xml a.nc
 fault '' -f junit
