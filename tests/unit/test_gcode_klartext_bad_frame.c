@@ -226,6 +226,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:5: error: the machine has no B axis"},
 	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL X+1 A+5 C+0 FMAX\n",
 	 "p.nc:3:3: error: the first block behind AXIS SPAT needs all of A, B and C: B is missing"},
+	{"FUNCTION RESET TCPM X+5\n",
+	 "p.nc:2:21: error: the block should end here"},
 	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL IA+5 FMAX\n",
 	 "p.nc:3:3: error: an increment of a spatial angle (AXIS SPAT) is not supported"},
 	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nF100\nCR X+5 R+10 DR+ A+5\n",

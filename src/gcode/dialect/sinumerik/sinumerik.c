@@ -57,9 +57,7 @@ static bool ends_block(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
 
-	return byte == '\0' || byte == ';' ||
-	       fault(lexer->at, lexer_next_column(lexer),
-		     "nothing can follow the call of a subprogram by its text or path");
+	return byte == '\0' || byte == ';' || fault(lexer->at, lexer_next_column(lexer), "nothing can follow here");
 }
 
 /* CALL "NAME", EXTCALL("NAME") */
@@ -132,7 +130,8 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
 			return fault(lexer->at, lexer_next_column(lexer), "RET with arguments is not supported");
-		if (!sinumerik_call_check_end(interp, column))
+		/* "RET": it stands in a block of its own. */
+		if (!ends_block(lexer) || !sinumerik_call_check_end(interp, column))
 			return false;
 		/* A subprogram that was started as the main program ends the program here. */
 		if (!sinumerik_call_is_inside(interp)) {

@@ -208,7 +208,7 @@ bool klartext_function_mode(struct lexer *lexer)
 			return true;
 		if (klartext_take(lexer, "TCPM")) {
 			klartext_of(lexer->context)->tcpm.spatial = false;
-			return switch_tcpm(lexer->context, false, column);
+			return klartext_expect_end(lexer) && switch_tcpm(lexer->context, false, column);
 		}
 	}
 	if (ends_nothing(lexer) || change_files(lexer, column))
