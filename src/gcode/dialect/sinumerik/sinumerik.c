@@ -128,9 +128,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	if (!strcmp(name, "PCALL"))
 		return call_by_path(interp, lexer);
 	if (!strcmp(name, "RET")) {
-		if (lexer_peek(lexer) == '(')
-			return fault(lexer->at, lexer_next_column(lexer), "RET with arguments is not supported");
-		/* "RET": it stands in a block of its own. */
+		/* "RET": it stands in a block of its own; its form with arguments is not supported. */
 		if (!ends_block(lexer) || !sinumerik_call_check_end(interp, column))
 			return false;
 		/* A subprogram that was started as the main program ends the program here. */
