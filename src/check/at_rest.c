@@ -79,7 +79,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	at.finding.of.pair.certain = stock_certainty_at(check, &c->program.position, (double)c->program.next_step);
 	checker_add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
 			    &contact, NULL);
-	if (c->options->block_clearances && check->steps == STEP_ANY && !(contact.distance > 0))
+	if (c->options->block_clearances && check->watch.steps == STEP_ANY && !(contact.distance > 0))
 		block_log_add_clearance(&c->log, c->program.block, &(struct pair_clearance){.pair = check->pair});
 	stock_pair_leave_block(check, c->program.block);
 }
@@ -92,32 +92,26 @@ struct rest_query {
 	bool past_a_limit;
 };
 
-/*
- * Must this pair be checked? `steps`: the classes of steps in which it is checked; left_block: the last block
- * that had a finding of it or was not decided.
- */
-static bool is_looked_at(const struct checker *c, const struct rest_query *query, unsigned steps, int tool,
-			 bool past_limits_only, long left_block)
+static bool is_looked_at(const struct checker *c, const struct rest_query *query, const struct pair_watch *watch)
 {
-	if (left_block == c->program.block)
+	if (!pair_watch_is_active(watch, c->program.tool) || watch->left_block == c->program.block)
 		return false;
 	/* Pairs that must stay apart while the spindle turns have just been checked. */
 	if (query->spindle_stops)
-		return (steps & STEP_FEED_STANDING) && !(steps & STEP_FEED_TURNING);
-	return (steps & STEP_RAPID) && (!past_limits_only || query->past_a_limit) && (!query->tool_only || tool);
+		return (watch->steps & STEP_FEED_STANDING) && !(watch->steps & STEP_FEED_TURNING);
+	return (watch->steps & STEP_RAPID) && (!watch->past_limits_only || query->past_a_limit) &&
+	       (!query->tool_only || watch->tool);
 }
 
 static void look_at_pair(struct checker *c, const struct rest_query *query, struct pair_check *check)
 {
-	if (pair_check_is_active(check, c->program.tool) &&
-	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
+	if (is_looked_at(c, query, &check->watch))
 		check_pair_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 
 static void look_at_stock(struct checker *c, const struct rest_query *query, struct stock_pair *check)
 {
-	if (stock_pair_is_active(check, c->program.tool) &&
-	    is_looked_at(c, query, check->steps, check->tool, check->past_limits_only, check->left_block))
+	if (is_looked_at(c, query, &check->watch))
 		check_stock_at_rest(c, check, query->move, query->spindle_stops ? STEP_FEED_STANDING : 0);
 }
 

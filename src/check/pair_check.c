@@ -29,10 +29,11 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 
 	check->scene = scene;
 	check->pair = pair;
-	check->tool = tool_of(scene, p);
-	check->steps = p->steps;
-	check->past_limits_only = p->status == PAIR_OUT_OF_REACH;
-	check->left_block = check->unknown_block = check->nearest_block = -1;
+	check->watch = (struct pair_watch){.tool = tool_of(scene, p),
+					   .steps = p->steps,
+					   .past_limits_only = p->status == PAIR_OUT_OF_REACH,
+					   .left_block = -1};
+	check->unknown_block = check->nearest_block = -1;
 	check->maybe_inside = starts_unseen(p->steps);
 	/* The clearance of a cutter's core is not reported. */
 	if (p->status != PAIR_CUTTING)
@@ -77,20 +78,9 @@ void pair_check_release(struct pair_check *check)
 	check->clearances = NULL;
 }
 
-bool pair_check_is_active(const struct pair_check *check, int tool)
-{
-	return !check->tool || check->tool == tool;
-}
-
-/* Must the pair stay apart in steps of this class? */
-static bool watches(const struct pair_check *check, enum step_class class)
-{
-	return (check->steps & (unsigned)class) != 0;
-}
-
 void pair_check_leave_block(struct pair_check *check, long block)
 {
-	check->left_block = block;
+	check->watch.left_block = block;
 	check->maybe_inside = check->methods->block.maybe_inside = true;
 	/* The strategy does not know of a finding at rest. */
 	strategy_cap(&check->methods->strategy, check->scene->pairs[check->pair].clearance);
@@ -99,7 +89,7 @@ void pair_check_leave_block(struct pair_check *check, long block)
 
 void pair_check_change_tool(struct pair_check *check)
 {
-	check->maybe_inside |= starts_unseen(check->steps);
+	check->maybe_inside |= starts_unseen(check->watch.steps);
 	if (check->methods)
 		strategy_forget_position(&check->methods->strategy);
 }
@@ -152,13 +142,8 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 /* Leaves out steps in which the bodies may meet. */
 static void leave_out(struct pair_check *check)
 {
-	check->maybe_inside |= check->steps != STEP_ANY;
+	check->maybe_inside |= check->watch.steps != STEP_ANY;
 	strategy_forget_position(&check->methods->strategy);
-}
-
-static bool applies(const struct pair_check *check, const struct batch_step *step)
-{
-	return watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
 /* The number of steps from i on that are checked at once, as the box of this size; 0: check smaller parts. */
@@ -170,7 +155,7 @@ static size_t skip_box(struct pair_check *check, const struct batch *batch, size
 
 	if (!box)
 		return 0;
-	if (!(check->steps & box->classes) || (check->past_limits_only && !box->beyond)) {
+	if (!pair_watch_has_any(&check->watch, box)) {
 		leave_out(check);
 		return count;
 	}
@@ -186,9 +171,9 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 {
 	size_t end = i;
 
-	if (check->steps == STEP_ANY)
+	if (check->watch.steps == STEP_ANY)
 		return to - i;
-	while (end < to && applies(check, &batch->steps[end]))
+	while (end < to && pair_watch_has(&check->watch, &batch->steps[end]))
 		end++;
 	return end - i;
 }
@@ -216,8 +201,8 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 
 	if (!skipped)
 		skipped = skip_box(check, batch, i, to, BOX_PIECE, options);
-	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
-	    batch->steps[i].block == check->left_block)
+	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->watch.past_limits_only ||
+	    batch->steps[i].block == check->watch.left_block)
 		return skipped;
 	return strategy_advance_chord(&check->methods->strategy, sweep, &batch->steps[i],
 				      count_alike(check, batch, i, to));
@@ -244,7 +229,7 @@ long pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		if (skipped)
 			continue;
 
-		if (step->block == check->left_block || !applies(check, step)) {
+		if (step->block == check->watch.left_block || !pair_watch_has(&check->watch, step)) {
 			leave_out(check);
 			continue;
 		}

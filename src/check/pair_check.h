@@ -11,6 +11,7 @@
 #include "check/open_boxes.h"
 #include "check/options.h"
 #include "check/pair_result.h"
+#include "check/pair_watch.h"
 #include "check/sampled/sampler.h"
 #include "scene/scene.h"
 
@@ -39,16 +40,13 @@ struct pair_check {
 	/* The pair, and when it is checked. */
 	struct scene *scene;	/* borrowed */
 	size_t pair;	/* of the scene */
-	int tool;	/* the tool that one of the bodies belongs to; 0: none */
-	unsigned steps;	/* bits of enum step_class: the classes in which it is checked */
-	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
+	struct pair_watch watch;
 	struct pair_measuring measuring;
 	struct pair_methods *methods; /* NULL until pair_check_prepare */
 
 	/* The state at the end of the last step. */
 	bool has_started;	/* the sampled methods have examined the start of the first step */
 	bool maybe_inside;	/* after a contact: one body may be inside the other, with the surfaces apart */
-	long left_block;	/* the last block that had a finding of this pair or was not decided; -1: none */
 	struct open_boxes open_boxes;
 	long unknown_block;	/* the first block in which one body may have been inside the other; -1: none */
 
@@ -77,9 +75,6 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
  */
 void pair_check_prepare(struct pair_check *check, const struct check_options *options);
 void pair_check_release(struct pair_check *check);
-
-/* Is the pair present while this tool is in the spindle? */
-bool pair_check_is_active(const struct pair_check *check, int tool);
 
 /* Leaves out the rest of this block: the pair has a finding in it, or was not decided. */
 void pair_check_leave_block(struct pair_check *check, long block);

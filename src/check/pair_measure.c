@@ -8,7 +8,7 @@
 
 bool pair_measure_applies(const struct pair_check *check)
 {
-	return check->steps == STEP_ANY;
+	return check->watch.steps == STEP_ANY;
 }
 
 static void add_room(struct pair_check *check, long block, long last, double most)
@@ -126,7 +126,8 @@ static bool needs_each_step(const struct pair_check *check, const struct check_o
 	const struct block_clearance *block = &check->methods->block;
 
 	return !options->least_clearances &&
-	       (check->past_limits_only || block->maybe_inside || (check->clearance_count && !(block->pair.bound > 0)));
+	       (check->watch.past_limits_only || block->maybe_inside ||
+		(check->clearance_count && !(block->pair.bound > 0)));
 }
 
 static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
@@ -150,7 +151,8 @@ static double proved_so_far(const struct pair_check *check, const struct check_o
 {
 	const double proved = strategy_proven(&check->methods->strategy);
 
-	if (!options->least_clearances || check->past_limits_only || !(check->measuring.up_to > 0) || isinf(proved))
+	if (!options->least_clearances || check->watch.past_limits_only || !(check->measuring.up_to > 0) ||
+	    isinf(proved))
 		return 0;
 	return proved > check->scene->pairs[check->pair].clearance ? proved : 0;
 }
@@ -184,7 +186,7 @@ static double clear_from(const struct pair_check *check, const struct check_opti
 {
 	const double needed = check->scene->pairs[check->pair].clearance + options->tolerance;
 
-	if (options->least_clearances || check->past_limits_only || check->measuring.up_to > 0 ||
+	if (options->least_clearances || check->watch.past_limits_only || check->measuring.up_to > 0 ||
 	    !(options->block_clearance_cap > needed))
 		return INFINITY;
 	return needed;
@@ -211,7 +213,7 @@ long pair_measure(struct pair_check *check, struct sweep *sweep, const struct ba
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
-		if (i % CHUNK_STEPS == 0 && check->past_limits_only && !chunk->beyond) {
+		if (i % CHUNK_STEPS == 0 && check->watch.past_limits_only && !chunk->beyond) {
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
@@ -223,7 +225,7 @@ long pair_measure(struct pair_check *check, struct sweep *sweep, const struct ba
 			i = clear - 1;
 			continue;
 		}
-		if (check->past_limits_only && !step->beyond)
+		if (check->watch.past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);
 		if (i >= clear) {

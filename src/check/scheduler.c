@@ -75,7 +75,7 @@ void scheduler_add_thread(struct scheduler *scheduler)
 void scheduler_change_tool(struct scheduler *scheduler)
 {
 	for (size_t i = 0; i < scheduler->count; i++)
-		if (scheduler->checks[i].tool)
+		if (scheduler->checks[i].watch.tool)
 			pair_check_change_tool(&scheduler->checks[i]);
 }
 
@@ -104,7 +104,8 @@ static bool is_divisible(const struct scheduler *scheduler, const struct pair_ch
 			 const struct check_options *options)
 {
 	return scheduler->visits[check - scheduler->checks] > HEAVY && options->method == CHECK_CERTIFIED &&
-	       !options->all && check->steps == STEP_ANY && !check->maybe_inside && !check->past_limits_only;
+	       !options->all && check->watch.steps == STEP_ANY && !check->watch.past_limits_only &&
+	       !check->maybe_inside;
 }
 
 static size_t part_of(size_t left)
@@ -138,7 +139,7 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 
 		check->results.count = 0;
 		check->nearest_block = -1;
-		if (!pair_check_is_active(check, tool))
+		if (!pair_watch_is_active(&check->watch, tool))
 			continue;
 		pair_check_prepare(check, options);
 		if (is_divisible(scheduler, check, options))
@@ -327,7 +328,7 @@ static size_t put_in_order(struct scheduler *scheduler, const struct batch *batc
 		struct pair_check *check = &scheduler->checks[i];
 
 		check->clearance_count = 0;
-		if (!pair_check_is_active(check, tool) || !pair_measure_applies(check))
+		if (!pair_watch_is_active(&check->watch, tool) || !pair_measure_applies(check))
 			continue;
 		pair_check_prepare(check, options);
 		scheduler->order[count++].check = check;

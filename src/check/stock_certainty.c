@@ -39,8 +39,7 @@ bool stock_certainty_from(struct stock_pair *check, const struct batch *batch, s
 		/* The path of such a step is not known. */
 		if (step->motion.bounded || step_is_box(&step->motion))
 			return false;
-		if (!stock_pair_watches(check, step->motion.step_class) ||
-		    (check->past_limits_only && !step->beyond))
+		if (!pair_watch_has(&check->watch, step))
 			continue;
 		for (int n = 1; n <= count; n++, left--)
 			if (proves(check, step, i == first ? s + (1 - s) * n / count : 1))

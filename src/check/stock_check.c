@@ -208,7 +208,7 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 	for (size_t i = 0; i < check->pair_count; i++) {
 		struct stock_pair *pair = &check->pairs[i];
 
-		if (!stock_pair_is_active(pair, tool))
+		if (!pair_watch_is_active(&pair->watch, tool))
 			continue;
 		stock_pair_run(pair, batch, last + 1, options);
 		if (pair->sweep.broken_off)
@@ -228,7 +228,7 @@ bool stock_check_measure(struct stock_check *check, const struct batch *batch, i
 
 	for (size_t i = 0; i < check->pair_count && complete; i++) {
 		check->clearances[i].block_count = 0;
-		if (stock_pair_is_active(&check->pairs[i], tool))
+		if (pair_watch_is_active(&check->pairs[i].watch, tool))
 			complete = stock_clearance_measure(&check->clearances[i], batch);
 	}
 	return complete;

@@ -63,11 +63,11 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 
 	*check = (struct stock_pair){
 		.pair = pair,
-		.tool = scene->bodies[body].body->tool,
-		.steps = p->steps,
+		.watch = {.tool = scene->bodies[body].body->tool,
+			  .steps = p->steps,
+			  .past_limits_only = p->status == PAIR_OUT_OF_REACH,
+			  .left_block = -1},
 		.feeds_too = (p->steps & STEP_FEED_TURNING) && scene->bodies[body].body->role == ROLE_CUTTER,
-		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
-		.left_block = -1,
 		.unknown_block = -1,
 		.margin = MARGIN_SHARE * tolerance,
 		.effort = (options->effort ? options->effort : CHECK_EFFORT) / CELL_EFFORT,
@@ -96,19 +96,9 @@ void stock_pair_release(struct stock_pair *check)
 	pair_results_release(&check->results);
 }
 
-bool stock_pair_is_active(const struct stock_pair *check, int tool)
-{
-	return !check->tool || check->tool == tool;
-}
-
-bool stock_pair_watches(const struct stock_pair *check, enum step_class class)
-{
-	return (check->steps & (unsigned)class) != 0;
-}
-
 void stock_pair_leave_block(struct stock_pair *check, long block)
 {
-	check->left_block = block;
+	check->watch.left_block = block;
 	check->clear_at_end = false;
 }
 
@@ -261,12 +251,6 @@ static enum query_answer pass_step(struct stock_pair *check, const struct motion
 	return answer;
 }
 
-static bool applies(const struct stock_pair *check, const struct batch_step *step)
-{
-	return stock_pair_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond) &&
-	       step->block != check->left_block;
-}
-
 /* The number of steps from i on that need no check; 0: step i needs one. */
 static size_t skip_chunk(struct stock_pair *check, const struct batch *batch, size_t i, size_t to)
 {
@@ -275,7 +259,7 @@ static size_t skip_chunk(struct stock_pair *check, const struct batch *batch, si
 
 	if (i % CHUNK_STEPS)
 		return 0;
-	if (!(check->steps & chunk->classes) || (check->past_limits_only && !chunk->beyond)) {
+	if (!pair_watch_has_any(&check->watch, chunk)) {
 		check->clear_at_end = false;
 		return count;
 	}
@@ -302,7 +286,7 @@ void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t 
 		skipped = skip_chunk(check, batch, i, to);
 		if (skipped)
 			continue;
-		if (!applies(check, step)) {
+		if (step->block == check->watch.left_block || !pair_watch_has(&check->watch, step)) {
 			check->clear_at_end = false;
 			continue;
 		}

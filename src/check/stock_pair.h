@@ -11,6 +11,7 @@
 #include "check/open_boxes.h"
 #include "check/options.h"
 #include "check/pair_result.h"
+#include "check/pair_watch.h"
 #include "scene/scene.h"
 #include "stock/stock_sweep.h"
 
@@ -21,12 +22,9 @@
  */
 struct stock_pair {
 	size_t pair;	/* of the scene */
-	int tool;	/* the tool that the body belongs to; 0: none */
-	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
-	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
+	struct pair_watch watch;
 	bool feeds_too;	/* a cutter that may not touch at a feed either (a rule of the user) */
 	bool open;	/* the body's mesh is open: it has no defined inside */
-	long left_block;	/* as in struct pair_check */
 	struct open_boxes open_boxes;
 	long effort;	/* cells: for a step */
 	long unknown_block;	/* the first block in which the stock may have been inside the body; -1: none */
@@ -50,11 +48,6 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		     double tolerance, const struct check_options *options, const struct cancel *cancel,
 		     struct diag *diag);
 void stock_pair_release(struct stock_pair *check);
-
-/* Is the pair present while this tool is in the spindle? */
-bool stock_pair_is_active(const struct stock_pair *check, int tool);
-
-bool stock_pair_watches(const struct stock_pair *check, enum step_class class);
 
 /*
  * Checks the batch's steps before `to`. Stores the first result of each block, up to the first one that ends the check.

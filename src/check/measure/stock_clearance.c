@@ -127,14 +127,14 @@ bool stock_clearance_measure(struct stock_clearance *clearance, const struct bat
 	bool clears = false;
 
 	clearance->block_count = 0;
-	for (size_t i = 0; i < batch->step_count && pair->steps == STEP_ANY && !pair->sweep.broken_off; i++) {
+	for (size_t i = 0; i < batch->step_count && pair->watch.steps == STEP_ANY && !pair->sweep.broken_off; i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
 		if (i % CHUNK_STEPS == 0)
 			clears = motion_budget_rest(&clearance->budget, &chunk->low, &chunk->high, &chunk->errors) >=
 				 clearance->cap;
-		if (pair->past_limits_only && !step->beyond)
+		if (pair->watch.past_limits_only && !step->beyond)
 			continue;
 		start_block(clearance, step->block);
 		if (!clears)
