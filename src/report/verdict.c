@@ -169,10 +169,12 @@ static bool caution_waived(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* A cutter without a core may be in the part at rapid without being detected. */
+/* A cutter without a core may be in the part at rapid, or deeper than its gouge, without being detected. */
 static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
 {
+	const struct scene_body *bodies = v->scene->bodies;
 	const struct scene_pair *first = NULL;
+	bool gouge = false;
 	size_t count = 0;
 
 	for (size_t i = 0; i < v->scene->pair_count; i++) {
@@ -181,15 +183,16 @@ static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
 		if (pair->status != PAIR_CUTTING || pair->steps)
 			continue;
 		first = first ? first : pair;
+		gouge |= bodies[pair->a].body->role == ROLE_PART && bodies[pair->a].body->gouge >= 0;
 		count++;
 	}
 	if (!count)
 		return false;
 	format_units_add_count(out, count, "pair");
-	strbuf_addf(out, " of cutter and part not checked at rapid, the first ");
-	format_units_add_plain(out, v->scene->bodies[first->a].body->name);
+	strbuf_addf(out, " of cutter and part not checked at rapid%s, the first ", gouge ? ", nor for gouges" : "");
+	format_units_add_plain(out, bodies[first->a].body->name);
 	strbuf_addf(out, " and ");
-	format_units_add_plain(out, v->scene->bodies[first->b].body->name);
+	format_units_add_plain(out, bodies[first->b].body->name);
 	strbuf_addf(out, ": the cutter is a mesh; describe it by sections");
 	return true;
 }

@@ -167,6 +167,8 @@ G0 Z10
 X60
 NC
 fivecheck -s s.xml m.xml p.nc | grep mesh
+job 'gouge="0.05"' '<cutter mesh="drill.stl"/>'
+fivecheck -s s.xml m.xml p.nc | grep mesh
 
 echo '== the user has the last word'
 job '' "$flat"
