@@ -11,6 +11,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "geom/mesh.h"
+#include "import/mesh_sources.h"
 #include "machine/description.h"
 
 /* More tasks for the user than a reader notes. */
@@ -45,6 +46,7 @@ struct import_options {
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 	const char *head;	/* of those that carry the tool; or NULL: not given */
 	const char *device;	/* name, uuid or id of the device to use, if there are several; or NULL */
+	struct mesh_sources *sources;	/* no decision: the meshes found so far; borrowed, or NULL */
 };
 
 /*

@@ -291,23 +291,20 @@ static bool place_all(struct reading *r)
 
 /* --------------------------------------------------------------- bodies */
 
-/* The text after "package://name/" or "file://"; otherwise all of it. */
+/* The text after "package://" or "file://"; otherwise all of it. The name of a package may be that of a folder. */
 static const char *path_of(const char *written)
 {
 	static const char package[] = "package://", file[] = "file://";
-	const char *slash;
 
 	if (!strncmp(written, file, sizeof(file) - 1))
 		return written + sizeof(file) - 1;
-	if (strncmp(written, package, sizeof(package) - 1) != 0)
-		return written;
-	slash = strchr(written + sizeof(package) - 1, '/');
-	return slash ? slash + 1 : written;
+	return strncmp(written, package, sizeof(package) - 1) ? written : written + sizeof(package) - 1;
 }
 
 static bool read_mesh(struct reading *r, const xmlNode *shape, struct mesh *mesh, bool *left_out)
 {
 	const char *written = foreign_attribute(shape, "filename");
+	const struct srcloc at = {.file = r->xml.path, .line = xml_line(&r->xml, shape)};
 	double scale[3] = {1, 1, 1};
 	struct strbuf path = {0};
 	bool good;
@@ -319,9 +316,10 @@ static bool read_mesh(struct reading *r, const xmlNode *shape, struct mesh *mesh
 	good = mesh_file_find(&path, r->options->meshes, r->xml.path, path_of(written));
 	*left_out = !good && r->options->skip_missing;
 	r->machine->left_out += *left_out;
+	if (good)
+		mesh_sources_add(r->options->sources, path_of(written), strbuf_text(&path), at, r->diag);
 	if (*left_out)
-		diag_warning(r->diag, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, shape)},
-			     "'%s' is missing: the body is left out", xml_quote(written).text);
+		diag_warning(r->diag, at, "'%s' is missing: the body is left out", xml_quote(written).text);
 	else if (!good)
 		xml_error(&r->xml, shape, NULL,
 			  "'%s' is missing: put the file beside this one, name its folder with --meshes, or leave the "

@@ -58,6 +58,9 @@ static bool read_mesh(struct mesh *mesh, struct xml_reader *xml, const xmlNode *
 			    xml_quote(written).text);
 		good = false;
 	}
+	if (good)
+		mesh_sources_add(options->sources, written, strbuf_text(&path),
+				 (struct srcloc){.file = xml->path, .line = xml_line(xml, node)}, xml->diag);
 	good = good && mesh_file_read(mesh, strbuf_text(&path), unit, xml->diag);
 	strbuf_release(&path);
 	return good;

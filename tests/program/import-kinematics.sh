@@ -172,6 +172,16 @@ fault 's/<box size="0.4 0.3 0.2"/<sphere radius="1"/'
 fault 's/<child link="ram"\/>/&<mimic joint="joint_x"\/>/'
 fault 's/.*<link name="ram"/  <xacro:include filename="gantry.xacro"\/>\n&/'
 fault 's/<joint name="joint_x"/<xacro:if value="1">&/; s/.*<joint name="Z-axis"/<\/xacro:if>&/'
+echo "two packages may have a mesh of the same name:"
+mkdir -p packages/plate packages/mill
+cp robot/meshes/column.stl packages/mill
+box packages/plate/column 0 0 0 1 1 1
+urdf | sed 's|package://mill/meshes|package://mill|; s|<box size="0.4 0.3 0.2"/>|<mesh filename="package://plate/Column.stl"/>|' >robot/two.urdf
+fivecheck import --meshes packages -o two robot/two.urdf 2>/dev/null
+cmp two/stl/slide.stl two/stl/link_base.stl >/dev/null || echo "each has its own"
+rm packages/plate/column.stl
+mv packages/mill/column.stl packages
+fivecheck import --meshes packages -o same robot/two.urdf 2>&1 | grep both
 echo "the file begins with any section or includes one, and the machine's name holds any bytes:"
 named() { # NAME
 	printf '[DISPLAY]\nCYCLE_TIME = 0.2\n'

@@ -160,6 +160,11 @@ print(text.replace("</VcProject>", re.sub("<Poly.*blank.*</Poly>", "", setup) + 
 fivecheck import --meshes . --output job/second job/second.VcProject 2>&1 | grep "has no model"
 grep -c '<stock name' job/second/setup-*.xml
 grep 'TODO.*no model' job/second/setup-op-20.xml
+echo "two meshes of the same name, of which one is there:"
+project '' | sed 's|D:.jobs.part.stl|E:\\other\\BLANK.stl|' >job/same.VcProject
+fivecheck import --meshes . --output job/same job/same.VcProject 2>&1 | grep both
+project '' | sed 's|D:.jobs.part.stl|d:/JOBS/blank.STL|' >job/same.VcProject
+fivecheck import --meshes . --output job/again job/same.VcProject 2>&1 | grep both
 echo "most of a project may be missing:"
 project '' | sed '/<Build>/,/<.Build>/d; /<NCPrograms/,/<.NCPrograms>/d; /<GCode>/,/<.GCode>/d; /<ToolMan>/d; /<Collision>/d
 	s,<.Setup>,</Machine>&,' >job/bare.VcProject

@@ -335,7 +335,9 @@ static bool check_request(const struct request *request, const struct operands *
 
 enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
-	struct request request = {.unit = UNIT_UNKNOWN, .dialect = -1, .diag = &ui->diag};
+	struct mesh_sources sources = {0};
+	struct request request = {
+		.options.sources = &sources, .unit = UNIT_UNKNOWN, .dialect = -1, .diag = &ui->diag};
 	struct operands files = {0};
 	enum run_status status;
 
@@ -348,6 +350,7 @@ enum run_status import_run(const struct command *all, int argc, char **argv, str
 			status = subcommand_refuse(&subcommand, &ui->diag);
 		}
 	}
+	mesh_sources_release(&sources);
 	operands_release(&files);
 	return status;
 }
