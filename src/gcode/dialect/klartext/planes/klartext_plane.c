@@ -44,22 +44,45 @@ static bool read_retract(struct lexer *lexer, struct klartext_swivel *request)
 	return request->retract.distance >= 0 || fault(lexer->at, column, "the way of MB cannot be negative");
 }
 
+/* What is excluded by another word of the block, as TURN is by STAY. */
+static bool exclude(struct lexer *lexer, int column, bool given)
+{
+	return !given || fault(lexer->at, column, "another word of this PLANE excludes this one");
+}
+
+static bool set_positioning(struct lexer *lexer, int column, struct klartext_swivel *request, enum klartext_turning value)
+{
+	const bool given = request->positioning != KLARTEXT_TURN_UNKNOWN;
+
+	request->positioning = value;
+	return exclude(lexer, column, given);
+}
+
+static bool set_sign(struct lexer *lexer, int column, struct klartext_swivel *request, bool symmetric)
+{
+	const bool given = request->sign != 0;
+
+	request->symmetric = symmetric;
+	request->sign = lexer->at->text[lexer->position - 1] == '+' ? 1 : -1;
+	return exclude(lexer, column, given);
+}
+
 static bool read_option(struct lexer *lexer, struct klartext_swivel *request)
 {
 	const struct interp *interp = lexer->context;
 	int column = lexer_next_column(lexer);
 
 	if (klartext_take(lexer, "MOVE"))
-		request->positioning = KLARTEXT_TURN_MOVE;
-	else if (klartext_take(lexer, "TURN"))
-		request->positioning = KLARTEXT_TURN_TURN;
-	else if (klartext_take(lexer, "STAY"))
-		request->positioning = KLARTEXT_TURN_STAY;
-	else if (klartext_take(lexer, "SEQ+"))
-		request->sign = 1;
-	else if (klartext_take(lexer, "SEQ-"))
-		request->sign = -1;
-	else if (klartext_take(lexer, "FMAX"))
+		return set_positioning(lexer, column, request, KLARTEXT_TURN_MOVE);
+	if (klartext_take(lexer, "TURN"))
+		return set_positioning(lexer, column, request, KLARTEXT_TURN_TURN);
+	if (klartext_take(lexer, "STAY"))
+		return set_positioning(lexer, column, request, KLARTEXT_TURN_STAY);
+	if (klartext_take(lexer, "SEQ+") || klartext_take(lexer, "SEQ-"))
+		return set_sign(lexer, column, request, false);
+	if (klartext_take(lexer, "SYM+") || klartext_take(lexer, "SYM-"))
+		return set_sign(lexer, column, request, true);
+	if (klartext_take(lexer, "FMAX"))
 		request->rapid = true;
 	else if (klartext_take(lexer, "F"))
 		return read_feed(lexer, request);
@@ -68,16 +91,15 @@ static bool read_option(struct lexer *lexer, struct klartext_swivel *request)
 		if (!klartext_value(lexer, &request->distance))
 			return false;
 		request->distance *= interp->state.scale;
-	} else if (klartext_take(lexer, "TABLE") && klartext_take(lexer, "ROT"))
+	} else if (klartext_take(lexer, "TABLE") && klartext_take(lexer, "ROT")) {
 		request->table_rot = true;
-	else if (klartext_take(lexer, "COORD") && klartext_take(lexer, "ROT"))
+		return exclude(lexer, column, request->coord_rot);
+	} else if (klartext_take(lexer, "COORD") && klartext_take(lexer, "ROT")) {
 		request->coord_rot = true;
-	else if (klartext_take(lexer, "MB"))
+		return exclude(lexer, column, request->table_rot);
+	} else if (klartext_take(lexer, "MB"))
 		return read_retract(lexer, request);
-	else if (klartext_take(lexer, "SYM+") || klartext_take(lexer, "SYM-")) {
-		request->symmetric = true;
-		request->sign = lexer->at->text[lexer->position - 1] == '+' ? 1 : -1;
-	} else
+	else
 		return fault(lexer->at, column, "this is no word of PLANE");
 	return true;
 }
