@@ -32,6 +32,9 @@ static const struct refused_program programs[] = {
 	 "G58 and G59 while ROT, SCALE or MIRROR is in force are not supported"},
 	{"TRANS X10\nATRANS X5\nTRANS X1\nG59 X2\nTRANS Y1\n", 5, 1,
 	 "the manual leaves open whether TRANS with an axis deletes the shift of G59, too; write TRANS alone before it"},
+	/* SAVE brings the shift of G59 back. */
+	{"%_N_A_MPF\nG59 X2\nSUB\nTRANS Y1\nM30\n%_N_SUB_SPF\nPROC SUB SAVE\nTRANS\nRET\n", 4, 1,
+	 "the manual leaves open whether TRANS with an axis deletes the shift of G59, too; write TRANS alone before it"},
 	{"PROC\n", 1, 5,
 	 "PROC needs the name of its subprogram"},
 	{"CALL\n", 1, 5,

@@ -107,6 +107,8 @@ static const struct program {
 	 "TRANS\nX0\n",
 	 "feed 11 20 0 0 0\nfeed 31 20 0 0 0\nfeed 32 23 0 0 0\nfeed 6 0 0 0 0\nfeed 0 0 0 0 0\n"},
 	{"G700 F6 G500\nG58 X1\nX1\n", "feed 50.8 0 0 0 0\n"},
+	/* Only TRANS with an axis is in doubt after G59: a frame as a whole replaces the one before it. */
+	{"F6 G500\nG59 X1\n$P_PFRAME=CTRANS(X,10)\nX0\nTRANS X2\nX0\n", "feed 10 0 0 0 0\nfeed 2 0 0 0 0\n"},
 	/* Words that cancel what was never active, and words without geometry. */
 	{"F6 G500 TOFFL=0 OFFN=0 TCARR=0 CUTMOD=0 TOFF[Z]=0\nSETPIECE(1) CP ORIC TCOABS DRFOF LFOF NEWCONF\nOVRRAP=50 WAITE(1) X1\n",
 	 "feed 1 0 0 0 0\n"},

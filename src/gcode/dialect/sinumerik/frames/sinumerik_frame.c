@@ -46,7 +46,7 @@ struct sinumerik_frame sinumerik_frame_none(void)
 
 struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer, const struct sinumerik_frame *inner)
 {
-	struct sinumerik_frame total = {.matrix = mat3_mul(&outer->matrix, &inner->matrix)};
+	struct sinumerik_frame total = {.matrix = mat3_mul(&outer->matrix, &inner->matrix), .axial = outer->axial};
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		total.shift.v[slot] = outer->shift.v[slot] + inner->shift.v[slot];
@@ -316,7 +316,7 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 			 * The table of "Axial zero offset" says that TRANS with an axis keeps what ATRANS and G59 have
 			 * set; "Frame instructions" says that TRANS deletes it, as TRANS alone certainly does.
 			 */
-			if (words->has[slot] && !words->added && sinumerik_of(interp)->frames.axial)
+			if (words->has[slot] && !words->added && sinumerik_of(interp)->frames.programmed.axial)
 				return fault(&interp->at, words->column,
 					     "the manual leaves open whether TRANS with an axis deletes the shift of "
 					     "G59, too; write TRANS alone before it");
@@ -342,7 +342,7 @@ static bool set_axial(struct interp *interp, const struct sinumerik_frame_words 
 {
 	struct sinumerik_frame *frame = &sinumerik_of(interp)->frames.programmed;
 
-	sinumerik_of(interp)->frames.axial = true;
+	frame->axial = true;
 	if (!is_identity(&frame->matrix))
 		return fault(&interp->at, words->column,
 			     "G58 and G59 while ROT, SCALE or MIRROR is in force are not supported");
@@ -379,7 +379,6 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 	if (words->code == SINUMERIK_TRANS && words->added)
 		frame.fine = frame.shift;
 	sinumerik->frames.programmed_unsure = false;
-	sinumerik->frames.axial &= words->added;
 	sinumerik->frames.programmed =
 	    words->added ? sinumerik_frame_chain(&sinumerik->frames.programmed, &frame) : frame;
 	return sinumerik_frame_changed(interp, words->column);

@@ -13,6 +13,7 @@ struct sinumerik_frame {
 	mat3 matrix;
 	slot_values shift;	/* X Y Z: translation after the matrix */
 	slot_values fine;	/* the part of the shift from ATRANS and G59, which G58 does not change */
+	bool axial;	/* G58 or G59 has set a shift */
 };
 
 /* The active frames and what is not certain about them. */
@@ -22,7 +23,6 @@ struct sinumerik_frames {
 	bool swivelled;
 	bool tool_frame;	/* TOROT: `swivel` has the tool as its Z; its X and Y are not known */
 	bool tool_upright;	/* while CYCLE800 has swivelled: the tool is parallel to the machine's Z */
-	bool axial;	/* G58 or G59 has set the programmable frame */
 	bool even;	/* the frames scale all directions equally */
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool unsure;	/* TRAORI or TRAFOOF may have deleted the frames */

@@ -187,6 +187,8 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 		words.has[slot] = values.has[slot];
 		words.value[slot] = values.value[slot] * (is_length ? sinumerik_of(interp)->feed_scale : 1);
 	}
+	/* The first one replaces the frame, with what G59 has set. */
+	sinumerik_of(interp)->frames.programmed.axial &= !first;
 	return sinumerik_frame_set(interp, &words);
 }
 
