@@ -50,7 +50,8 @@ static bool exclude(struct lexer *lexer, int column, bool given)
 	return !given || fault(lexer->at, column, "another word of this PLANE excludes this one");
 }
 
-static bool set_positioning(struct lexer *lexer, int column, struct klartext_swivel *request, enum klartext_turning value)
+static bool set_positioning(struct lexer *lexer, int column, struct klartext_swivel *request,
+			    enum klartext_turning value)
 {
 	const bool given = request->positioning != KLARTEXT_TURN_UNKNOWN;
 
