@@ -37,8 +37,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:13: error: an M-function is a whole number from 0 to 9999"},
 	{"L X+1 FMAX M3 M3\n",
 	 "p.nc:2:15: error: M3 stands twice in the block"},
-	{"L X+1 FMAX M1 M3 M8 M9 M5 M13 M14 M4 M57\n",
-	 "p.nc:2:38: error: a block can have at most 8 M-functions"},
+	{"L X+1 FMAX M1 M3 M8 M9 M7 M19 M36 M37 M57\n",
+	 "p.nc:2:39: error: a block can have at most 8 M-functions"},
 	{"L X+1 FMAX M58\n",
 	 "p.nc:2:12: error: M58 is not known; if it moves no axis, set <mcode number=\"58\" action=\"ignore\"/> in "
 	 "the machine file's <controller>"},

@@ -117,11 +117,15 @@ static bool read_tcpm(struct lexer *lexer)
 			if (!read_tcpm_feed(lexer, word))
 				return false;
 		} else if (klartext_take(lexer, "AXIS")) {
+			if (positions)
+				return fault(lexer->at, word, "AXIS stands twice in the block");
 			spatial = klartext_take(lexer, "SPAT");
 			positions = spatial || klartext_take(lexer, "POS");
 			if (!positions)
 				return fault(lexer->at, word, "AXIS of TCPM is POS or SPAT");
 		} else if (klartext_take(lexer, "PATHCTRL")) {
+			if (path)
+				return fault(lexer->at, word, "PATHCTRL stands twice in the block");
 			vector = klartext_take(lexer, "VECTOR");
 			path = vector || klartext_take(lexer, "AXIS");
 			if (!path)

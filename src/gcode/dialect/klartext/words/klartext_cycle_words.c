@@ -24,6 +24,24 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 	return word;
 }
 
+/*
+ * The control asks for each word of a line once; `word` is the last one, and X and IX are one word. Lines of older cycles
+ * may have the same word: F of 4.3 and 4.6 is down and across.
+ */
+static bool check_once(struct lexer *lexer, const struct klartext_cycle *cycle, const struct klartext_cycle_word *word)
+{
+	const char *name = word->name + (word->name[0] == 'I' && word->name[1] != '\0' && word->name[2] == '\0');
+
+	for (const struct klartext_cycle_word *other = cycle->words; name[0] && other < word; other++) {
+		const char *before = other->name + (other->name[0] == 'I' && !strcmp(other->name + 1, name));
+
+		if (other->part == word->part && !strcmp(before, name))
+			return fault(lexer->at, word->column, "%s stands twice in the cycle, already in line %ld",
+				     name, other->line);
+	}
+	return true;
+}
+
 /* Q200=2; PREDEF; a feed may be MAX (FMAX), or AUTO (FAUTO) for the feed of TOOL CALL. */
 static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 {
@@ -42,6 +60,8 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	if (!word)
 		return false;
 	snprintf(word->name, sizeof(word->name), "Q%d", number);
+	if (!check_once(lexer, cycle, word))
+		return false;
 	if (klartext_ends(lexer))
 		return true;
 	if (klartext_value_follows(lexer)) {
@@ -89,6 +109,8 @@ static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 		lexer_take(lexer);
 		klartext_word(lexer, more);
 	}
+	if (!check_once(lexer, cycle, word))
+		return false;
 	if (lexer_peek(lexer) == ':' || lexer_peek(lexer) == '=')
 		lexer_take(lexer);
 	/* DR+ */

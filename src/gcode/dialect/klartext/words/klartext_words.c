@@ -227,6 +227,8 @@ static bool read_way(struct lexer *lexer, struct klartext_words *words, int colu
 
 	if (!m || m->number != 140)
 		return fault(lexer->at, column, "MB belongs to M140");
+	if (m->has_way)
+		return refuse_twice(lexer, column, "MB");
 	lexer->position += 2;
 	m->has_way = true;
 	if (klartext_take(lexer, "MAX")) {
@@ -236,6 +238,26 @@ static bool read_way(struct lexer *lexer, struct klartext_words *words, int colu
 	if (!klartext_value(lexer, &m->way))
 		return false;
 	m->way *= interp->state.scale;
+	return true;
+}
+
+/* M-functions of which one ends the other: in one block it is not known which one comes last. */
+static bool check_opposite(struct lexer *lexer, const struct klartext_words *words, int number, int column)
+{
+	static const short groups[][5] = {{3, 4, 5, 13, 14}, {126, 127}, {128, 129}, {136, 137}};
+
+	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
+		bool belongs = false;
+		int other = 0;
+
+		for (int k = 0; k < 5 && groups[i][k]; k++) {
+			belongs |= groups[i][k] == number;
+			if (klartext_words_m(words, groups[i][k]))
+				other = groups[i][k];
+		}
+		if (belongs && other)
+			return fault(lexer->at, column, "M%d and M%d in one block", other, number);
+	}
 	return true;
 }
 
@@ -255,6 +277,8 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 		return fault(lexer->at, column, "a block can have at most %d M-functions", KLARTEXT_M_MAX);
 	if (klartext_words_m(words, number))
 		return fault(lexer->at, column, "M%d stands twice in the block", number);
+	if (!check_opposite(lexer, words, number, column))
+		return false;
 	words->m[words->m_count++] = (struct klartext_m){.number = number, .column = column};
 	/* The axis letters after M138 and M94 belong to the function. */
 	while (words->m_count && (number == 138 || number == 94) && strchr("ABCUVW", next_byte(lexer)) &&
@@ -286,10 +310,12 @@ static bool read_vector(struct lexer *lexer, struct klartext_words *words, int c
 	return klartext_value(lexer, tool ? &words->tool[axis] : &words->normal[axis]);
 }
 
-static bool read_length(struct lexer *lexer, struct klartext_words *words)
+static bool read_length(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	struct interp *interp = lexer->context;
 
+	if (words->has_length)
+		return refuse_twice(lexer, column, "LEN");
 	words->has_length = true;
 	if (!klartext_value(lexer, &words->length))
 		return false;
@@ -311,16 +337,20 @@ static bool read_look_ahead(struct lexer *lexer, struct klartext_words *words, i
 static bool read_long(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	if (klartext_take(lexer, "LEN"))
-		return read_length(lexer, words);
+		return read_length(lexer, words, column);
 	if (klartext_take(lexer, "LA"))
 		return read_look_ahead(lexer, words, column);
 	if (klartext_take(lexer, "CCA")) {
+		if (words->has_centre_angle)
+			return refuse_twice(lexer, column, "CCA");
 		words->has_centre_angle = true;
 		return klartext_value(lexer, &words->centre_angle);
 	}
 	if (klartext_take(lexer, "DR+") || klartext_take(lexer, "DR-")) {
+		const bool given = words->direction != 0;
+
 		words->direction = lexer->at->text[lexer->position - 1] == '+' ? 1 : -1;
-		return true;
+		return !given || refuse_twice(lexer, column, "DR");
 	}
 	return fault(lexer->at, column, "this is no word of a positioning block");
 }
