@@ -117,6 +117,9 @@ static const struct klartext_program cycles[] = {
 	 "Q1 = STRCOMP ( SRC_QS2 SEA_QS2 )\nQS1 = SYSSTR ( ID10321 NR0 )\nQS1 = \"5\"\nQ2 = TONUMB ( SRC_QS1 )\n"
 	 "L X+Q1 Y+Q2 FMAX\n",
 	 "rapid 6 -1 1 0 0\nrapid 0 5 1 0 0\n"},
+	{"Q1 = -0.0000000001\nQS1 = TOCHAR ( DAT+Q1 DECIMALS2 )\nQS2 = TOCHAR ( DAT-1 DECIMALS0 )\nQ1 = STRLEN ( SRC_QS1 )\n"
+	 "Q2 = STRLEN ( SRC_QS2 )\nL X+Q1 Y+Q2 FMAX\n",
+	 "rapid 4 2 0 0 0\n"},
 	{"DECLARE STRING QS12 = \"DRILL 5\"\nTOOL CALL QS12 Z S100\n",
 	 "tool 2\n"},
 	/* Z shifts the surface. */

@@ -98,6 +98,20 @@ static bool read_source(struct lexer *lexer, const char *function, char text[KLA
 	return open_function(lexer, function, "SRC_QS") && read_part(lexer, function, "SRC_", text);
 }
 
+/* The same for a function that counts places. Controls encode letters that are not of ASCII differently. */
+static bool read_places(struct lexer *lexer, const char *function, char text[KLARTEXT_NAME])
+{
+	const int column = lexer_next_column(lexer);
+
+	if (!read_source(lexer, function, text))
+		return false;
+	for (const char *at = text; *at; at++)
+		if ((unsigned char)*at > 127)
+			return fault(lexer->at, column, "%s: the places in \"%s\" are only known if all letters are of ASCII",
+				     function, text);
+	return true;
+}
+
 /* "BEG2": a place or a number of characters, at most `most`. */
 static bool read_count(struct lexer *lexer, const char *function, const char *key, size_t most, int *count)
 {
@@ -111,7 +125,7 @@ static bool read_substring(struct lexer *lexer, char text[KLARTEXT_NAME])
 	char source[KLARTEXT_NAME];
 	int begin, length;
 
-	if (!read_source(lexer, "SUBSTR", source) ||
+	if (!read_places(lexer, "SUBSTR", source) ||
 	    !read_count(lexer, "SUBSTR", "BEG", strlen(source), &begin) ||
 	    !read_count(lexer, "SUBSTR", "LEN", strlen(source) - (size_t)begin, &length) || !close_function(lexer))
 		return false;
@@ -134,10 +148,12 @@ static bool read_written(struct lexer *lexer, char text[KLARTEXT_NAME])
 		return false;
 	for (int i = 0; i < decimals; i++)
 		units *= 10;
-	if (!(fabs(number) < 1e9) || fabs(number * units - round(number * units)) > 1e-6)
+	units *= number;
+	if (!(fabs(units) < 1e15) || fabs(units - round(units)) > 1e-6)
 		return fault(lexer->at, column, "TOCHAR: %.15g is too large, or has more decimals than %d", number,
 			     decimals);
-	snprintf(text, KLARTEXT_NAME, "%.*f", decimals, number);
+	/* No "-0.00". */
+	snprintf(text, KLARTEXT_NAME, "%.*f", decimals, fabs(units) < 0.5 ? 0.0 : number);
 	return true;
 }
 
@@ -170,7 +186,7 @@ bool klartext_string_compute(struct lexer *lexer, double *value, bool *is_functi
 	if (!*is_function)
 		return true;
 	column = lexer_next_column(lexer);
-	if (!read_source(lexer, names[which], text))
+	if (!(which == 1 || which == 2 ? read_places : read_source)(lexer, names[which], text))
 		return false;
 	if (which == 0)
 		return close_function(lexer) && (decimal_read(text, strlen(text), value) ||
