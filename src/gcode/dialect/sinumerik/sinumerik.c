@@ -57,7 +57,7 @@ static bool ends_block(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
 
-	return byte == '\0' || byte == ';' || fault(lexer->at, lexer_next_column(lexer), "nothing can follow here");
+	return byte == '\0' || byte == ';' || fault(lexer->at, lexer_next_column(lexer), "what follows here is not supported");
 }
 
 /* CALL "NAME", EXTCALL("NAME") */
