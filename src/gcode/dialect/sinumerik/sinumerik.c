@@ -57,7 +57,8 @@ static bool ends_block(struct lexer *lexer)
 {
 	const char byte = lexer_peek(lexer);
 
-	return byte == '\0' || byte == ';' || fault(lexer->at, lexer_next_column(lexer), "what follows here is not supported");
+	return byte == '\0' || byte == ';' ||
+	       fault(lexer->at, lexer_next_column(lexer), "what follows here is not supported");
 }
 
 /* CALL "NAME", EXTCALL("NAME") */

@@ -107,8 +107,9 @@ static bool read_places(struct lexer *lexer, const char *function, char text[KLA
 		return false;
 	for (const char *at = text; *at; at++)
 		if ((unsigned char)*at > 127)
-			return fault(lexer->at, column, "%s: the places in \"%s\" are only known if all letters are of ASCII",
-				     function, text);
+			return fault(lexer->at, column,
+				     "%s: the places in \"%s\" are only known if all letters are of ASCII", function,
+				     text);
 	return true;
 }
 

@@ -25,8 +25,8 @@ static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext
 }
 
 /*
- * The control asks for each word of a line once; `word` is the last one, and X and IX are one word. Lines of older cycles
- * may have the same word: F of 4.3 and 4.6 is down and across.
+ * The control asks for each word of a line once; `word` is the last one, and X and IX are one word. Lines of older
+ * cycles may have the same word: F of 4.3 and 4.6 is down and across.
  */
 static bool check_once(struct lexer *lexer, const struct klartext_cycle *cycle, const struct klartext_cycle_word *word)
 {
