@@ -28,6 +28,8 @@ static const struct refused_program programs[] = {
 	 "G961: constant cutting speed is not supported"},
 	{"G97 G94\n", 1, 5,
 	 "this and the word at column 1 are of one group; a block can have only one of them"},
+	{"G1 X1 F100 S100 M3 M8 M5\n", 1, 23,
+	 "M5: the block turns or stops the spindle already at column 17; which comes last is not known here"},
 	{"ROT Z30\nG58 X5\n", 2, 1,
 	 "G58 and G59 while ROT, SCALE or MIRROR is in force are not supported"},
 	{"TRANS X10\nATRANS X5\nTRANS X1\nG59 X2\nTRANS Y1\n", 5, 1,

@@ -71,10 +71,11 @@ static bool turn_spindle(struct interp *interp, enum spindle_turn turn)
 
 /* --------------------------------------------------------------- M functions */
 
-struct ending {
+struct m_effects {
+	int spindle_column;	/* of M3, M4 or M5; 0: none */
 	bool stops;	/* M0, M1 */
 	bool ends;	/* M2, M30, M17 */
-	int column;
+	int column;	/* of that function */
 	bool returns_only;	/* M17 */
 };
 
@@ -102,7 +103,7 @@ static bool machine_m(struct interp *interp, enum mcode_action action, int colum
 	       sinumerik_frame_changed(interp, column);
 }
 
-static bool known_m(struct interp *interp, int number, int column, struct ending *ending)
+static bool known_m(struct interp *interp, int number, int column, struct m_effects *effects)
 {
 	const struct code *code = code_find(interp->config->dialect->m_codes, number);
 
@@ -113,20 +114,27 @@ static bool known_m(struct interp *interp, int number, int column, struct ending
 			     number, number);
 	if (code->state == CODE_REFUSED)
 		return fault(&interp->at, column, "M%d: %s is not supported", number, code->what);
-	if (code->group == M_SPINDLE)
+	if (code->group == M_SPINDLE && effects->spindle_column)
+		return fault(&interp->at, column,
+			     "M%d: the block turns or stops the spindle already at column %d; which comes last is not "
+			     "known here",
+			     number, effects->spindle_column);
+	if (code->group == M_SPINDLE) {
+		effects->spindle_column = column;
 		return turn_spindle(interp, number == 3	  ? SPINDLE_CLOCKWISE
 					    : number == 4 ? SPINDLE_COUNTERCLOCKWISE
 							  : SPINDLE_STOPPED);
+	}
 	if (code->group != M_STOP)
 		return true;
-	ending->column = column;
-	ending->stops = number <= 1;
-	ending->ends = number > 1;
-	ending->returns_only = number == 17;
+	effects->column = column;
+	effects->stops = number <= 1;
+	effects->ends = number > 1;
+	effects->returns_only = number == 17;
 	return true;
 }
 
-static bool run_m(struct interp *interp, const struct sinumerik_block *block, struct ending *ending)
+static bool run_m(struct interp *interp, const struct sinumerik_block *block, struct m_effects *effects)
 {
 	const struct controller *controller = &interp->config->controller;
 
@@ -137,7 +145,7 @@ static bool run_m(struct interp *interp, const struct sinumerik_block *block, st
 			k++;
 		if (k < controller->mcode_count
 			? !machine_m(interp, controller->mcodes[k].action, block->m_column[i])
-			: !known_m(interp, block->m[i], block->m_column[i], ending))
+			: !known_m(interp, block->m[i], block->m_column[i], effects))
 			return false;
 	}
 	return !block->spindle_stands || turn_spindle(interp, SPINDLE_STOPPED);
@@ -249,20 +257,20 @@ static bool check_words(struct interp *interp, const struct sinumerik_block *blo
  * M30 in a subprogram returns to its caller, like M17 (from memory of the manual, "End of program"). A control that
  * ended the program there would move less than is checked.
  */
-static bool finish(struct interp *interp, const struct ending *ending)
+static bool finish(struct interp *interp, const struct m_effects *effects)
 {
-	if ((ending->stops || (ending->ends && !sinumerik_call_is_inside(interp))) &&
-	    !sinumerik_comp_stop(interp, ending->column, ending->ends))
+	if ((effects->stops || (effects->ends && !sinumerik_call_is_inside(interp))) &&
+	    !sinumerik_comp_stop(interp, effects->column, effects->ends))
 		return false;
-	if ((ending->stops || ending->ends) && !ending->returns_only && !motion_commands_spindle_stops(interp))
+	if ((effects->stops || effects->ends) && !effects->returns_only && !motion_commands_spindle_stops(interp))
 		return false;
-	if (!ending->ends)
+	if (!effects->ends)
 		return true;
-	if (!sinumerik_call_check_end(interp, ending->column))
+	if (!sinumerik_call_check_end(interp, effects->column))
 		return false;
 	if (sinumerik_call_is_inside(interp))
-		return sinumerik_call_return(interp, ending->column);
-	if (!ending->returns_only || motion_commands_spindle_stops(interp))
+		return sinumerik_call_return(interp, effects->column);
+	if (!effects->returns_only || motion_commands_spindle_stops(interp))
 		interp->ended = true;
 	return interp->ended;
 }
@@ -302,7 +310,7 @@ static void take_end(struct interp *interp, const struct sinumerik_block *block)
 
 static bool run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
 {
-	struct ending ending = {.stops = false};
+	struct m_effects effects = {.stops = false};
 	bool done, moved = false;
 
 	interp->block.letters = 0;
@@ -315,7 +323,7 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	sinumerik_soft_note(interp, block);
 	if (!check_words(interp, block) || !sinumerik_contour_check(interp, block) ||
 	    !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
-	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||
+	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &effects) ||
 	    !set_modes(interp, block) || !sinumerik_orientation_select(interp, block) ||
 	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) ||
 	    !sinumerik_own_block_run(interp, block, &done))
@@ -332,7 +340,7 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 		sinumerik_of(interp)->tangent.known = false;
 	if (moved ? !sinumerik_invoke_modal(interp) : !done && !sinumerik_invoke_check(interp, block))
 		return false;
-	return finish(interp, &ending);
+	return finish(interp, &effects);
 }
 
 bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
