@@ -1,8 +1,10 @@
 #include "scene/tool_check.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/math/math_functions.h"
+#include "base/mem.h"
 #include "base/minmax.h"
 #include "machine/tool_core.h"
 #include "machine/tool_name.h"
@@ -134,29 +136,35 @@ static double depth_in(const struct scene_pair *pair, const struct body *other)
 	return pair->fault == PAIR_RAPID_CONTACT && (pair->steps || pair->stock) ? other->rapid_allowance : 0;
 }
 
-/* Adds at most one doubt for each tool: the largest. */
-static void check_sharp(const struct scene *scene, size_t item, struct doubts *doubts)
+/*
+ * One doubt for each tool of the setup, the largest; the value 0: none. The caller frees them. Most pairs are of two
+ * tools, and their number grows with the square of that of the tools: they are passed once, not for each tool.
+ */
+static struct doubt *find_sharp(const struct scene *scene)
 {
-	struct doubt doubt = {.kind = DOUBT_TOOL_SHARP, .item = item};
+	struct doubt *sharp = mem_zalloc(scene->setup->tool_count, sizeof(*sharp));
 
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		const struct scene_pair *pair = &scene->pairs[i];
 		const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 		const struct body *cutter = a->role == ROLE_CUTTER ? a : b;
 		const double depth = depth_in(pair, cutter == a ? b : a);
+		const struct tool *tool;
+		size_t item;
 		double most;
 
-		if (cutter->role != ROLE_CUTTER || cutter->tool != scene->setup->tools[item].number ||
-		    !cutter->profile || !(depth > 0) || !scene_pair_needs_check(pair))
+		if (!(depth > 0) || cutter->role != ROLE_CUTTER || !cutter->profile || !scene_pair_needs_check(pair))
 			continue;
+		tool = setup_tool(scene->setup, cutter->tool);
+		if (!tool || tool->checked)
+			continue;
+		item = (size_t)(tool - scene->setup->tools);
 		most = coreless_in(scene, pair, cutter);
-		if (most > larger(CORELESS_MOST * depth, CORELESS_LEAST) && most > doubt.value) {
-			doubt.value = most;
-			doubt.limit = depth;
-		}
+		if (most > larger(CORELESS_MOST * depth, CORELESS_LEAST) && most > sharp[item].value)
+			sharp[item] = (struct doubt){
+				.kind = DOUBT_TOOL_SHARP, .item = item, .value = most, .limit = depth};
 	}
-	if (doubt.value > 0)
-		doubts_add(doubts, &doubt);
+	return sharp;
 }
 
 static void check_name(const struct tool *tool, size_t item, struct doubts *doubts)
@@ -171,6 +179,7 @@ static void check_name(const struct tool *tool, size_t item, struct doubts *doub
 void tool_check(const struct scene *scene, struct doubts *doubts)
 {
 	const struct setup *setup = scene->setup;
+	struct doubt *sharp = setup ? find_sharp(scene) : NULL;
 
 	for (size_t item = 0; setup && item < setup->tool_count; item++) {
 		if (setup->tools[item].checked)
@@ -186,6 +195,8 @@ void tool_check(const struct scene *scene, struct doubts *doubts)
 		check_end(scene, item, doubts);
 		check_radius(setup, item, doubts);
 		check_name(&setup->tools[item], item, doubts);
-		check_sharp(scene, item, doubts);
+		if (sharp[item].value > 0)
+			doubts_add(doubts, &sharp[item]);
 	}
+	free(sharp);
 }
