@@ -70,7 +70,7 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 			return fault(&interp->at, words->column[slot],
 				     "%c in a circle or in polar coordinates is not supported", AXIS_LETTERS[slot]);
 	}
-	if (words->has_spatial)
+	if (words->spatial)
 		return fault(&interp->at, words->first_column,
 			     "a spatial angle (AXIS SPAT) in a circle or in polar coordinates is not supported");
 	if (words->has_length || words->has_centre_angle)

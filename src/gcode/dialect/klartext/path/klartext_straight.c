@@ -140,7 +140,7 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 		return fault(&interp->at, words->first_column,
 			     "axes other than X, Y and Z under radius compensation are not supported");
 	if (!check_waiting(interp, words) || !klartext_move_target(interp, words, &target) ||
-	    ((words->has_tool || words->has_spatial) && !klartext_orient_target(interp, words, &target)) ||
+	    ((words->tool_given || words->spatial) && !klartext_orient_target(interp, words, &target)) ||
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
@@ -162,7 +162,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 		return false;
 	if (!words->axes && !klartext_comp_switch_standing(interp, words))
 		return false;
-	if (!words->axes && !words->has_tool && !words->has_spatial) {
+	if (!words->axes && !words->tool_given && !words->spatial) {
 		/* F alone applies to the next moves. */
 		return (words->feed != KLARTEXT_FEED_VALUE && words->feed != KLARTEXT_FEED_AUTO) ||
 		       klartext_move_feed(interp, words, &rapid, &feed);
@@ -190,7 +190,7 @@ static bool run(struct lexer *lexer, const struct klartext_words *words)
 	struct interp *interp = lexer->context;
 
 	return check_line_words(lexer, words) && run_words(interp, words) &&
-	       klartext_cycle_call_modal(interp, words, words->axes || words->has_tool || words->has_spatial) &&
+	       klartext_cycle_call_modal(interp, words, words->axes || words->tool_given || words->spatial) &&
 	       klartext_m_end(interp, words);
 }
 
@@ -200,7 +200,7 @@ bool klartext_straight_run(struct lexer *lexer)
 
 	if (!klartext_words_read(lexer, &words))
 		return false;
-	if (words.has_normal || words.has_tool)
+	if (words.normal_given || words.tool_given)
 		return fault(lexer->at, words.first_column, "NX and TX belong to LN");
 	return run(lexer, &words);
 }

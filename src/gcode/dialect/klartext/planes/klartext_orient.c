@@ -63,10 +63,10 @@ static bool find_direction(struct interp *interp, const struct klartext_words *w
 	const struct klartext_tcpm *tcpm = &klartext_of(interp)->tcpm;
 	const int column = words->first_column;
 
-	if (words->has_tool && (words->has_spatial || words->axes >> SLOT_A))
+	if (words->tool_given && (words->spatial || words->axes >> SLOT_A))
 		return fault(&interp->at, column, "TX, TY and TZ beside words of rotary axes");
 	*direction = (vec3){words->tool[0], words->tool[1], words->tool[2]};
-	if (words->has_tool)
+	if (words->tool_given)
 		return fabs(vec3_norm(*direction) - 1) < NORMALISED ||
 		       fault(&interp->at, column, "TX, TY and TZ have to be a vector of length 1");
 	for (int i = 0; i < 3; i++) {
@@ -83,7 +83,7 @@ bool klartext_orient_target(struct interp *interp, const struct klartext_words *
 {
 	struct kinematics_orientation orientation = {.rotary_zero = tool_length_rotary_zero(interp),
 						     .rotary = interp->state.canonical,
-						     .command = words->has_tool ? "LN" : "AXIS SPAT"};
+						     .command = words->tool_given ? "LN" : "AXIS SPAT"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
 	const int column = words->first_column;

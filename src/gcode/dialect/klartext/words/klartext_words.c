@@ -50,8 +50,11 @@ static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int 
 
 	if (increment)
 		return fault(lexer->at, column, "an increment of a spatial angle (AXIS SPAT) is not supported");
+	if (words->spatial & 1U << slot)
+		return fault(lexer->at, column, "%c stands twice in the block", AXIS_LETTERS[slot]);
 	lexer_take(lexer);
-	words->has_spatial = tcpm->given[slot - SLOT_A] = true;
+	words->spatial |= 1U << slot;
+	tcpm->given[slot - SLOT_A] = true;
 	return klartext_value(lexer, &tcpm->angle[slot - SLOT_A]);
 }
 
@@ -300,13 +303,15 @@ static bool read_vector(struct lexer *lexer, struct klartext_words *words, int c
 {
 	bool tool = next_byte(lexer) == 'T';
 	int axis = byte_after(lexer, 1) - 'X';
-	bool *has = tool ? &words->has_tool : &words->has_normal;
+	unsigned *given = tool ? &words->tool_given : &words->normal_given;
 
 	if (axis < 0 || axis > 2)
 		return fault(lexer->at, column, "%cX, %cY or %cZ is needed here", tool ? 'T' : 'N', tool ? 'T' : 'N',
 			     tool ? 'T' : 'N');
+	if (*given & 1U << axis)
+		return fault(lexer->at, column, "%c%c stands twice in the block", tool ? 'T' : 'N', 'X' + axis);
 	lexer->position += 2;
-	*has = true;
+	*given |= 1U << axis;
 	return klartext_value(lexer, tool ? &words->tool[axis] : &words->normal[axis]);
 }
 

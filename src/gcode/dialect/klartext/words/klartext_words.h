@@ -42,8 +42,8 @@ struct klartext_words {
 	bool feed_per_revolution; /* FU */
 	bool has_speed;
 	double speed;
-	bool has_spatial; /* A, B or C with AXIS SPAT */
-	bool has_normal, has_tool; /* LN */
+	unsigned spatial; /* bits 1 << slot: A, B or C with AXIS SPAT */
+	unsigned normal_given, tool_given; /* LN: bits 0, 1, 2 for NX, NY, NZ and for TX, TY, TZ */
 	double normal[3], tool[3];
 	int m_count;
 	unsigned handwheel; /* bits 1 << slot: a limit behind M118 */
